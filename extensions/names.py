@@ -1,0 +1,41 @@
+"""Filters that turn the names of a spec into names in code."""
+
+from __future__ import annotations
+
+import re
+
+from jinja2 import Environment
+from jinja2.ext import Extension
+
+
+class NamesExtension(Extension):
+    """Register the filters of this file."""
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        environment.filters |= {
+            "identifier": identifier,
+            "camel_case": camel_case,
+            "type_package": type_package,
+            "type_name": type_name,
+        }
+
+
+def identifier(name: str) -> str:
+    """Return a ROS name as one word of an identifier: `~/arm/pose` gives `arm_pose`."""
+    return name.lstrip("~/").replace("/", "_")
+
+
+def camel_case(name: str) -> str:
+    """Return the class name for a name: `contact_evaluate` gives `ContactEvaluate`."""
+    return "".join(word[0].upper() + word[1:] for word in re.split(r"[_/~]+", name) if word)
+
+
+def type_package(type_: str) -> str:
+    """Return the package of a ROS type: `std_msgs/msg/String` gives `std_msgs`."""
+    return type_.split("/")[0]
+
+
+def type_name(type_: str) -> str:
+    """Return the last part of a ROS type: `std_msgs/msg/String` gives `String`."""
+    return type_.split("/")[-1]

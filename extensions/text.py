@@ -1,0 +1,95 @@
+"""Filters that make any text of a spec safe for the place where it lands."""
+
+from __future__ import annotations
+
+import json
+import re
+import unicodedata
+from typing import Any
+from xml.sax.saxutils import escape, quoteattr
+
+from jinja2 import Environment
+from jinja2.ext import Extension
+from packaging.licenses import InvalidLicenseExpression, canonicalize_license_expression
+
+
+class TextExtension(Extension):
+    """Register the filters of this file."""
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        environment.filters |= {
+            "one_line": one_line,
+            "wrap": wrap,
+            "xml": xml_text,
+            "xml_attribute": quoteattr,
+            "markdown": markdown,
+            "mermaid": mermaid,
+            "yaml": yaml_value,
+            "plain": plain,
+        }
+        environment.tests["spdx"] = is_spdx
+
+
+def one_line(text: str) -> str:
+    """Return the text with every run of blanks and line breaks made one space."""
+    return " ".join(text.split())
+
+
+def wrap(text: str, prefix: str = "", width: int = 99) -> str:
+    """Return the text in lines of at most `width` columns, each after `prefix`.
+
+    Wide characters (Unicode TR 11) count as two columns, as linters count them.
+    """
+    lines: list[str] = []
+    line = prefix
+    for word in one_line(text).split(" "):
+        if line != prefix and _columns(f"{line} {word}") > width:
+            lines.append(line)
+            line = prefix
+        line += word if line == prefix else f" {word}"
+    return "\n".join([*lines, line]).rstrip()
+
+
+def _columns(text: str) -> int:
+    return sum(2 if unicodedata.east_asian_width(letter) in "WF" else 1 for letter in text)
+
+
+def xml_text(text: str) -> str:
+    """Return the text for the inside of an XML element."""
+    return escape(text)
+
+
+def markdown(text: str) -> str:
+    """Return the text for one cell of a Markdown table, with nothing of it markup."""
+    return re.sub(r"([\\`*_{}\[\]<>#|&~$])", r"\\\1", one_line(text))
+
+
+def mermaid(text: str) -> str:
+    """Return the text as a quoted label of a Mermaid diagram."""
+    label = one_line(text).replace("#", "#35;").replace('"', "#quot;")
+    return '"' + label.replace("<", "#lt;").replace(">", "#gt;") + '"'
+
+
+def yaml_value(value: Any) -> str:
+    """Return a value as YAML, which is JSON but for floats: 1e+22 needs a dot there."""
+    if isinstance(value, list):
+        return f"[{', '.join(yaml_value(item) for item in value)}]"
+    text = json.dumps(value, ensure_ascii=False)
+    return re.sub(r"^(-?\d+)e", r"\1.0e", text) if isinstance(value, float) else text
+
+
+def plain(number: float) -> str:
+    """Return a number without the dot where it is whole: `10.0` gives `10`."""
+    return str(int(number)) if number == int(number) else str(number)
+
+
+
+
+def is_spdx(text: str) -> bool:
+    """Say whether a licence is an SPDX expression."""
+    try:
+        canonicalize_license_expression(text)
+    except InvalidLicenseExpression:
+        return False
+    return True

@@ -1,0 +1,192 @@
+"""The dictionary of a model: which tags and attributes its specs may use.
+
+The form is that of Figure 4 of the paper; an attribute or an interface kind may also be a
+mapping, which says more than a name. docs/designers describes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from .faults import SpecError, allowed
+from .formats import FORMATS
+
+PACKAGE = "package"
+DEPEND = "depend"
+RESERVED_KEYS = frozenset({"ros", "kinds", "depends", "notes"})
+"""The keys of the context that the hook itself adds to the attributes of the package."""
+
+
+@dataclass(frozen=True)
+class Attribute:
+    """One attribute of a tag, and what its value must be."""
+
+    name: str
+    doc: str = ""
+    optional: bool = False
+    default: Any = None
+    format: str = "text"
+    of: str | None = None
+    choices: Mapping[str, list[str]] = field(default_factory=dict)
+    pattern: str | None = None
+    above: float | None = None
+    minimum: float | str | None = None
+    maximum: float | str | None = None
+    when: Mapping[str, list[str]] = field(default_factory=dict)
+    unique: bool | str = False
+    reserved: list[str] = field(default_factory=list)
+    ignored: bool = False
+    example: Any = ""
+
+
+@dataclass(frozen=True)
+class Interface:
+    """One interface kind: its attributes and what it is for."""
+
+    kind: str
+    attributes: Mapping[str, Attribute]
+    doc: str = ""
+
+    @property
+    def key(self) -> str:
+        """Where the context keeps the interfaces of this kind: `publishers`."""
+        return self.kind + "s"
+
+
+@dataclass(frozen=True)
+class Component:
+    """One component tag, such as the paper's node: its attributes and interface kinds."""
+
+    tag: str
+    attributes: Mapping[str, Attribute]
+    interfaces: Mapping[str, Interface]
+
+    @property
+    def key(self) -> str:
+        """Where the context keeps the components of this tag: `nodes`."""
+        return self.tag + "s"
+
+
+@dataclass(frozen=True)
+class Dictionary:
+    """All a model allows in a spec."""
+
+    package: Mapping[str, Attribute]
+    components: Mapping[str, Component]
+    aliases: Mapping[str, str]
+    starter: list[str]
+
+
+_KEYS = {"package_attributes", "aliases", "starter", "definitions", "include"}
+_ATTRIBUTE_KEYS = {item.name for item in fields(Attribute)}
+
+
+def load(file: Path, root: Path) -> Dictionary:
+    """Read a `dictionary.yaml`; what it includes is looked for below `root`.
+
+    Raises:
+        SpecError: the file is not YAML or says what no dictionary can say.
+    """
+    content = _read(file)
+    while isinstance(content.get("include"), str):
+        included = root / content.pop("include")
+        content = {**_read(included), **content}
+    tags = [key.removesuffix("_interface") for key in content if key.endswith("_interface")]
+    known = {f"{tag}{end}" for tag in tags for end in ("_attributes", "_interface")} | _KEYS
+    for key in content:
+        if key not in known:
+            raise SpecError(f'{file}: unknown key "{key}"; {allowed(key, sorted(known))}')
+    components = {
+        tag: Component(
+            tag,
+            _attributes(file, tag, content.get(f"{tag}_attributes") or ["name"]),
+            {
+                kind: _interface(file, kind, item)
+                for kind, item in (content[f"{tag}_interface"] or {}).items()
+            },
+        )
+        for tag in tags
+    }
+    dictionary = Dictionary(
+        _attributes(file, PACKAGE, content.get("package_attributes") or ["name"]),
+        components,
+        content.get("aliases") or {},
+        content.get("starter") or [],
+    )
+    _check_keys(file, dictionary)
+    return dictionary
+
+
+def _read(file: Path) -> dict[str, Any]:
+    try:
+        content = yaml.safe_load(file.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise SpecError(f"{file}: no such file; a model needs it") from None
+    except yaml.YAMLError as error:
+        raise SpecError(f"{file}: not YAML: {error}") from None
+    if not isinstance(content, dict):
+        raise SpecError(f"{file}: must be a mapping with package_attributes and node_interface")
+    return content
+
+
+def _interface(file: Path, kind: str, item: Any) -> Interface:
+    """Read an interface kind, which is a list of attributes or a mapping that has one."""
+    if isinstance(item, list):
+        item = {"attributes": item}
+    if not isinstance(item, dict) or not set(item) <= {"attributes", "doc"}:
+        raise SpecError(f"{file}: {kind}: must be a list of attributes, or attributes and doc")
+    return Interface(
+        kind, _attributes(file, kind, item.get("attributes", [])), item.get("doc", "")
+    )
+
+
+def _attributes(file: Path, owner: str, items: Any) -> dict[str, Attribute]:
+    if not isinstance(items, list):
+        raise SpecError(f"{file}: {owner}: the attributes must be a list")
+    attributes: dict[str, Attribute] = {}
+    for item in items:
+        if isinstance(item, str):
+            item = {item: {}}
+        if not isinstance(item, dict):
+            raise SpecError(f"{file}: {owner}: {item!r} must be a name or a mapping")
+        for name, options in item.items():
+            attributes[name] = _attribute(f"{file}: {owner} {name}", name, options or {})
+    return attributes
+
+
+def _attribute(place: str, name: str, options: dict[str, Any]) -> Attribute:
+    for key in options:
+        if key not in _ATTRIBUTE_KEYS - {"name"}:
+            options_known = sorted(_ATTRIBUTE_KEYS - {"name"})
+            raise SpecError(f'{place}: unknown key "{key}"; {allowed(key, options_known)}')
+    known_formats = [*FORMATS, "literal"]
+    if options.get("format", "text") not in known_formats:
+        word = str(options["format"])
+        raise SpecError(f'{place}: unknown format "{word}"; {allowed(word, known_formats)}')
+    options = dict(options)
+    if "choices" in options:
+        choices = options["choices"]
+        if isinstance(choices, list):
+            choices = dict.fromkeys(choices, ())
+        options["choices"] = {str(word): [*(others or ())] for word, others in choices.items()}
+    options.setdefault("optional", "default" in options)
+    return Attribute(name, **options)
+
+
+def _check_keys(file: Path, dictionary: Dictionary) -> None:
+    """Refuse an attribute that would hide a key the context needs."""
+    component_keys = {component.key for component in dictionary.components.values()}
+    owners: list[tuple[str, Mapping[str, Attribute], set[str]]] = [
+        (PACKAGE, dictionary.package, component_keys | RESERVED_KEYS)
+    ]
+    for component in dictionary.components.values():
+        keys = {interface.key for interface in component.interfaces.values()}
+        owners.append((component.tag, component.attributes, keys))
+    for owner, attributes, keys in owners:
+        for name in keys & set(attributes):
+            raise SpecError(f'{file}: {owner}: the context needs the key "{name}"; rename it')

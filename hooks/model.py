@@ -1,0 +1,96 @@
+"""A model as the hook sees it: its dictionary and its functions."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import traceback
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from .check import check
+from .complete import Functions, complete
+from .dictionary import Dictionary, load
+from .faults import SpecError
+from .parse import parse
+from .starter import starter
+
+
+class Model:
+    """What a model's folder says of specs and of the functions its templates use."""
+
+    def __init__(self, folder: Path, root: Path) -> None:
+        """Load the model in `folder`; `root` is the template that holds it.
+
+        Raises:
+            SpecError: the dictionary or the functions cannot be loaded.
+        """
+        self.dictionary: Dictionary = load(folder / "dictionary.yaml", root)
+        self.functions: Functions = load_functions(folder / "functions.py")
+
+    def context(self, xml: bytes, file: str, distro: str) -> dict[str, Any]:
+        """Return the context of a spec; `file` is its name in messages.
+
+        Raises:
+            SpecError: the spec is not well-formed, or the dictionary does not allow it.
+        """
+        tag, element = parse(xml, file)
+        package, depends, used = check(tag, element, self.dictionary, file)
+        return complete(package, depends, used, self.functions, distro)
+
+    def starter(self, sources: Mapping[str, str]) -> str:
+        """Return the XML a package starts with; see `hooks.starter`."""
+        return starter(self.dictionary, sources)
+
+
+def load_functions(file: Path) -> Functions:
+    """Return the public functions of a `functions.py`, each with faults that name it.
+
+    The file is executed anew each time, so that two versions of a model never mix.
+    """
+    if not file.exists():
+        return {}
+    module = ModuleType(file.stem)
+    module.__file__ = str(file)
+    try:
+        exec(compile(file.read_text(encoding="utf-8"), str(file), "exec"), module.__dict__)
+    except Exception as error:
+        raise SpecError(f"{_place(file, error)}: {type(error).__name__}: {error}") from error
+    return {
+        name: _reporting(file, value)
+        for name, value in vars(module).items()
+        if inspect.isfunction(value)
+        and value.__code__.co_filename == str(file)
+        and not name.startswith("_")
+    }
+
+
+def _reporting(file: Path, function: Callable[..., Any]) -> Callable[..., Any]:
+    @functools.wraps(function)
+    def call(*arguments: Any, **options: Any) -> Any:
+        try:
+            return function(*arguments, **options)
+        except SpecError:
+            raise
+        except Exception as error:
+            given = ", ".join(repr(argument)[:200] for argument in arguments)
+            raise SpecError(
+                f"{_place(file, error)}: {function.__name__}({given}):"
+                f" {type(error).__name__}: {error}"
+            ) from error
+
+    return call
+
+
+def _place(file: Path, error: BaseException) -> str:
+    """Name the file, and the last line of it that led to the error."""
+    lines = [
+        frame.lineno
+        for frame in traceback.extract_tb(error.__traceback__)
+        if frame.filename == str(file)
+    ]
+    if isinstance(error, SyntaxError) and error.filename == str(file):
+        lines.append(error.lineno)
+    return f"{file}:{lines[-1]}" if lines else str(file)

@@ -1,0 +1,110 @@
+"""Write the spec a package starts with, every tag and attribute taken from the dictionary."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Mapping
+from xml.sax.saxutils import quoteattr
+
+from .dictionary import DEPEND, PACKAGE, Attribute, Component, Dictionary, Interface
+
+_WIDTH = 96
+
+
+def starter(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
+    """Return the XML of a small spec that works, with the rest of the kinds as comments.
+
+    An attribute whose example is `$name` in the dictionary takes its value from `sources`.
+    """
+    package = list(dictionary.package.values())
+    lines = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        *_comment("This file describes the package: change it, commit, run copier update.", "", package),
+        *_tag(PACKAGE, package, "", ">", sources),
+    ]
+    for component in dictionary.components.values():
+        lines += _component(component, dictionary)
+    lines += ["", *_comment("A package that no interface above names:", "  ")]
+    return "\n".join(
+        [*lines, f"  <!-- <{DEPEND}>package_name</{DEPEND}> -->", f"</{PACKAGE}>", ""]
+    )
+
+
+def _component(component: Component, dictionary: Dictionary) -> list[str]:
+    kinds = component.interfaces.values()
+    lines = [
+        *_comment(component.tag, "  ", component.attributes.values()),
+        *_tag(component.tag, component.attributes.values(), "  ", ">"),
+    ]
+    for kind in kinds:
+        if kind.kind in dictionary.starter:
+            lines += [*_describe(kind), *_tag(kind.kind, kind.attributes.values(), "    ", "/>")]
+    others = [kind for kind in kinds if kind.kind not in dictionary.starter]
+    if others:
+        lines += ["", *_comment("The other interface kinds, to uncomment where needed.", "    ")]
+    for kind in others:
+        example = _tag(kind.kind, kind.attributes.values(), "    <!-- ", "/> -->")
+        lines += ["", *_describe(kind), *example]
+    return [*lines, f"  </{component.tag}>"]
+
+
+def _describe(kind: Interface) -> list[str]:
+    title = f"{kind.kind}: {kind.doc}" if kind.doc else kind.kind
+    return _comment(title, "    ", kind.attributes.values())
+
+
+def _comment(title: str, indent: str, attributes: Iterable[Attribute] = ()) -> list[str]:
+    """Write a comment: a title, and below it what each attribute means."""
+    shown = [attribute for attribute in attributes if not attribute.ignored]
+    width = max((len(attribute.name) for attribute in shown), default=0) + 2
+    lines = [f"{indent}<!-- {_inside(title)}"]
+    for attribute in shown:
+        lines += textwrap.wrap(
+            attribute.name.ljust(width) + _inside(_meaning(attribute)),
+            _WIDTH,
+            initial_indent=indent + " " * 7,
+            subsequent_indent=indent + " " * (7 + width),
+            break_long_words=False,
+        )
+    lines[-1] += " -->"
+    return lines
+
+
+def _meaning(attribute: Attribute) -> str:
+    words = [attribute.doc] if attribute.doc else []
+    if attribute.choices:
+        words.append("one of " + ", ".join(attribute.choices))
+    if attribute.optional:
+        default = attribute.default
+        words.append("optional" if default in (None, "") else f"default {default}")
+    return "; ".join(words)
+
+
+def _inside(text: str) -> str:
+    """Make a text fit for a comment, where XML allows no double hyphen."""
+    return text.replace("--", "- -")
+
+
+def _tag(
+    tag: str,
+    attributes: Iterable[Attribute],
+    indent: str,
+    end: str,
+    sources: Mapping[str, str] | None = None,
+) -> list[str]:
+    """Write a tag with an example for each attribute, one a line if they are long."""
+    parts = []
+    for attribute in attributes:
+        example = str(attribute.example)
+        if example.startswith("$"):
+            example = (sources or {})[example[1:]]
+        if example or not attribute.optional:
+            parts.append(f"{attribute.name}={quoteattr(example or attribute.name)}")
+    line = f"{indent}<{' '.join([tag, *parts])}{end}"
+    if len(line) <= _WIDTH + 4:
+        return [line]
+    gap = " " * (len(indent) + len(tag) + 2)
+    first, *others = parts
+    lines = [f"{indent}<{tag} {first}", *(gap + part for part in others)]
+    lines[-1] += end
+    return lines

@@ -1,0 +1,84 @@
+"""What the templates of this model need to write Python. Each function is a filter."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+WIDTH = 99
+
+
+def dependencies_from_template(ros_distro: str) -> list[str]:
+    """Return the packages every package of this model needs at run time."""
+    if ros_distro == "noetic":
+        return ["rospy"]
+    return ["launch_ros", "launch_xml", "rclpy"]
+
+
+def dependencies_from_interface(
+    kind: str, attributes: dict[str, Any], ros_distro: str
+) -> list[str]:
+    """Return the packages that one interface needs: that of its type, and that of its kind."""
+    ros1 = ros_distro == "noetic"
+    packages = {
+        "actionServer": ["actionlib"] if ros1 else [],
+        "actionClient": ["actionlib"] if ros1 else [],
+        "dynParameter": ["dynamic_reconfigure"] if ros1 else ["rcl_interfaces"],
+        "parameter": [] if ros1 else ["rcl_interfaces"],
+        "listener": ["geometry_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
+        "broadcaster": ["geometry_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
+    }.get(kind, [])
+    type_ = attributes.get("type", "")
+    return [*packages, type_.split("/")[0]] if "/" in type_ else packages
+
+
+def python_type(type_: str) -> str:
+    """Return the Python name of a ROS type or of the type of a parameter."""
+    if type_.endswith("[]"):
+        return f"Sequence[{python_type(type_[:-2])}]"
+    names = {"double": "float", "string": "str"}
+    return names.get(type_, type_.replace("/", "."))
+
+
+def python_module(type_: str) -> str:
+    """Return the module of a ROS type: `std_msgs/msg/String` gives `std_msgs.msg`."""
+    return ".".join(type_.split("/")[:-1])
+
+
+def python_value(value: Any, indent: int, used: int = 0) -> str:
+    """Return a value of a parameter as a literal; the arguments are those of `python_text`."""
+    if isinstance(value, str):
+        return python_text(value, indent, used)
+    if not isinstance(value, list):
+        return repr(value)
+    items = [python_value(item, indent + 4, 1) for item in value]
+    line = f"({', '.join(items)}{',' if len(items) == 1 else ''})"
+    if "\n" not in line and indent + used + len(line) <= WIDTH:
+        return line
+    margin = " " * (indent + 4)
+    return "(\n" + "".join(f"{margin}{item},\n" for item in items) + " " * indent + ")"
+
+
+def python_text(text: str, indent: int, used: int = 0) -> str:
+    """Return a text as a string literal, split at blanks where a line would be too long.
+
+    Args:
+        text: any text.
+        indent: the columns before the line the literal stands on.
+        used: the columns on that line that other code takes.
+    """
+    if indent + used + len(repr(text)) <= WIDTH:
+        return repr(text)
+    lines = [""]
+    for piece in re.findall(r"\s*\S{1,60}|\s+$", text):
+        if lines[-1] and indent + 4 + len(repr(lines[-1] + piece)) > WIDTH:
+            lines.append("")
+        lines[-1] += piece
+    margin = "\n" + " " * (indent + 4)
+    return "(" + "".join(margin + repr(line) for line in lines) + "\n" + " " * indent + ")"
+
+
+def sort_imports(text: str) -> str:
+    """Return import statements sorted by module, each once, as ament_flake8 wants them."""
+    statements = re.findall(r"^\S.*\n(?:(?:[ )].*)\n)*", text.strip() + "\n", re.MULTILINE)
+    return "".join(sorted(set(statements), key=lambda line: line.split()[1].lower()))
