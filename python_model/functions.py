@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from typing import Any
 
 WIDTH = 99
@@ -45,6 +46,17 @@ def python_module(type_: str) -> str:
     return ".".join(type_.split("/")[:-1])
 
 
+def ros1_action(type_: str) -> str:
+    """Return the Python name of the message that ROS 1 makes of an action."""
+    package, _, name = type_.split("/")
+    return f"{package}.msg.{name}Action"
+
+
+def ros1_module(type_: str) -> str:
+    """Return the module of a type in ROS 1, where actions are messages."""
+    return python_module(type_).replace(".action", ".msg")
+
+
 def python_value(value: Any, indent: int, used: int = 0) -> str:
     """Return a value of a parameter as a literal; the arguments are those of `python_text`."""
     if isinstance(value, str):
@@ -79,6 +91,10 @@ def python_text(text: str, indent: int, used: int = 0) -> str:
 
 
 def sort_imports(text: str) -> str:
-    """Return import statements sorted by module, each once, as ament_flake8 wants them."""
-    statements = re.findall(r"^\S.*\n(?:(?:[ )].*)\n)*", text.strip() + "\n", re.MULTILINE)
-    return "".join(sorted(set(statements), key=lambda line: line.split()[1].lower()))
+    """Return import statements, each once, in the order and groups ament_flake8 wants."""
+    statements = set(re.findall(r"^\S.*\n(?:[ )].*\n)*", text.strip() + "\n", re.MULTILINE))
+    modules = {statement: statement.split()[1] for statement in statements}
+    in_order = sorted(statements, key=lambda statement: modules[statement].lower())
+    standard = [s for s in in_order if modules[s].split(".")[0] in sys.stdlib_module_names]
+    others = [s for s in in_order if s not in standard]
+    return "\n".join("".join(group) for group in (standard, others) if group)
