@@ -16,6 +16,7 @@ class NamesExtension(Extension):
         environment.filters |= {
             "identifier": identifier,
             "camel_case": camel_case,
+            "graph_id": graph_id,
             "type_package": type_package,
             "type_name": type_name,
         }
@@ -24,6 +25,11 @@ class NamesExtension(Extension):
 def identifier(name: str) -> str:
     """Return a ROS name as one word of an identifier: `~/arm/pose` gives `arm_pose`."""
     return name.lstrip("~/").replace("/", "_")
+
+
+def graph_id(name: str, node: str) -> str:
+    """Return one word for a name in the graph of all nodes; a private name is its node's."""
+    return f"{node}_{identifier(name)}" if name.startswith("~") else identifier(name)
 
 
 def camel_case(name: str) -> str:
