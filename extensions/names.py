@@ -17,6 +17,7 @@ class NamesExtension(Extension):
             "identifier": identifier,
             "camel_case": camel_case,
             "graph_id": graph_id,
+            "ros_type": ros_type,
             "type_package": type_package,
             "type_name": type_name,
         }
@@ -35,6 +36,11 @@ def graph_id(name: str, node: str) -> str:
 def camel_case(name: str) -> str:
     """Return the class name for a name: `contact_evaluate` gives `ContactEvaluate`."""
     return "".join(word[0].upper() + word[1:] for word in re.split(r"[_/~]+", name) if word)
+
+
+def ros_type(type_: str, ros: int) -> str:
+    """Return a type as users of a ROS generation write it: in ROS 1 `std_msgs/String`."""
+    return f"{type_package(type_)}/{type_name(type_)}" if ros == 1 else type_
 
 
 def type_package(type_: str) -> str:

@@ -55,7 +55,10 @@ def complete(
 
 
 def _call(functions: Functions, name: str, place: str, *arguments: Any) -> set[str]:
-    result = functions[name](*arguments)
+    try:
+        result = functions[name](*arguments)
+    except SpecError as error:
+        raise SpecError(f"{error} (called for {place})") from error
     if not isinstance(result, list) or not all(isinstance(item, str) for item in result):
         raise SpecError(f"{name} for {place}: must return a list of package names, not {result!r}")
     return set(result)

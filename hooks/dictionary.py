@@ -100,6 +100,7 @@ def load(file: Path, root: Path) -> Dictionary:
     known = {f"{tag}{end}" for tag in tags for end in ("_attributes", "_interface")} | _KEYS
     for key in content:
         if key not in known:
+            known |= {"<component>_attributes", "<component>_interface"}
             raise SpecError(f'{file}: unknown key "{key}"; {allowed(key, sorted(known))}')
     components = {
         tag: Component(

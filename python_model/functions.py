@@ -62,7 +62,7 @@ def python_value(value: Any, indent: int, used: int = 0) -> str:
     if isinstance(value, str):
         return python_text(value, indent, used)
     if not isinstance(value, list):
-        return repr(value)
+        return repr(value).replace("e+", "e")
     items = [python_value(item, indent + 4, 1) for item in value]
     line = f"({', '.join(items)}{',' if len(items) == 1 else ''})"
     if "\n" not in line and indent + used + len(line) <= WIDTH:
@@ -97,4 +97,14 @@ def sort_imports(text: str) -> str:
     in_order = sorted(statements, key=lambda statement: modules[statement].lower())
     standard = [s for s in in_order if modules[s].split(".")[0] in sys.stdlib_module_names]
     others = [s for s in in_order if s not in standard]
-    return "\n".join("".join(group) for group in (standard, others) if group)
+    groups = [map(_unfolded, group) for group in (standard, others) if group]
+    return "\n".join("".join(group) for group in groups)
+
+
+def _unfolded(statement: str) -> str:
+    """Give each name a line of its own where an import is too long for one."""
+    if len(statement) <= WIDTH or "(" in statement:
+        return statement
+    head, _, names = statement.strip().partition(" import ")
+    lines = "".join(f"    {name},\n" for name in names.split(", "))
+    return f"{head} import (\n{lines})\n"

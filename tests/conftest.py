@@ -1,0 +1,149 @@
+"""What all tests share: the collection as a git repository, rendering, updating, and ROS."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import copier
+import pytest
+import ros
+
+ROOT = Path(__file__).parents[1]
+EXAMPLES = ROOT / "examples"
+GIT = {
+    f"GIT_{who}_{what}": value
+    for who in ("AUTHOR", "COMMITTER")
+    for what, value in (("NAME", "Test Er"), ("EMAIL", "test@example.org"))
+}
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _clean_environment(tmp_path_factory):
+    """Keep the user's git, Copier and ROS settings out of the tests, and the tests out of them."""
+    home = tmp_path_factory.mktemp("home")
+    with pytest.MonkeyPatch.context() as patch:
+        for name, value in {
+            **GIT,
+            "XDG_CACHE_HOME": str(home / "cache"),
+            "XDG_CONFIG_HOME": str(home / "config"),
+            "GIT_CONFIG_GLOBAL": str(home / "gitconfig"),
+            "GIT_CONFIG_NOSYSTEM": "1",
+        }.items():
+            patch.setenv(name, value)
+        (home / "gitconfig").write_text(
+            "[user]\nname = Test Er\nemail = test@example.org\n[init]\ndefaultBranch = main\n"
+        )
+        patch.delenv("ROS_DISTRO", raising=False)
+        yield
+
+
+def git(folder, *arguments):
+    result = subprocess.run(
+        ["git", *arguments], cwd=folder, check=True, capture_output=True, text=True
+    )
+    return result.stdout.strip()
+
+
+def commit(folder, message="A change", tag=None):
+    """Commit all of a folder, which becomes a repository if it is none."""
+    if not (folder / ".git").exists() and not git_top(folder):
+        git(folder, "init", "-q")
+    git(folder, "add", "-A")
+    git(folder, "commit", "-q", "--allow-empty", "-m", message)
+    if tag:
+        git(folder, "tag", tag)
+
+
+def git_top(folder):
+    command = ["git", "-C", str(folder), "rev-parse", "--show-toplevel"]
+    return subprocess.run(command, capture_output=True, text=True).stdout.strip()
+
+
+def copy_collection(target):
+    """Copy the working tree, without what git ignores, and make it a repository."""
+    names = git(ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
+    for name in filter(None, names):
+        if (ROOT / name).exists():
+            (target / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(ROOT / name, target / name)
+    commit(target, "First version", tag="1.0.0")
+    return target
+
+
+@pytest.fixture(scope="session")
+def collection(tmp_path_factory):
+    """The collection as it is in the working tree, as a repository with the tag 1.0.0."""
+    return copy_collection(tmp_path_factory.mktemp("collection"))
+
+
+@pytest.fixture
+def own_collection(tmp_path):
+    """A collection that the test may change and tag."""
+    return copy_collection(tmp_path / "own_collection")
+
+
+@pytest.fixture
+def render(collection, tmp_path):
+    """Render a package from a spec, given as a file or as XML, and commit it to git."""
+
+    def make(spec=None, *, template=collection, model="python_model", name="package", **data):
+        folder = tmp_path / name
+        if isinstance(spec, str):
+            file = tmp_path / "specs" / f"{folder.name}.xml"
+            file.parent.mkdir(exist_ok=True)
+            file.write_text(spec, encoding="utf-8")
+            spec = file
+        if spec is not None:
+            data["spec_file"] = str(spec)
+        data = {"model": model, "ros_distro": "kilted", **data}
+        copier.run_copy(
+            str(template), folder, data=data, defaults=True, unsafe=True, quiet=True
+        )
+        commit(folder, "Render")
+        return folder
+
+    return make
+
+
+@pytest.fixture
+def update():
+    """Update a committed package as `copier update --trust --defaults` does."""
+
+    def run(package, **data):
+        copier.run_update(
+            package, data=data, defaults=True, unsafe=True, quiet=True, overwrite=True
+        )
+        return git(package, "status", "--short")
+
+    return run
+
+
+@pytest.fixture
+def copier_command():
+    """Run the copier command as a user would; the result has returncode, stdout and stderr."""
+
+    def run(*arguments, cwd, **environment):
+        return subprocess.run(
+            [sys.executable, "-m", "copier", *map(str, arguments)],
+            cwd=cwd,
+            env=os.environ | environment,
+            capture_output=True,
+            text=True,
+            stdin=subprocess.DEVNULL,
+        )
+
+    return run
+
+
+@pytest.fixture
+def ros1():
+    """ROS 1, or skip."""
+    return ros.ros1() or pytest.skip("ROS 1 (Debian's packages) is not installed")
+
+
+@pytest.fixture
+def ros2():
+    """ROS 2, or skip."""
+    return ros.ros2() or pytest.skip("ROS 2 (sourced, or its wheels in .venv/ros2) is not there")

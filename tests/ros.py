@@ -1,0 +1,177 @@
+"""Where ROS is on this machine, and how to build and run packages in it."""
+
+import contextlib
+import functools
+import os
+import random
+import shlex
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+TESTS = Path(__file__).parent
+WHEELS = TESTS.parent / ".venv" / "ros2"
+
+
+@dataclass(frozen=True)
+class Ros:
+    """One ROS: how to set it up in a shell, and its environment."""
+
+    setup: str
+    environment: dict[str, str]
+    workspace_setup: str
+    python: str = "python3"
+    options: list[str] = field(default_factory=list)
+
+    def command(self, command, workspace=None):
+        """Return the shell command that sets ROS up and then becomes `command`."""
+        steps = [self.setup]
+        if workspace and (workspace / self.workspace_setup).exists():
+            steps.append(f". {shlex.quote(str(workspace / self.workspace_setup))}")
+        return ["bash", "-c", " && ".join([*filter(None, steps), f"exec {command}"])]
+
+    def run(self, command, cwd, workspace=None, check=True, timeout=600):
+        """Run a command to its end; what it printed is in the result's stdout."""
+        result = subprocess.run(
+            self.command(command, workspace),
+            cwd=cwd,
+            env=self.environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            timeout=timeout,
+        )
+        assert not check or result.returncode == 0, f"{command}:\n{result.stdout}"
+        return result
+
+    @contextlib.contextmanager
+    def running(self, command, workspace=None, cwd=None):
+        """Run a command in the background; interrupt it at the end, and see that it ends well.
+
+        Gives a function that returns what the command has printed so far.
+        """
+        log = Path(self.environment["ROS_HOME"]) / f"{random.getrandbits(64):x}.log"
+        with log.open("w") as output:
+            process = subprocess.Popen(
+                self.command(command, workspace),
+                cwd=cwd,
+                env=self.environment,
+                stdout=output,
+                stderr=subprocess.STDOUT,
+                start_new_session=True,
+            )
+        try:
+            yield log.read_text
+            assert process.poll() is None, f"{command} ended by itself:\n{log.read_text()}"
+            os.killpg(process.pid, signal.SIGINT)
+            code = process.wait(20)
+            assert code in (0, -signal.SIGINT, 130), f"{command}: {code}\n{log.read_text()}"
+        except BaseException:
+            print(f"--- {command}\n{log.read_text()}", file=sys.stderr)
+            raise
+        finally:
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+
+    def build(self, workspace):
+        """Build the packages of a workspace and return what the build printed."""
+        return self.run(self.options[0], workspace).stdout
+
+    def scenario(self, workspace, *options):
+        """Talk to the running nodes of a workspace; see peers/scenario.py."""
+        peer = "ros1" if "ROS_MASTER_URI" in self.environment else "ros2"
+        command = shlex.join([self.python, str(TESTS / "peers/scenario.py"), peer, *options])
+        return self.run(command, workspace, workspace, timeout=180)
+
+
+def _base(home):
+    keep = ("LANG", "LC_ALL", "TMPDIR", "TERM")
+    environment = {name: os.environ[name] for name in keep if name in os.environ}
+    return environment | {"HOME": str(home), "ROS_HOME": str(home), "ROS_LOG_DIR": str(home)}
+
+
+def _home():
+    import tempfile
+
+    return Path(tempfile.mkdtemp(prefix="ros-"))
+
+
+def ros1():
+    """Return ROS 1 as Debian has it, with a master address of its own, or None."""
+    if not all(shutil.which(word, path="/usr/bin") for word in ("roscore", "catkin_make")):
+        return None
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    environment = _base(_home()) | {
+        "PATH": "/usr/bin:/bin",
+        "ROS_IP": "127.0.0.1",
+        "ROS_MASTER_URI": f"http://127.0.0.1:{port}",
+    }
+    return Ros("", environment, "devel/setup.bash", "/usr/bin/python3", ["catkin_make"])
+
+
+def ros2():
+    """Return ROS 2, sourced or of the wheels, with a domain of its own, or None."""
+    setup = _ros2_setup()
+    if setup is None:
+        return None
+    environment = dict(os.environ) if setup == "" else _base(_home()) | {"PATH": os.environ["PATH"]}
+    home = _home()
+    environment |= {
+        "ROS_HOME": str(home),
+        "ROS_LOG_DIR": str(home),
+        "ROS_DOMAIN_ID": str(_free_domain()),
+        "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+        "ROS_LOCALHOST_ONLY": "1",
+        "PYTHONUNBUFFERED": "1",
+    }
+    for name in ("_ROS_WHEELS_BOOTSTRAP_COMPLETE", "PYTEST_ADDOPTS", "VIRTUAL_ENV"):
+        environment.pop(name, None)
+    return Ros(setup, environment, "install/setup.bash", "python3", ["colcon build"])
+
+
+@functools.cache
+def _ros2_setup():
+    """Return the shell command that sets ROS 2 up: none where it is sourced already."""
+    wheels = f"export VIRTUAL_ENV={WHEELS} PATH={WHEELS}/bin:$PATH AMENT_PREFIX_PATH={WHEELS}"
+    for setup in ("true", wheels):
+        command = ["bash", "-c", f"{setup} && python3 -c 'import rclpy' && command -v colcon"]
+        if subprocess.run(command, capture_output=True).returncode == 0:
+            return "" if setup == "true" else wheels
+    return None
+
+
+def has(ros, module):
+    """Say whether the Python of a ROS has a module."""
+    result = ros.run(f"{ros.python} -c 'import {module}'", "/", check=False)
+    return result.returncode == 0
+
+
+def _free_domain():
+    """Return a domain whose first port nobody uses (DDS: 7400 + 250 * domain + 10)."""
+    for domain in random.sample(range(1, 100), 99):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as test:
+            try:
+                test.bind(("127.0.0.1", 7400 + 250 * domain + 10))
+            except OSError:
+                continue
+            return domain
+    raise RuntimeError("no free ROS domain")
+
+
+@contextlib.contextmanager
+def master(ros):
+    """Run a ROS 1 master at the address of the environment."""
+    port = ros.environment["ROS_MASTER_URI"].rpartition(":")[2]
+    with ros.running(f"roscore -p {port}"):
+        end = time.monotonic() + 30
+        while ros.run("rosnode list", "/", check=False).returncode != 0:
+            assert time.monotonic() < end, "the ROS 1 master does not start"
+            time.sleep(0.2)
+        yield

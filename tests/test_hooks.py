@@ -1,0 +1,311 @@
+"""The hook by itself: parse, check, complete, starter."""
+
+import re
+import string
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from hooks import formats
+from hooks.dictionary import load
+from hooks.faults import SpecError
+from hooks.model import Model
+from hooks.parse import parse
+from hooks.ros import DISTROS, translate_dependency
+
+from conftest import EXAMPLES, ROOT
+
+FIGURE_4 = """
+package_attributes: ["name", "author", "author_email",
+                    "description", "license", "copyright"]
+node_attributes: ["name", "frequency"]
+
+node_interface:
+  publisher: ["name", "type", "description"]
+  directPublisher: ["name", "type", "description"]
+  subscriber: ["name", "type", "description"]
+  directSubscriber: ["name", "type", "description"]
+  serviceClient: ["name", "type", "description"]
+  serviceServer: ["name", "type", "description"]
+  parameter: ["name", "type", "value", "description"]
+  dynParameter: ["name", "type", "value", "description"]
+  actionServer: ["name", "type", "description"]
+  actionClient: ["name", "type", "description"]
+  listener: ["name", "description"]
+  broadcaster: ["name", "description"]
+"""
+PACKAGE = (
+    '<package name="pkg" author="A" author_email="a@example.org" description="d"'
+    ' license="MIT">{}</package>'
+)
+FIGURE_4_SPEC = """
+<package name="pkg" author="A" author_email="a" description="d" license="MIT" copyright="2026">
+<node name="n" frequency="1"><listener name="l" description="d"/></node></package>
+"""
+NODE = PACKAGE.format('<node name="n" frequency="1">{}</node>')
+
+
+@pytest.fixture(scope="module")
+def model():
+    return Model(ROOT / "python_model", ROOT)
+
+
+def context(model, xml, distro="kilted"):
+    return model.context(xml.encode(), "spec.xml", distro)
+
+
+def faults(model, xml):
+    with pytest.raises(SpecError) as error:
+        context(model, xml)
+    return str(error.value).splitlines()
+
+
+def test_figure_1_of_the_paper(model):
+    xml = (EXAMPLES / "contact_analysis.ros_package").read_bytes()
+    for distro in DISTROS:
+        spec = model.context(xml, "spec", distro)
+        node = spec["nodes"][0]
+        assert node["frequency"] == 1000.0
+        assert node["subscribers"][0]["type"] == "geometry_msgs/msg/Point"
+        assert [server["name"] for server in node["actionServers"]] == ["learn", "evaluate"]
+        assert node["dynParameters"][0]["value"] is True
+        assert spec["license"] == "GPL-3.0-only"
+        assert {"contact_msgs", "geometry_msgs"} <= set(spec["depends"])
+        assert ("actionlib" in spec["depends"]) == (distro == "noetic")
+
+
+def test_figure_4_of_the_paper(tmp_path):
+    """The dictionary of the paper is valid as it stands, and accepts the spec of the paper."""
+    (tmp_path / "dictionary.yaml").write_text(FIGURE_4)
+    model = Model(tmp_path, tmp_path)
+    assert list(model.dictionary.components["node"].interfaces) == re.findall(
+        r"^  (\w+):", FIGURE_4, re.MULTILINE
+    )
+    xml = (EXAMPLES / "contact_analysis.ros_package").read_bytes()
+    spec = model.context(xml, "spec", "noetic")
+    assert spec["nodes"][0]["subscribers"][0]["type"] == "geometry_msgs::Point"
+
+
+def test_component_and_template_are_understood(model):
+    node = context(model, NODE.format(""))
+    component = NODE.format("").replace("node", "component")
+    assert context(model, component) == node
+    assert context(model, NODE.format("").replace(" author=", ' template="cpp" author=')) == node
+
+
+@pytest.mark.parametrize(
+    ("inside", "message"),
+    [
+        ('<publisher nam="x" type="a::B"/>', 'unknown attribute "nam"; did you mean "name"?'),
+        ('<publisher type="a::B"/>', 'attribute "name" is missing'),
+        ('<publisher name="x" type="a::B" value="1"/>', 'unknown attribute "value"'),
+        ('<publsher name="x" type="a::B"/>', 'did you mean "publisher"?'),
+        ('<publisher name="x" type="B"/>', '"B" is not a type; allowed: package::Type'),
+        ('<publisher name="x" type="a::msg/B"/>', "is not a type"),
+        ('<publisher name="x" type="a/srv/B"/>', "package/msg/Type"),
+        ('<serviceServer name="x" type="a/msg/B"/>', "package/srv/Type"),
+        ('<publisher name="1x" type="a::B"/>', "is not a valid ROS name"),
+        ('<publisher name="a//b" type="a::B"/>', "is not a valid ROS name"),
+        ('<publisher name="a__b" type="a::B"/>', "is not a valid ROS name"),
+        ('<publisher name="" type="a::B"/>', "is not a valid ROS name"),
+        ('<publisher name="lambda" type="a::B"/>', "keyword of Python"),
+        ('<publisher name="template" type="a::B"/>', "keyword of C++"),
+        ('<publisher name="class" type="a::B"/>', "keyword of Python and C++"),
+        ('<publisher name="x" type="a::B"/>' * 2, 'name: "x" is already taken at line 1'),
+        ('<publisher name="a/b" type="a::B"/><publisher name="a_b" type="a::B"/>', "taken"),
+        ('<parameter name="p" type="int" value="1.5"/>', '"1.5" is not an int'),
+        ('<parameter name="p" type="int" value="9223372036854775808"/>', "does not fit 64 bits"),
+        ('<parameter name="p" type="bool" value="maybe"/>', "allowed: true, 1, yes, on"),
+        ('<parameter name="p" type="double" value="nan"/>', "is not a number"),
+        ('<parameter name="p" type="int[]" value="[1, x]"/>', '"x" is not an int'),
+        ('<parameter name="p" type="int[]" value="1"/>', "a list such as"),
+        ('<parameter name="p" type="strin" value="1"/>', 'did you mean "string"?'),
+        ('<parameter name="autostart" type="bool" value="1"/>', "is reserved"),
+        (
+            '<parameter name="p" type="int" value="1"/><dynParameter name="p" type="int" value="1"/>',
+            "already taken",
+        ),
+        ('<dynParameter name="p" type="int" min="2" value="1"/>', "value: 1 must be at least 2"),
+        ('<dynParameter name="p" type="int" max="2" value="3"/>', "value: 3 must be at most 2"),
+        ('<dynParameter name="p" type="bool" max="1" value="1"/>', '"max" has no meaning'),
+        ('<publisher name="x" type="a::B">text</publisher>', "text is not allowed here"),
+        ('<publisher name="x" type="a::B"><x/></publisher>', "<x> is not known here; none"),
+        ("<depend>std_msgs</depend>", "it belongs inside <package>"),
+    ],
+)
+def test_fault_in_a_node(model, inside, message):
+    found = faults(model, NODE.format(inside))
+    assert any(message in line for line in found), found
+    assert all(line.startswith("spec.xml:1: <") for line in found)
+
+
+@pytest.mark.parametrize(
+    ("xml", "message"),
+    [
+        (NODE.replace('frequency="1"', 'frequency="fast"'), '"fast" is not a number'),
+        (NODE.replace('frequency="1"', 'frequency="-1"'), "must be above 0"),
+        (NODE.replace('frequency="1"', 'frequency="0"'), "must be above 0"),
+        (NODE.replace('frequency="1"', 'frequency="inf"'), "is not a number"),
+        (NODE.replace('frequency="1"', ""), 'attribute "frequency" is missing'),
+        (NODE.replace('name="n"', 'name="for"'), "keyword of Python and C++"),
+        (NODE.replace('name="n"', 'name="a-b"'), "is not a valid name"),
+        (NODE.replace('"pkg"', '"My-Pkg"'), "REP 144"),
+        (NODE.replace('"pkg"', '"p"'), "REP 144"),
+        (NODE.replace('"pkg"', '"a__b"'), "REP 144"),
+        (NODE.replace('"pkg"', '"class"'), "keyword"),
+        (NODE.replace("a@example.org", "a@b"), "is not a mail address"),
+        (NODE.replace('"d"', '" "'), "description: must not be empty"),
+        (NODE.replace(' license="MIT"', ""), 'attribute "license" is missing'),
+        (PACKAGE.format(""), "has no <node>"),
+        (PACKAGE.format("<nod/>"), 'did you mean "node"?'),
+        (PACKAGE.format('<publisher name="x" type="a::B"/>'), "it belongs inside <node>"),
+        (PACKAGE.format("<depend>a b</depend>"), '"a b" is not a package name'),
+        (PACKAGE.format("<depend/>"), '"" is not a package name'),
+        (PACKAGE.format("<depend name='x'>x</depend>"), "takes a package name alone"),
+        (
+            PACKAGE.format('<node name="a_b" frequency="1"/><node name="aB" frequency="1"/>'),
+            "already taken",
+        ),
+        ("<robot/>", "a spec starts with <package>, not <robot>"),
+        ("<package", "not well-formed XML"),
+        ("", "not well-formed XML"),
+        ('<!DOCTYPE package [<!ENTITY x "y">]>' + NODE, "entities are disabled"),
+    ],
+)
+def test_fault_in_a_package(model, xml, message):
+    assert any(message in line for line in faults(model, xml.replace("{}", "")))
+
+
+def test_all_faults_are_told_with_their_lines(model):
+    xml = NODE.format('\n<publisher name="1" type="x"/>\n\n<nothing/>\n<parameter name="p"/>')
+    assert [line.split(" ")[0] for line in faults(model, xml)] == [
+        "spec.xml:2:",
+        "spec.xml:2:",
+        "spec.xml:4:",
+        "spec.xml:5:",
+        "spec.xml:5:",
+    ]
+
+
+@pytest.mark.parametrize("written", ["pkg::T", "pkg/T", "pkg/msg/T", "pkg::msg::T"])
+def test_ways_to_write_a_type(written):
+    assert formats.FORMATS["message_type"](written) == "pkg/msg/T"
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ("apache-2.0", "Apache-2.0"),
+        ("BSD", "BSD-3-Clause"),
+        ("https://www.gnu.org/licenses/gpl.txt", "GPL-3.0-only"),
+        ("http://www.apache.org/licenses/LICENSE-2.0", "Apache-2.0"),
+        ("MIT OR Apache-2.0", "MIT OR Apache-2.0"),
+        ("Our own", "Our own"),
+    ],
+)
+def test_licences(written, meant):
+    assert formats.license_name(written) == meant
+
+
+def test_dependencies_are_translated(model):
+    depends = "".join(
+        f"<depend>{name}</depend>" for name in ("roscpp", "tf", "actionlib", "nav_msgs", "rospy")
+    )
+    xml = NODE.format("").replace("<node", depends + "<node")
+    ros2 = context(model, xml)
+    assert {"rclcpp", "tf2_ros", "nav_msgs", "rclpy"} <= set(ros2["depends"])
+    assert not {"roscpp", "tf", "actionlib", "rospy"} & set(ros2["depends"])
+    assert len(ros2["notes"]) == 4
+    ros1 = context(model, xml, "noetic")
+    assert {"roscpp", "tf", "actionlib", "nav_msgs", "rospy"} <= set(ros1["depends"])
+    assert ros1["notes"] == []
+    assert translate_dependency("rclpy", 1)[0] == "rospy"
+    assert translate_dependency("rclcpp_lifecycle", 1)[0] == "roscpp"
+
+
+def test_kinds_bring_their_dependencies(model):
+    inside = '<actionServer name="a" type="x::Y"/><listener name="l"/>'
+    inside += '<dynParameter name="p" type="int" value="1"/>'
+    assert {"x", "actionlib", "tf2_ros", "dynamic_reconfigure", "rospy"} <= set(
+        context(model, NODE.format(inside), "noetic")["depends"]
+    )
+    assert {"x", "tf2_ros_py", "rclpy"} <= set(context(model, NODE.format(inside))["depends"])
+    own = NODE.format('<publisher name="x" type="pkg::Y"/>')
+    assert "pkg" not in context(model, own)["depends"]
+
+
+SOURCES = {"folder": "pkg", "author": 'A "b" <c>', "email": "a@example.org", "copyright": "2026"}
+
+
+def test_starter_is_valid_and_shows_every_kind(model):
+    xml = model.starter(SOURCES)
+    spec = context(model, xml)
+    (node,) = spec["nodes"]
+    assert spec["author"] == SOURCES["author"]
+    assert [len(node["publishers"]), len(node["subscribers"])] == [1, 1]
+    assert spec["kinds"] == ["publisher", "subscriber"]
+    # Every other kind is there as a comment; with its comment signs off it is valid too.
+    uncommented = re.sub(r"<!-- (<[a-zA-Z][^>]*/>) -->", r"\1", xml, flags=re.DOTALL)
+    kinds = model.dictionary.components["node"].interfaces
+    assert set(context(model, uncommented)["kinds"]) == set(kinds)
+    for kind in kinds.values():
+        assert f"{kind.kind}: {kind.doc}" in xml
+        for attribute in kind.attributes.values():
+            assert attribute.doc
+            assert attribute.doc in " ".join(xml.split())
+
+
+@given(st.text(alphabet=string.printable))
+def test_any_text_is_a_spec_or_a_fault(text):
+    model = Model(ROOT / "python_model", ROOT)
+    try:
+        context(model, text)
+    except SpecError as error:
+        assert str(error).startswith("spec.xml:")
+
+
+@given(st.text(st.characters(codec="utf-8", categories=("L", "N", "P", "S", "Zs")), min_size=1))
+def test_any_value_survives(text):
+    from xml.sax.saxutils import quoteattr
+
+    model = Model(ROOT / "python_model", ROOT)
+    inside = f'<parameter name="p" type="string" value={quoteattr(text)}/>'
+    assert context(model, NODE.format(inside))["nodes"][0]["parameters"][0]["value"] == text
+
+
+def test_lines_and_order_are_kept():
+    tag, element = parse(b"<a>\n<b/>\n<c\n/>\n<b x='1'/></a>", "f")
+    assert tag == "a"
+    assert [(name, child.line) for name, child in element.children] == [("b", 2), ("c", 3), ("b", 5)]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("node_interface: {publisher: 1}", "publisher: must be a list"),
+        ("node_interface: {publisher: [{name: {formt: text}}]}", 'did you mean "format"?'),
+        ("node_interface: {publisher: [{name: {format: txt}}]}", 'did you mean "text"?'),
+        ("node_interfaces: {}", "<component>_interface"),
+        ("package_attributes: [name, nodes]\nnode_interface: {}", 'needs the key "nodes"'),
+        ("- a", "must be a mapping"),
+        ("a: [", "not YAML"),
+    ],
+)
+def test_fault_in_a_dictionary(tmp_path, text, message):
+    (tmp_path / "dictionary.yaml").write_text(text)
+    with pytest.raises(SpecError, match=re.escape(message)):
+        load(tmp_path / "dictionary.yaml", tmp_path)
+
+
+def test_fault_in_functions(tmp_path):
+    (tmp_path / "dictionary.yaml").write_text(FIGURE_4)
+    functions = tmp_path / "functions.py"
+    functions.write_text("def dependencies_from_interface(kind, attributes, distro):\n    1 / 0\n")
+    with pytest.raises(SpecError) as error:
+        context(Model(tmp_path, tmp_path), FIGURE_4_SPEC)
+    assert f"{functions}:2: " in str(error.value)
+    assert '<listener name="l">' in str(error.value)
+    functions.write_text("def broken(:\n")
+    with pytest.raises(SpecError, match=r"functions.py:1: SyntaxError"):
+        Model(tmp_path, tmp_path)

@@ -1,0 +1,115 @@
+"""python_model rendered over its choices, without ROS."""
+
+import ast
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+
+import pytest
+import yaml
+from conftest import EXAMPLES, ROOT
+
+SPECS = {
+    "paper": EXAMPLES / "contact_analysis.ros_package",
+    "all kinds": EXAMPLES / "all_kinds.ros_package",
+    "hostile": ROOT / "tests/specs/hostile.ros_package",
+    "starter": None,
+}
+DISTROS = ("noetic", "humble", "jazzy", "kilted", "lyrical", "rolling")
+
+
+def files(package, pattern):
+    return [path for path in package.rglob(pattern) if ".git" not in path.parts]
+
+
+@pytest.mark.parametrize("distro", ("noetic", "humble", "lyrical"))
+@pytest.mark.parametrize("name", SPECS)
+def test_rendered_code_is_sound(render, name, distro):
+    package = render(SPECS[name], ros_distro=distro)
+    for file in files(package, "*.py") + files(package, "*.cfg"):
+        if file.name == "setup.cfg":
+            continue
+        ast.parse(file.read_text())
+        assert "\n\n\n\n" not in file.read_text(), file
+    for file in files(package, "*.xml") + files(package, "*.launch") + files(package, "*.test"):
+        ET.parse(file)
+    for file in files(package, "*.yaml"):
+        yaml.safe_load(file.read_text())
+    ruff = [sys.executable, "-m", "ruff"]
+    format_ = subprocess.run(
+        [*ruff, "format", "--diff", "--no-cache", "."], cwd=package, capture_output=True, text=True
+    )
+    assert format_.returncode == 0, format_.stdout
+    # Names that are not defined and imports that are not used: pyflakes' rules.
+    check = [*ruff, "check", "--isolated", "--no-cache", "--select=F", "."]
+    assert subprocess.run(check, cwd=package).returncode == 0
+
+
+@pytest.mark.parametrize("name", SPECS)
+def test_logic_is_the_same_for_all_ros(render, name):
+    packages = [render(SPECS[name], ros_distro=distro, name=f"{distro}/same") for distro in DISTROS]
+    first, *others = [
+        {file.name: file.read_bytes() for file in files(package, "*_impl.py")}
+        for package in packages
+    ]
+    assert first
+    assert all(other == first for other in others)
+
+
+def test_values_arrive_as_they_are(render):
+    """A string value of the spec is the same in the code, the parameter file and the answers."""
+    package = render(SPECS["hostile"])
+    root = ET.parse(SPECS["hostile"]).getroot()
+    written = {p.get("name"): p.get("value") for p in root.iter("parameter")}
+    interface = ast.parse((package / "hostile/first_one_interface.py").read_text())
+    config = next(n for n in interface.body if getattr(n, "name", "") == "FirstOneConfig")
+    code = {
+        n.target.id: ast.literal_eval(n.value) for n in config.body if isinstance(n, ast.AnnAssign)
+    }
+    parameters = yaml.safe_load((package / "config/first_one.yaml").read_text())
+    parameters = parameters["/**"]["ros__parameters"]
+    assert code["text"] == parameters["text"] == written["text"]
+    assert "{{ z }}" in code["text"]
+    assert code["words"][1] == parameters["words"][1] == 'a "b"'
+    assert code["huge"] == parameters["huge"] == 1e22
+    assert code["big"] == parameters["big"] == -(2**63)
+
+
+def test_dependencies_follow_the_ros(render):
+    def depends(distro):
+        package = render(SPECS["paper"], ros_distro=distro, name=f"{distro}/depends")
+        tree = ET.parse(package / "package.xml")
+        return {element.text for element in tree.iter() if element.tag.endswith("depend")}
+
+    ros1, ros2 = depends("noetic"), depends("kilted")
+    assert {"actionlib", "dynamic_reconfigure", "rospy", "catkin", "contact_msgs"} <= ros1
+    assert {"rclpy", "rcl_interfaces", "contact_msgs", "geometry_msgs"} <= ros2
+    assert not ros2 & {"actionlib", "actionlib_msgs", "dynamic_reconfigure", "rospy", "catkin"}
+    assert "rclpy" not in ros1
+
+
+def test_readme_shows_every_interface(render):
+    package = render(SPECS["all kinds"])
+    readme = (package / "README.md").read_text()
+    for element in ET.parse(SPECS["all kinds"]).getroot().iter():
+        if element.tag not in ("package", "node"):
+            assert f"| `{element.get('name')}` |" in readme, element.get("name")
+    assert "```mermaid" in readme
+    assert 'topic_speed(["speed"]) --> node_worker' in readme
+
+
+@pytest.mark.parametrize("distro", ("noetic", "kilted"))
+def test_package_xml_keeps_to_its_schema(render, distro):
+    """REP 149 in the parts that catkin_pkg checks: names, order-free tags, licence, people."""
+    tree = ET.parse(render(SPECS["hostile"], ros_distro=distro) / "package.xml").getroot()
+    assert tree.get("format") == "3"
+    assert tree.findtext("name") == "hostile"
+    assert tree.findtext("maintainer") == 'Zoë "O\'Neill" <Łukasz> & Søn'
+    assert tree.find("maintainer").get("email") == "zoe@example.org"
+    allowed = {
+        "name", "version", "description", "maintainer", "license", "buildtool_depend", "depend",
+        "exec_depend", "test_depend", "export",
+    }  # fmt: skip
+    assert {child.tag for child in tree} <= allowed
+    paper = ET.parse(render(SPECS["paper"], ros_distro=distro, name="paper") / "package.xml")
+    assert paper.findtext("license") == "GPL-3.0-only"
