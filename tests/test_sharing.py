@@ -1,0 +1,81 @@
+"""Models as git repositories of their own: `copier copy gh:org/python_model mypkg`."""
+
+import subprocess
+import sys
+
+import pytest
+from conftest import EXAMPLES, commit, git
+from test_mechanism import QUIET, answers
+
+MODELS = ["python_model"]
+
+
+@pytest.fixture
+def github(own_collection, tmp_path):
+    """Stand in for GitHub: a folder of bare repositories, and the environment that leads there."""
+    host = tmp_path / "github"
+
+    def publish():
+        for model in MODELS:
+            bare = host / "org" / f"{model}.git"
+            if not bare.exists():
+                bare.mkdir(parents=True)
+                git(bare, "init", "--bare", "--quiet", "--initial-branch=main")
+            script = own_collection / "scripts/publish.py"
+            command = [sys.executable, script, model, bare]
+            subprocess.run(command, cwd=own_collection, check=True, capture_output=True)
+
+    publish()
+    return own_collection, publish, {
+        "GIT_CONFIG_COUNT": "1",
+        "GIT_CONFIG_KEY_0": f"url.file://{host}/.insteadOf",
+        "GIT_CONFIG_VALUE_0": "https://github.com/",
+    }
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_copy_from_github(github, copier_command, tmp_path, model):
+    """Exactly the commands of the README, without a spec and with one."""
+    *_, environment = github
+    result = copier_command("copy", "--trust", f"gh:org/{model}", "mypkg", cwd=tmp_path, **environment)
+    assert result.returncode == 0, result.stderr
+    package = tmp_path / "mypkg"
+    assert (package / "mypkg.ros_package").exists()
+    assert answers(package)["_src_path"] == f"gh:org/{model}"
+    assert answers(package)["_commit"] == "1.0.0"
+    (tmp_path / "contact.ros_package").write_bytes(
+        (EXAMPLES / "contact_analysis.ros_package").read_bytes()
+    )
+    arguments = ("copy", "--trust", "-d", "spec_file=contact.ros_package", f"gh:org/{model}", "contact")
+    result = copier_command(*arguments, cwd=tmp_path, **environment)
+    assert result.returncode == 0, result.stderr
+    assert "contact_evaluate" in (tmp_path / "contact/README.md").read_text()
+
+
+def test_published_versions_update(github, copier_command, tmp_path):
+    """A second version of the collection reaches a package, and publishing adds to history."""
+    collection, publish, environment = github
+    command = ("copy", *QUIET, "gh:org/python_model", "mypkg")
+    assert copier_command(*command, cwd=tmp_path, **environment).returncode == 0
+    package = tmp_path / "mypkg"
+    commit(package)
+    gitignore = collection / "python_model/template/.gitignore"
+    gitignore.write_text(gitignore.read_text() + "*.bag\n")
+    commit(collection, "Ignore bags", tag="1.1.0")
+    bare = tmp_path / "github/org/python_model.git"
+    first = git(bare, "rev-parse", "1.0.0")
+    publish()
+    assert git(bare, "rev-parse", "1.1.0~1") == git(bare, "rev-parse", "1.0.0") == first
+    assert git(bare, "rev-parse", "main") == git(bare, "rev-parse", "1.1.0")
+    assert git(bare, "log", "-1", "--format=%s", "main") == "Ignore bags"
+    result = copier_command("update", *QUIET, cwd=package, **environment)
+    assert result.returncode == 0, result.stderr
+    assert "*.bag" in (package / ".gitignore").read_text()
+    assert answers(package)["_commit"] == "1.1.0"
+
+
+def test_published_model_holds_what_it_needs_and_no_more(github, tmp_path):
+    names = set(git(tmp_path / "github/org/python_model.git", "ls-tree", "--name-only", "main").split())
+    assert {"copier.yml", "dictionary.yaml", "functions.py", "template", "README.md"} <= names
+    assert {"hooks", "extensions", "shared", "LICENSE"} <= names
+    assert not names & {"python_model", "cpp_model", "tests", "docs", "Makefile"}
