@@ -103,7 +103,9 @@ class SpecExtension(Extension):
                 f" bring it back, for instance with git checkout HEAD -- '*{SUFFIX}'"
             )
         else:
-            return self._model(context).starter(_sources(package, self.hooks)).encode(), "starter spec"
+            return self._model(context).starter(
+                _sources(package, self.hooks)
+            ).encode(), "starter spec"
         xml = file.read_bytes()
         try:
             xml.decode("utf-8-sig")
@@ -157,7 +159,8 @@ def _load_hooks(root: Path) -> ModuleType:
     spec = importlib.util.spec_from_file_location(
         name, root / "hooks" / "__init__.py", submodule_search_locations=[str(root / "hooks")]
     )
-    assert spec and spec.loader
+    assert spec
+    assert spec.loader
     package = sys.modules[name] = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(package)
     for module in ("faults", "formats", "model", "ros"):

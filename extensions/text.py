@@ -84,8 +84,6 @@ def plain(number: float) -> str:
     return str(int(number)) if number == int(number) else str(number)
 
 
-
-
 def is_spdx(text: str) -> bool:
     """Say whether a licence is an SPDX expression."""
     try:

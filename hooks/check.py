@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -31,11 +32,14 @@ def check(
 
     Raises:
         SpecError: one line for every fault found, in the order of the file.
+
     """
     checker = _Checker(dictionary, file)
     package = checker.package(tag, element)
     if checker.faults:
-        raise SpecError("\n".join(text for _, text in sorted(checker.faults, key=lambda fault: fault[0])))
+        raise SpecError(
+            "\n".join(text for _, text in sorted(checker.faults, key=lambda fault: fault[0]))
+        )
     return package, checker.depends, checker.used
 
 
@@ -82,13 +86,17 @@ class _Checker:
             for nested_tag, nested in child.children:
                 self.unknown_tag(nested_tag, nested, [])
             values[interface.key].append(found)
-            self.used.append(Used(kind, found, f"{self.file}:{child.line}: {self.label(kind, child)}"))
+            self.used.append(
+                Used(kind, found, f"{self.file}:{child.line}: {self.label(kind, child)}")
+            )
         return values
 
     def depend(self, element: Element) -> None:
         label = f"<{DEPEND}>"
         if element.attributes or element.children:
-            self.fault(element, label, f"takes a package name alone: <{DEPEND}>std_msgs</{DEPEND}>")
+            self.fault(
+                element, label, f"takes a package name alone: <{DEPEND}>std_msgs</{DEPEND}>"
+            )
         try:
             self.depends.append(dependency(element.text))
         except ValueError as error:
@@ -157,9 +165,9 @@ class _Checker:
             if isinstance(value, bool) or not isinstance(value, int | float):
                 continue
             limits = [
-                ("above", attribute.above, lambda value, limit: value > limit),
-                ("at least", attribute.minimum, lambda value, limit: value >= limit),
-                ("at most", attribute.maximum, lambda value, limit: value <= limit),
+                ("above", attribute.above, operator.gt),
+                ("at least", attribute.minimum, operator.ge),
+                ("at most", attribute.maximum, operator.le),
             ]
             for word, limit, holds in limits:
                 bound = values.get(limit) if isinstance(limit, str) else limit
@@ -181,7 +189,9 @@ class _Checker:
     @staticmethod
     def label(tag: str, element: Element) -> str:
         """Show an element by its first attribute, as the user wrote it."""
-        shown = "".join(f' {name}="{value}"' for name, value in list(element.attributes.items())[:1])
+        shown = "".join(
+            f' {name}="{value}"' for name, value in list(element.attributes.items())[:1]
+        )
         return f"<{tag}{shown}>"
 
 

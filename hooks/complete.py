@@ -13,7 +13,11 @@ Functions = dict[str, Callable[..., Any]]
 
 
 def complete(
-    package: Values, depends: Iterable[str], used: Iterable[Used], functions: Functions, distro: str
+    package: Values,
+    depends: Iterable[str],
+    used: Iterable[Used],
+    functions: Functions,
+    distro: str,
 ) -> Values:
     """Return the context: the checked values, and what follows from them.
 
@@ -22,6 +26,7 @@ def complete(
 
     Raises:
         SpecError: a function of the model failed.
+
     """
     used = list(used)
     generation = DISTROS[distro]

@@ -91,6 +91,7 @@ def load(file: Path, root: Path) -> Dictionary:
 
     Raises:
         SpecError: the file is not YAML or says what no dictionary can say.
+
     """
     content = _read(file)
     while isinstance(content.get("include"), str):

@@ -128,7 +128,7 @@ def number(value: str) -> float:
 
 
 def boolean(value: str) -> bool:
-    """true or false, in one of the usual spellings."""
+    """True or false, in one of the usual spellings."""
     spellings = {
         **dict.fromkeys(("true", "1", "yes", "on"), True),
         **dict.fromkeys(("false", "0", "no", "off"), False),
@@ -226,6 +226,7 @@ def literal(value: str, type_name: str) -> Any:
 
     Raises:
         ValueError: the text is not a value of that type.
+
     """
     element_type, is_list = re.fullmatch(r"(\w+)(\[\])?", type_name).groups()  # type: ignore[union-attr]
     if not is_list:
@@ -235,7 +236,9 @@ def literal(value: str, type_name: str) -> Any:
     except yaml.YAMLError:
         items = None
     if not isinstance(items, list) or not items or not all(isinstance(i, str) for i in items):
-        raise ValueError(f'"{value}" is not a {type_name}; allowed: a list such as [first, second]')
+        raise ValueError(
+            f'"{value}" is not a {type_name}; allowed: a list such as [first, second]'
+        )
     return [FORMATS[element_type](item) for item in items]
 
 

@@ -26,6 +26,7 @@ class Model:
 
         Raises:
             SpecError: the dictionary or the functions cannot be loaded.
+
         """
         self.dictionary: Dictionary = load(folder / "dictionary.yaml", root)
         self.functions: Functions = load_functions(folder / "functions.py")
@@ -35,6 +36,7 @@ class Model:
 
         Raises:
             SpecError: the spec is not well-formed, or the dictionary does not allow it.
+
         """
         tag, element = parse(xml, file)
         package, depends, used = check(tag, element, self.dictionary, file)

@@ -65,13 +65,14 @@ def parse(xml: bytes, file: str | os.PathLike[str]) -> tuple[str, Element]:
 
     Raises:
         SpecError: the text is not well-formed XML, or it declares entities.
+
     """
     source = _Expat()
     try:
         document = xmltodict.parse(
             xml,
             expat=source,
-            dict_constructor=source.element,
+            dict_constructor=source.element,  # type: ignore[arg-type]
             force_list=lambda path, key, value: key[0] not in "@#",
         )
     except expat.ExpatError as error:

@@ -62,4 +62,7 @@ def translate_dependency(package: str, generation: int) -> tuple[str | None, str
         return package, None
     successor = successors[package]
     meaning = f"became {successor}" if successor else "was left out"
-    return successor, f"<depend>{package}</depend> has no meaning in ROS {generation}: it {meaning}"
+    return (
+        successor,
+        f"<depend>{package}</depend> has no meaning in ROS {generation}: it {meaning}",
+    )

@@ -19,7 +19,9 @@ def starter(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
     package = list(dictionary.package.values())
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
-        *_comment("This file describes the package: change it, commit, run copier update.", "", package),
+        *_comment(
+            "This file describes the package: change it, commit, run copier update.", "", package
+        ),
         *_tag(PACKAGE, package, "", ">", sources),
     ]
     for component in dictionary.components.values():

@@ -78,6 +78,7 @@ def python_text(text: str, indent: int, used: int = 0) -> str:
         text: any text.
         indent: the columns before the line the literal stands on.
         used: the columns on that line that other code takes.
+
     """
     if indent + used + len(repr(text)) <= WIDTH:
         return repr(text)

@@ -26,6 +26,7 @@ def publish(repository: Path, model: str, target: str) -> list[str]:
 
     Raises:
         subprocess.CalledProcessError: git refused; its message went to standard error.
+
     """
     parent = ""
     refs = []

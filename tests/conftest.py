@@ -98,9 +98,7 @@ def render(collection, tmp_path):
         if spec is not None:
             data["spec_file"] = str(spec)
         data = {"model": model, "ros_distro": "kilted", **data}
-        copier.run_copy(
-            str(template), folder, data=data, defaults=True, unsafe=True, quiet=True
-        )
+        copier.run_copy(str(template), folder, data=data, defaults=True, unsafe=True, quiet=True)
         commit(folder, "Render")
         return folder
 

@@ -121,7 +121,9 @@ def ros2():
     setup = _ros2_setup()
     if setup is None:
         return None
-    environment = dict(os.environ) if setup == "" else _base(_home()) | {"PATH": os.environ["PATH"]}
+    environment = (
+        dict(os.environ) if setup == "" else _base(_home()) | {"PATH": os.environ["PATH"]}
+    )
     home = _home()
     environment |= {
         "ROS_HOME": str(home),

@@ -4,6 +4,7 @@ import re
 import string
 
 import pytest
+from conftest import EXAMPLES, ROOT
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -13,8 +14,6 @@ from hooks.faults import SpecError
 from hooks.model import Model
 from hooks.parse import parse
 from hooks.ros import DISTROS, translate_dependency
-
-from conftest import EXAMPLES, ROOT
 
 FIGURE_4 = """
 package_attributes: ["name", "author", "author_email",
@@ -123,7 +122,8 @@ def test_component_and_template_are_understood(model):
         ('<parameter name="p" type="strin" value="1"/>', 'did you mean "string"?'),
         ('<parameter name="autostart" type="bool" value="1"/>', "is reserved"),
         (
-            '<parameter name="p" type="int" value="1"/><dynParameter name="p" type="int" value="1"/>',
+            '<parameter name="p" type="int" value="1"/>'
+            '<dynParameter name="p" type="int" value="1"/>',
             "already taken",
         ),
         ('<dynParameter name="p" type="int" min="2" value="1"/>', "value: 1 must be at least 2"),
@@ -277,7 +277,11 @@ def test_any_value_survives(text):
 def test_lines_and_order_are_kept():
     tag, element = parse(b"<a>\n<b/>\n<c\n/>\n<b x='1'/></a>", "f")
     assert tag == "a"
-    assert [(name, child.line) for name, child in element.children] == [("b", 2), ("c", 3), ("b", 5)]
+    assert [(name, child.line) for name, child in element.children] == [
+        ("b", 2),
+        ("c", 3),
+        ("b", 5),
+    ]
 
 
 @pytest.mark.parametrize(

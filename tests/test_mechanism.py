@@ -14,7 +14,9 @@ SPEC = """<?xml version="1.0" encoding="UTF-8"?>
   </node>
 </package>
 """
-MORE = SPEC.replace("  </node>", '    <subscriber name="goal" type="std_msgs::Float64"/>\n  </node>')
+MORE = SPEC.replace(
+    "  </node>", '    <subscriber name="goal" type="std_msgs::Float64"/>\n  </node>'
+)
 BAD = MORE.replace("subscriber", "subscribr")
 QUIET = ("--trust", "--defaults", "--quiet")
 
@@ -45,7 +47,9 @@ def test_copy_records_the_context(package, tmp_path):
     assert str(tmp_path / "specs") not in (package / ".copier-answers.yml").read_text()
 
 
-@pytest.mark.parametrize("text", [SPEC, SPEC.replace("\n", "\r\n"), "\ufeff" + SPEC, SPEC + "\n\n"])
+@pytest.mark.parametrize(
+    "text", [SPEC, SPEC.replace("\n", "\r\n"), "\ufeff" + SPEC, SPEC + "\n\n"]
+)
 def test_copy_keeps_the_text_of_the_spec(collection, copier_command, tmp_path, text):
     (tmp_path / "spec.xml").write_bytes(text.encode())
     data = ("-d", "model=python_model", "-d", "spec_file=spec.xml")
@@ -70,7 +74,8 @@ def test_copy_without_spec_starts_from_an_example(collection, copier_command, tm
 
 
 @pytest.mark.parametrize(
-    ("folder", "name"), [("2nd", "pkg_2nd"), ("class", "class_pkg"), ("日本", "pkg"), ("x", "x_pkg")]
+    ("folder", "name"),
+    [("2nd", "pkg_2nd"), ("class", "class_pkg"), ("日本", "pkg"), ("x", "x_pkg")],
 )
 def test_folder_names_become_package_names(collection, copier_command, tmp_path, folder, name):
     data = ("-d", "model=python_model")
@@ -101,7 +106,9 @@ def test_ros_distro_of_the_environment(collection, copier_command, tmp_path):
 @pytest.mark.parametrize("place", ["inside", "outside"])
 def test_update_merges_a_changed_spec(package, copier_command, tmp_path, options, place):
     impl = package / "robot/driver_impl.py"
-    impl.write_text(impl.read_text().replace("return True", "self.ready = True\n        return True"))
+    impl.write_text(
+        impl.read_text().replace("return True", "self.ready = True\n        return True")
+    )
     write(package, MORE)
     where = {"cwd": package} if place == "inside" else {"cwd": tmp_path}
     target = () if place == "inside" else (package,)
@@ -160,14 +167,16 @@ def test_change_of_ros(package, copier_command):
     assert answers(package)["spec"]["ros"] == 1
 
 
-
-
 def test_each_version_has_its_own_hook(own_collection, render, update):
     """Version 2 completes the context in another way, which version 1 could not render."""
     package = render(SPEC, template=own_collection, name="robot")
     assert answers(package)["_commit"] == "1.0.0"
     complete = own_collection / "hooks/complete.py"
-    complete.write_text(complete.read_text().replace('"ros": generation,', '"ros": generation, "new_key": "hello",'))
+    complete.write_text(
+        complete.read_text().replace(
+            '"ros": generation,', '"ros": generation, "new_key": "hello",'
+        )
+    )
     readme = own_collection / "shared/README.md.jinja"
     readme.write_text(readme.read_text().replace("## Use\n", "## {{ spec.new_key }}\n"))
     template = own_collection / "python_model/functions.py"
@@ -261,6 +270,11 @@ def test_notes_are_shown(collection, copier_command, tmp_path):
     """The paper's example depends on packages that ROS 2 has no use for."""
     spec = EXAMPLES / "contact_analysis.ros_package"
     data = ("-d", "model=python_model", "-d", f"spec_file={spec}")
-    result = copier_command("copy", "--trust", "--defaults", *data, collection, "out", cwd=tmp_path)
-    assert "Note: <depend>actionlib</depend> has no meaning in ROS 2: it was left out." in result.stderr
+    result = copier_command(
+        "copy", "--trust", "--defaults", *data, collection, "out", cwd=tmp_path
+    )
+    assert (
+        "Note: <depend>actionlib</depend> has no meaning in ROS 2: it was left out."
+        in result.stderr
+    )
     assert re.search(r"contact_analysis is ready for ROS 2", result.stderr)

@@ -22,7 +22,7 @@ def files(package, pattern):
     return [path for path in package.rglob(pattern) if ".git" not in path.parts]
 
 
-@pytest.mark.parametrize("distro", ("noetic", "humble", "lyrical"))
+@pytest.mark.parametrize("distro", ["noetic", "humble", "lyrical"])
 @pytest.mark.parametrize("name", SPECS)
 def test_rendered_code_is_sound(render, name, distro):
     package = render(SPECS[name], ros_distro=distro)
@@ -47,7 +47,9 @@ def test_rendered_code_is_sound(render, name, distro):
 
 @pytest.mark.parametrize("name", SPECS)
 def test_logic_is_the_same_for_all_ros(render, name):
-    packages = [render(SPECS[name], ros_distro=distro, name=f"{distro}/same") for distro in DISTROS]
+    packages = [
+        render(SPECS[name], ros_distro=distro, name=f"{distro}/same") for distro in DISTROS
+    ]
     first, *others = [
         {file.name: file.read_bytes() for file in files(package, "*_impl.py")}
         for package in packages
@@ -98,7 +100,7 @@ def test_readme_shows_every_interface(render):
     assert 'topic_speed(["speed"]) --> node_worker' in readme
 
 
-@pytest.mark.parametrize("distro", ("noetic", "kilted"))
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
 def test_package_xml_keeps_to_its_schema(render, distro):
     """REP 149 in the parts that catkin_pkg checks: names, order-free tags, licence, people."""
     tree = ET.parse(render(SPECS["hostile"], ros_distro=distro) / "package.xml").getroot()

@@ -26,9 +26,7 @@ def run_scenario(ros1, workspace, *options):
 
 
 def test_every_interface(ros1, render, workspace):
-    package = render(
-        EXAMPLES / "all_kinds.ros_package", ros_distro="noetic", name="src/all_kinds"
-    )
+    package = render(EXAMPLES / "all_kinds.ros_package", ros_distro="noetic", name="src/all_kinds")
     git(package, "apply", str(ROOT / "tests/logic/all_kinds.patch"))
     ros1.build(workspace)
     log = run_scenario(ros1, workspace)
@@ -37,13 +35,13 @@ def test_every_interface(ros1, render, workspace):
 
 
 def test_added_subscriber(ros1, render, update, workspace):
-    package = render(
-        EXAMPLES / "all_kinds.ros_package", ros_distro="noetic", name="src/all_kinds"
-    )
+    package = render(EXAMPLES / "all_kinds.ros_package", ros_distro="noetic", name="src/all_kinds")
     git(package, "apply", str(ROOT / "tests/logic/all_kinds.patch"))
     logic = (package / "all_kinds/worker_impl.py").read_text()
     file = package / "all_kinds.ros_package"
-    file.write_text(file.read_text().replace("    <directPublisher", VOLUME + "    <directPublisher", 1))
+    file.write_text(
+        file.read_text().replace("    <directPublisher", VOLUME + "    <directPublisher", 1)
+    )
     commit(package, "Fill in the logic, add a topic")
     update(package)
     assert (package / "all_kinds/worker_impl.py").read_text() == logic

@@ -55,7 +55,9 @@ def test_added_subscriber(ros2, render, update, tmp_path):
     git(package, "apply", str(ROOT / "tests/logic/all_kinds.patch"))
     logic = (package / "all_kinds/worker_impl.py").read_text()
     file = package / "all_kinds.ros_package"
-    file.write_text(file.read_text().replace("    <directPublisher", VOLUME + "    <directPublisher", 1))
+    file.write_text(
+        file.read_text().replace("    <directPublisher", VOLUME + "    <directPublisher", 1)
+    )
     commit(package, "Fill in the logic, add a topic")
     changed = update(package)
     assert "UU" not in changed

@@ -26,18 +26,24 @@ def github(own_collection, tmp_path):
             subprocess.run(command, cwd=own_collection, check=True, capture_output=True)
 
     publish()
-    return own_collection, publish, {
-        "GIT_CONFIG_COUNT": "1",
-        "GIT_CONFIG_KEY_0": f"url.file://{host}/.insteadOf",
-        "GIT_CONFIG_VALUE_0": "https://github.com/",
-    }
+    return (
+        own_collection,
+        publish,
+        {
+            "GIT_CONFIG_COUNT": "1",
+            "GIT_CONFIG_KEY_0": f"url.file://{host}/.insteadOf",
+            "GIT_CONFIG_VALUE_0": "https://github.com/",
+        },
+    )
 
 
 @pytest.mark.parametrize("model", MODELS)
 def test_copy_from_github(github, copier_command, tmp_path, model):
     """Exactly the commands of the README, without a spec and with one."""
     *_, environment = github
-    result = copier_command("copy", "--trust", f"gh:org/{model}", "mypkg", cwd=tmp_path, **environment)
+    result = copier_command(
+        "copy", "--trust", f"gh:org/{model}", "mypkg", cwd=tmp_path, **environment
+    )
     assert result.returncode == 0, result.stderr
     package = tmp_path / "mypkg"
     assert (package / "mypkg.ros_package").exists()
@@ -46,10 +52,30 @@ def test_copy_from_github(github, copier_command, tmp_path, model):
     (tmp_path / "contact.ros_package").write_bytes(
         (EXAMPLES / "contact_analysis.ros_package").read_bytes()
     )
-    arguments = ("copy", "--trust", "-d", "spec_file=contact.ros_package", f"gh:org/{model}", "contact")
+    arguments = (
+        "copy",
+        "--trust",
+        "-d",
+        "spec_file=contact.ros_package",
+        f"gh:org/{model}",
+        "contact",
+    )
     result = copier_command(*arguments, cwd=tmp_path, **environment)
     assert result.returncode == 0, result.stderr
     assert "contact_evaluate" in (tmp_path / "contact/README.md").read_text()
+
+
+def test_trust_once(github, copier_command, tmp_path):
+    """The settings of the README make `copier copy gh:org/python_model mypkg` enough."""
+    *_, environment = github
+    command = ("copy", "gh:org/python_model", "mypkg")
+    assert copier_command(*command, cwd=tmp_path, **environment).returncode == 4
+    (tmp_path / "config/copier").mkdir(parents=True)
+    settings = "trust:\n  - https://github.com/org/\n"
+    (tmp_path / "config/copier/settings.yml").write_text(settings)
+    environment["XDG_CONFIG_HOME"] = str(tmp_path / "config")
+    result = copier_command(*command, cwd=tmp_path, **environment)
+    assert result.returncode == 0, result.stderr
 
 
 def test_published_versions_update(github, copier_command, tmp_path):
@@ -75,7 +101,9 @@ def test_published_versions_update(github, copier_command, tmp_path):
 
 
 def test_published_model_holds_what_it_needs_and_no_more(github, tmp_path):
-    names = set(git(tmp_path / "github/org/python_model.git", "ls-tree", "--name-only", "main").split())
+    names = set(
+        git(tmp_path / "github/org/python_model.git", "ls-tree", "--name-only", "main").split()
+    )
     assert {"copier.yml", "dictionary.yaml", "functions.py", "template", "README.md"} <= names
     assert {"hooks", "extensions", "shared", "LICENSE"} <= names
     assert not names & {"python_model", "cpp_model", "tests", "docs", "Makefile"}

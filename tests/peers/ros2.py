@@ -113,7 +113,9 @@ class Peer:
         ActionServer(self.node, type_, action, execute, callback_group=self.group)
 
     def get_parameter(self, node, name):
-        answer = self.call(f"{node}/get_parameters", "rcl_interfaces/srv/GetParameters", names=[name])
+        answer = self.call(
+            f"{node}/get_parameters", "rcl_interfaces/srv/GetParameters", names=[name]
+        )
         return parameter_value_to_python(answer.values[0])
 
     def set_parameter(self, node, name, value):
@@ -135,8 +137,12 @@ class Peer:
         return self.call(f"{node}/get_state", "lifecycle_msgs/srv/GetState").current_state.label
 
     def change_state(self, node, transition):
-        request = {"transition": self.message("lifecycle_msgs/msg/Transition", id=TRANSITIONS[transition])}
-        return self.call(f"{node}/change_state", "lifecycle_msgs/srv/ChangeState", **request).success
+        request = {
+            "transition": self.message("lifecycle_msgs/msg/Transition", id=TRANSITIONS[transition])
+        }
+        return self.call(
+            f"{node}/change_state", "lifecycle_msgs/srv/ChangeState", **request
+        ).success
 
     def lookup(self, target, source):
         import tf2_ros

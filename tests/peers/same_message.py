@@ -9,7 +9,9 @@ from std_msgs.msg import Float64MultiArray
 
 message = Float64MultiArray(data=[1.0] * 10000)
 heard = []
-RelayImpl.update = lambda self, data, config: heard.append((data.in_floats_in, data.in_floats_in_updated))
+RelayImpl.update = lambda self, data, config: heard.append(
+    (data.in_floats_in, data.in_floats_in_updated)
+)
 
 rclpy.init()
 node = RelayNode()

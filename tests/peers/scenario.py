@@ -145,7 +145,7 @@ class Scenario:
     def check_parameters(self):
         """Parameters are read, set and refused."""
         self.spoken("greet")
-        assert self.said("it's \"said\" <so> & für immer [0.5, 1.0, 2000.0]"), self.said("it")
+        assert self.said('it\'s "said" <so> & für immer [0.5, 1.0, 2000.0]'), self.said("it")
         assert self.peer.get_parameter("worker", "gain") == 1.5
         assert self.peer.set_parameter("worker", "gain", 4.0)
         assert self.peer.set_parameter("worker", "label", "boss")
