@@ -71,7 +71,7 @@ def test_trust_once(github, copier_command, tmp_path):
     command = ("copy", "gh:org/python_model", "mypkg")
     assert copier_command(*command, cwd=tmp_path, **environment).returncode == 4
     (tmp_path / "config/copier").mkdir(parents=True)
-    settings = "trust:\n  - https://github.com/org/\n"
+    settings = "trust:\n  - gh:org/\n"
     (tmp_path / "config/copier/settings.yml").write_text(settings)
     environment["XDG_CONFIG_HOME"] = str(tmp_path / "config")
     result = copier_command(*command, cwd=tmp_path, **environment)
