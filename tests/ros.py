@@ -10,23 +10,26 @@ import signal
 import socket
 import subprocess
 import sys
+import tempfile
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 TESTS = Path(__file__).parent
 WHEELS = TESTS.parent / ".venv" / "ros2"
+SHELL = dict(os.environ)  # before the tests change it: a ROS 2 may be sourced in it
 
 
 @dataclass(frozen=True)
 class Ros:
     """One ROS: how to set it up in a shell, and its environment."""
 
+    distro: str
     setup: str
     environment: dict[str, str]
     workspace_setup: str
-    python: str = "python3"
-    options: list[str] = field(default_factory=list)
+    build_command: str
+    python: str
 
     def command(self, command, workspace=None):
         """Return the shell command that sets ROS up and then becomes `command`."""
@@ -80,7 +83,7 @@ class Ros:
 
     def build(self, workspace):
         """Build the packages of a workspace and return what the build printed."""
-        return self.run(self.options[0], workspace).stdout
+        return self.run(self.build_command, workspace).stdout
 
     def scenario(self, workspace, *options):
         """Talk to the running nodes of a workspace; see peers/scenario.py."""
@@ -96,8 +99,6 @@ def _base(home):
 
 
 def _home():
-    import tempfile
-
     return Path(tempfile.mkdtemp(prefix="ros-"))
 
 
@@ -113,7 +114,8 @@ def ros1():
         "ROS_IP": "127.0.0.1",
         "ROS_MASTER_URI": f"http://127.0.0.1:{port}",
     }
-    return Ros("", environment, "devel/setup.bash", "/usr/bin/python3", ["catkin_make"])
+    python = "/usr/bin/python3"
+    return Ros("noetic", "", environment, "devel/setup.bash", "catkin_make", python)
 
 
 def ros2():
@@ -121,10 +123,8 @@ def ros2():
     setup = _ros2_setup()
     if setup is None:
         return None
-    environment = (
-        dict(os.environ) if setup == "" else _base(_home()) | {"PATH": os.environ["PATH"]}
-    )
     home = _home()
+    environment = _base(home) | {"PATH": SHELL["PATH"]} if setup else dict(SHELL)
     environment |= {
         "ROS_HOME": str(home),
         "ROS_LOG_DIR": str(home),
@@ -135,17 +135,18 @@ def ros2():
     }
     for name in ("_ROS_WHEELS_BOOTSTRAP_COMPLETE", "PYTEST_ADDOPTS", "VIRTUAL_ENV"):
         environment.pop(name, None)
-    return Ros(setup, environment, "install/setup.bash", "python3", ["colcon build"])
+    distro = "kilted" if setup else SHELL["ROS_DISTRO"]
+    return Ros(distro, setup, environment, "install/setup.bash", "colcon build", "python3")
 
 
 @functools.cache
 def _ros2_setup():
     """Return the shell command that sets ROS 2 up: none where it is sourced already."""
     wheels = f"export VIRTUAL_ENV={WHEELS} PATH={WHEELS}/bin:$PATH AMENT_PREFIX_PATH={WHEELS}"
-    for setup in ("true", wheels):
-        command = ["bash", "-c", f"{setup} && python3 -c 'import rclpy' && command -v colcon"]
-        if subprocess.run(command, capture_output=True).returncode == 0:
-            return "" if setup == "true" else wheels
+    for setup in ("", wheels) if "ROS_DISTRO" in SHELL else (wheels,):
+        command = f"{setup or 'true'} && python3 -c 'import rclpy' && command -v colcon"
+        if subprocess.run(["bash", "-c", command], env=SHELL, capture_output=True).returncode == 0:
+            return setup
     return None
 
 

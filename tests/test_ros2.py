@@ -39,7 +39,7 @@ def nodes(ros2, workspace, package, *names):
 
 def test_every_interface(ros2, render, tmp_path):
     spec, options = spec_without_tf(ros2)
-    package = render(spec, name="src/all_kinds")
+    package = render(spec, ros_distro=ros2.distro, name="src/all_kinds")
     git(package, "apply", str(ROOT / "tests/logic/all_kinds.patch"))
     ros2.build(tmp_path)
     with nodes(ros2, tmp_path, "all_kinds", "worker", "observer") as (worker, _):
@@ -51,7 +51,7 @@ def test_every_interface(ros2, render, tmp_path):
 
 def test_added_subscriber(ros2, render, update, tmp_path):
     spec, options = spec_without_tf(ros2)
-    package = render(spec, name="src/all_kinds")
+    package = render(spec, ros_distro=ros2.distro, name="src/all_kinds")
     git(package, "apply", str(ROOT / "tests/logic/all_kinds.patch"))
     logic = (package / "all_kinds/worker_impl.py").read_text()
     file = package / "all_kinds.ros_package"
@@ -69,8 +69,8 @@ def test_added_subscriber(ros2, render, update, tmp_path):
 
 def test_package_tests_and_linters(ros2, render, tmp_path):
     spec, _ = spec_without_tf(ros2)
-    render(spec, name="src/all_kinds")
-    render(ROOT / "tests/specs/hostile.ros_package", name="src/hostile")
+    render(spec, ros_distro=ros2.distro, name="src/all_kinds")
+    render(ROOT / "tests/specs/hostile.ros_package", ros_distro=ros2.distro, name="src/hostile")
     ros2.build(tmp_path)
     ros2.run("colcon test --event-handlers console_cohesion+", tmp_path, tmp_path)
     result = ros2.run("colcon test-result --all --verbose", tmp_path, tmp_path).stdout
@@ -85,6 +85,7 @@ def test_messages_are_not_copied(ros2, render, tmp_path):
                <subscriber name="floats_in" type="std_msgs::Float64MultiArray"/>
              </node>
            </package>""",
+        ros_distro=ros2.distro,
         name="src/fast",
     )
     ros2.build(tmp_path)
@@ -95,7 +96,7 @@ def test_launch_file(ros2, render, tmp_path):
     if not ros.has(ros2, "launch_ros"):
         pytest.skip("launch_ros is not installed")
     spec, options = spec_without_tf(ros2)
-    package = render(spec, name="src/all_kinds")
+    package = render(spec, ros_distro=ros2.distro, name="src/all_kinds")
     git(package, "apply", str(ROOT / "tests/logic/all_kinds.patch"))
     ros2.build(tmp_path)
     with ros2.running("ros2 launch all_kinds all_kinds.launch.xml", tmp_path):
