@@ -21,6 +21,13 @@ test: $(TOOLS)/ready $(ROS2)/ready .venv/ros1-asked
 	$(TOOLS)/bin/mypy
 	$(TOOLS)/bin/pytest
 
+bench: $(TOOLS)/ready $(ROS2)/ready
+	$(TOOLS)/bin/python benchmarks/render.py
+	@rm -rf build/bench
+	@$(TOOLS)/bin/copier copy --trust --defaults --quiet --vcs-ref=HEAD -d model=python_model \
+	  -d spec_file=benchmarks/fast.ros_package -d ros_distro=kilted . build/bench/fast
+	PYTHONPATH=build/bench/fast $(ROS2)/bin/python benchmarks/loop.py
+
 $(TOOLS)/ready: pyproject.toml
 	$(PYTHON) -m venv $(TOOLS)
 	$(TOOLS)/bin/pip install --quiet --disable-pip-version-check -e ".[test]"
