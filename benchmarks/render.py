@@ -62,9 +62,14 @@ def make(package: Path) -> None:
 
 def copy(template: Path, target: Path, **data: str) -> None:
     """Copy a template as it stands in the work tree or its last commit."""
-    options = {"vcs_ref": "HEAD"} if (template / ".git").exists() else {}
     copier.run_copy(
-        str(template), target, data=data, defaults=True, unsafe=True, quiet=True, **options
+        str(template),
+        target,
+        data=dict(data),
+        vcs_ref="HEAD" if (template / ".git").exists() else None,
+        defaults=True,
+        unsafe=True,
+        quiet=True,
     )
 
 
