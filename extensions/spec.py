@@ -21,6 +21,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+import yaml
 from copier.errors import UserMessageError
 from jinja2 import Environment, pass_context
 from jinja2.ext import Extension
@@ -41,6 +42,8 @@ class SpecExtension(Extension):
             "spec_changed": pass_context(self._reporting(self.spec_changed)),
             "spec_text": pass_context(self._reporting(self.spec_text)),
             "has_spec": pass_context(self._reporting(self.has_spec)),
+            "spec_renames": pass_context(self._reporting(self.spec_renames)),
+            "update_summary": pass_context(self._reporting(self.update_summary)),
             "can_ask": sys.stdin.isatty,
             "ros_distros": list(self.hooks.ros.DISTROS),
             "default_ros_distro": self.default_ros_distro,
@@ -72,6 +75,17 @@ class SpecExtension(Extension):
     def has_spec(self, context: Context) -> bool:
         """Say whether the destination holds a spec already."""
         return bool(_specs(_destination(context)))
+
+    def spec_renames(self, context: Context, spec: dict[str, Any]) -> list[dict[str, str]]:
+        """Return what was renamed since the package's last commit; see `hooks.changes`."""
+        dictionary = self._model(context).dictionary
+        return list(self.hooks.changes.renames(_committed_spec(context), spec, dictionary))
+
+    def update_summary(self, context: Context, spec: dict[str, Any]) -> dict[str, Any]:
+        """Return what an update did: `changes` in words, and `files` by what became of them."""
+        dictionary = self._model(context).dictionary
+        changes = self.hooks.changes.changes(_committed_spec(context), spec, dictionary)
+        return {"changes": list(changes), **_changed_files(_destination(context))}
 
     def default_ros_distro(self) -> str:
         """Return the distribution of the environment where it is one of ours."""
@@ -163,7 +177,7 @@ def _load_hooks(root: Path) -> ModuleType:
     assert spec.loader
     package = sys.modules[name] = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(package)
-    for module in ("faults", "formats", "model", "ros"):
+    for module in ("changes", "faults", "formats", "model", "ros"):
         importlib.import_module(f"{name}.{module}")
     return package
 
@@ -174,6 +188,36 @@ def _destination(context: Context) -> Path:
 
 def _specs(package: Path) -> list[Path]:
     return sorted(package.glob(f"*{SUFFIX}"))
+
+
+def _git(folder: Path, *arguments: str) -> str:
+    command = ["git", *arguments]
+    result = subprocess.run(command, cwd=folder, capture_output=True, check=False)
+    return result.stdout.decode(errors="replace")
+
+
+def _committed_spec(context: Context) -> dict[str, Any]:
+    """Return the context recorded in the package's last commit."""
+    name = context["_copier_conf"]["answers_file"]
+    answers = yaml.safe_load(_git(_destination(context), "show", f"HEAD:./{name}"))
+    return dict((answers or {}).get("spec") or {})
+
+
+def _changed_files(package: Path) -> dict[str, Any]:
+    """Return the files that differ from the last commit: merged, added, removed, in conflict."""
+    files: dict[str, list[str]] = {"merged": [], "added": [], "removed": [], "conflicts": []}
+    top = Path(_git(package, "rev-parse", "--show-toplevel").strip() or package)
+    status = _git(package, "status", "--porcelain", "--no-renames", "-z", "-uall", ".")
+    for entry in filter(None, status.split("\0")):
+        state, path = entry[:2], top / entry[3:]
+        name = os.path.relpath(path, package)
+        if "D" in state and not path.exists():
+            files["removed"].append(name)
+        elif "U" in state or (path.is_file() and b"<<<<<<< before updating" in path.read_bytes()):
+            files["conflicts"].append(name)
+        else:
+            files["added" if state == "??" else "merged"].append(name)
+    return {**files, "commit": _git(package, "rev-parse", "--short", "HEAD").strip()}
 
 
 def _shown(path: Path) -> str:
@@ -206,6 +250,4 @@ def _sources(package: Path, hooks: ModuleType) -> Mapping[str, str]:
 
 
 def _git_config(key: str) -> str:
-    command = ["git", "config", "--get", key]
-    result = subprocess.run(command, capture_output=True, text=True, check=False)
-    return result.stdout.strip()
+    return _git(Path.cwd(), "config", "--get", key).strip()

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from .dictionary import DEPEND, PACKAGE, Attribute, Component, Dictionary
+from .dictionary import DEPEND, NAME_BEFORE, PACKAGE, WAS, Attribute, Component, Dictionary
 from .faults import SpecError, allowed
 from .formats import FORMATS, as_identifier, dependency, literal
 from .parse import Element
@@ -109,6 +109,8 @@ class _Checker:
         label = self.label(tag, element)
         if element.text:
             self.fault(element, label, f'text is not allowed here: "{element.text[:40]}"')
+        if tag != PACKAGE:
+            known = {**known, WAS: NAME_BEFORE}
         for name in element.attributes:
             if name not in known:
                 self.fault(element, label, f'unknown attribute "{name}"; {allowed(name, known)}')
@@ -117,6 +119,8 @@ class _Checker:
             if attribute.ignored:
                 continue
             given = element.attributes.get(name)
+            if given is None and name == WAS:
+                continue
             if given is None:
                 if not attribute.optional:
                     self.fault(element, label, f'attribute "{name}" is missing{_doc(attribute)}')

@@ -18,6 +18,7 @@ from .formats import FORMATS
 
 PACKAGE = "package"
 DEPEND = "depend"
+WAS = "was"
 RESERVED_KEYS = frozenset({"ros", "kinds", "depends", "notes"})
 """The keys of the context that the hook itself adds to the attributes of the package."""
 
@@ -42,6 +43,10 @@ class Attribute:
     reserved: list[str] = field(default_factory=list)
     ignored: bool = False
     example: Any = ""
+
+
+NAME_BEFORE = Attribute(WAS, "the name before, so that the code of a renamed one is kept")
+"""The attribute that every component and every interface may have."""
 
 
 @dataclass(frozen=True)

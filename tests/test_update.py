@@ -1,0 +1,161 @@
+"""What an update says, and what it keeps: renames, removals, conflicts."""
+
+import pytest
+from conftest import commit, git
+from test_mechanism import QUIET
+
+SPEC = """<package name="arm" author="Ada" author_email="ada@example.org" description="An arm"
+         license="MIT">
+  <node name="reach" frequency="10">
+    <publisher name="pose" type="std_msgs::Float64"/>
+    <subscriber name="goal" type="std_msgs::Float64"/>
+    <directSubscriber name="stop" type="std_msgs::Empty"/>
+    <serviceServer name="load" type="std_srvs::Trigger"/>
+    <serviceServer name="store" type="std_srvs::Trigger"/>
+    <dynParameter name="gain" type="double" value="1"/>
+  </node>
+  <node name="watch" frequency="1">
+    <serviceServer name="load" type="std_srvs::Trigger"/>
+  </node>
+</package>
+"""
+EDITS = {
+    '"""Turn the latest inputs into outputs, once in every cycle."""': (
+        "data.out_pose.data = config.gain * data.in_goal.data"
+    ),
+    '"""Handle a message at once."""': "self.passthrough.log.info('stop')",
+}
+
+
+@pytest.fixture
+def arm(render):
+    """Return a package whose logic is filled in."""
+    package = render(SPEC, name="arm")
+    impl = package / "arm/reach_impl.py"
+    text = impl.read_text()
+    for line, code in EDITS.items():
+        text = text.replace(line, f"{line}\n        {code}", 1)
+    text = text.replace(
+        "return response", "response.message = 'loaded'\n        return response", 1
+    )
+    impl.write_text(text)
+    (package / "arm/helper.py").write_text("from arm.reach_interface import ReachData\n")
+    commit(package, "Write the logic")
+    return package
+
+
+@pytest.fixture
+def update_with(arm, copier_command):
+    """Change the spec by (old, new) texts, update, and return what the update said."""
+
+    def run(*changes):
+        spec = arm / "arm.ros_package"
+        text = spec.read_text()
+        for old, new in changes:
+            assert old in text
+            text = text.replace(old, new)
+        spec.write_text(text)
+        commit(arm, "Change the spec")
+        result = copier_command("update", "--trust", "--defaults", cwd=arm)
+        assert result.returncode == 0, result.stderr
+        return result.stderr
+
+    return run
+
+
+def test_summary_says_what_changed(update_with):
+    said = update_with(
+        ('frequency="10"', 'frequency="20"'),
+        ('    <directSubscriber name="stop" type="std_msgs::Empty"/>\n', ""),
+        ('  <node name="watch"', '  <node name="look" frequency="5"/>\n  <node name="watch"'),
+        ('name="pose" type="std_msgs::Float64"', 'name="pose" type="std_msgs::Float32"'),
+        ('"An arm"', '"A long arm"'),
+    )
+    for line in (
+        "~ package: description An arm -> A long arm",
+        "~ node reach: frequency 10 -> 20",
+        "- directSubscriber stop on reach",
+        "+ node look",
+        "~ publisher pose on reach: type std_msgs/msg/Float64 -> std_msgs/msg/Float32",
+        "merged    arm/reach_interface.py",
+        "added     arm/look_impl.py",
+        "CONFLICT  arm/reach_impl.py",
+    ):
+        assert line in said, said
+
+
+def test_nothing_to_do_is_said(arm, copier_command):
+    result = copier_command("update", "--trust", "--defaults", cwd=arm)
+    assert "Nothing has changed." in result.stderr
+
+
+def test_removed_logic_is_said(arm, update_with):
+    before = git(arm, "rev-parse", "--short", "HEAD")
+    start = SPEC.index('  <node name="reach"')
+    end = SPEC.index('  <node name="watch"')
+    said = update_with((SPEC[start:end], ""))
+    assert "- node reach" in said
+    (line,) = (line for line in said.splitlines() if "arm/reach_impl.py" in line)
+    command = line.partition("git show ")[2].rstrip(")")
+    assert "config.gain * data.in_goal.data" in git(arm, "show", command)
+    assert before != command.partition(":")[0]
+
+
+def test_logic_of_a_removed_interface_stays_between_markers(arm, update_with):
+    said = update_with(
+        ('    <serviceServer name="load" type="std_srvs::Trigger"/>\n    <s', "    <s")
+    )
+    assert "CONFLICT  arm/reach_impl.py" in said
+    assert "response.message = 'loaded'" in (arm / "arm/reach_impl.py").read_text()
+
+
+@pytest.mark.parametrize("keep_was", [True, False])
+def test_renamed_node_keeps_its_code(arm, update_with, copier_command, keep_was):
+    said = update_with(('<node name="reach"', '<node name="grasp" was="reach"'))
+    assert "> node grasp, was reach" in said
+    assert "CONFLICT" not in said
+    impl = (arm / "arm/grasp_impl.py").read_text()
+    assert "class GraspImpl:" in impl
+    assert "def update(\n        self,\n        data: GraspData,\n" in impl
+    for code in (*EDITS.values(), "response.message = 'loaded'"):
+        assert code in impl
+    assert not (arm / "arm/reach_impl.py").exists()
+    assert "GraspData" in (arm / "arm/helper.py").read_text()
+    assert 'exec="grasp"' in (arm / "launch/arm.launch.xml").read_text()
+    commit(arm, "Rename")
+    if not keep_was:
+        spec = arm / "arm.ros_package"
+        spec.write_text(spec.read_text().replace(' was="reach"', ""))
+        commit(arm, "Drop was")
+    again = copier_command("update", *QUIET, cwd=arm)
+    assert again.returncode == 0, again.stderr
+    changed = git(arm, "diff", "--name-only")
+    assert changed == ("" if keep_was else ".copier-answers.yml")
+
+
+def test_renamed_interfaces_keep_their_code(arm, update_with):
+    said = update_with(
+        (
+            'name="load" type="std_srvs::Trigger"/>\n    <s',
+            'name="fetch" was="load" type="std_srvs::Trigger"/>\n    <s',
+        ),
+        ('name="goal"', 'name="target" was="goal"'),
+        ('name="gain"', 'name="factor" was="gain"'),
+    )
+    assert "> serviceServer fetch on reach, was load" in said
+    assert "CONFLICT" not in said
+    impl = (arm / "arm/reach_impl.py").read_text()
+    assert "data.out_pose.data = config.factor * data.in_target.data" in impl
+    assert "def serve_fetch(self, request, response):" in impl
+    assert "response.message = 'loaded'" in impl
+    assert "def serve_load" not in impl
+    assert "def serve_load" in (arm / "arm/watch_impl.py").read_text()
+
+
+def test_reordering_needs_no_hand(arm, update_with):
+    """Interfaces without a callback may be reordered, retyped and described at will."""
+    pose = '    <publisher name="pose" type="std_msgs::Float64"/>\n'
+    speed = '    <publisher name="speed" type="std_msgs::Int8" description="x"/>\n'
+    said = update_with((pose, ""), ("    <dynParameter", speed + pose + "    <dynParameter"))
+    assert "CONFLICT" not in said
+    assert EDITS['"""Handle a message at once."""'] in (arm / "arm/reach_impl.py").read_text()
