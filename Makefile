@@ -19,7 +19,7 @@ test: $(TOOLS)/ready $(ROS2)/ready .venv/ros1-asked
 	$(TOOLS)/bin/ruff check .
 	$(TOOLS)/bin/ruff format --check .
 	$(TOOLS)/bin/mypy
-	$(TOOLS)/bin/pytest
+	ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH= $(TOOLS)/bin/pytest
 
 bench: $(TOOLS)/ready $(ROS2)/ready
 	$(TOOLS)/bin/python benchmarks/render.py

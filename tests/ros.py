@@ -17,7 +17,9 @@ from pathlib import Path
 
 TESTS = Path(__file__).parent
 WHEELS = TESTS.parent / ".venv" / "ros2"
-SHELL = dict(os.environ)  # before the tests change it: a ROS 2 may be sourced in it
+# The environment before the tests change it: a ROS 2 may be sourced in it. The Makefile keeps
+# the modules of that ROS out of pytest, which has a Python of its own.
+SHELL = os.environ | {"PYTHONPATH": os.environ.get("ROS_PYTHONPATH", "")}
 
 
 @dataclass(frozen=True)
@@ -133,8 +135,6 @@ def ros2():
         "ROS_LOCALHOST_ONLY": "1",
         "PYTHONUNBUFFERED": "1",
     }
-    for name in ("_ROS_WHEELS_BOOTSTRAP_COMPLETE", "PYTEST_ADDOPTS", "VIRTUAL_ENV"):
-        environment.pop(name, None)
     distro = "kilted" if setup else SHELL["ROS_DISTRO"]
     return Ros(distro, setup, environment, "install/setup.bash", "colcon build", "python3")
 

@@ -8,7 +8,7 @@ import rclpy
 from action_msgs.msg import GoalStatus
 from rclpy.action import ActionClient, ActionServer
 from rclpy.callback_groups import ReentrantCallbackGroup
-from rclpy.executors import MultiThreadedExecutor
+from rclpy.executors import SingleThreadedExecutor
 from rclpy.parameter import Parameter, parameter_value_to_python
 
 TIMEOUT = 10.0
@@ -62,7 +62,7 @@ class Peer:
         rclpy.init()
         self.node = rclpy.create_node("peer")
         self.group = ReentrantCallbackGroup()
-        self.executor = MultiThreadedExecutor(8)
+        self.executor = SingleThreadedExecutor()
         self.executor.add_node(self.node)
         threading.Thread(target=self.executor.spin, daemon=True).start()
         self.buffer = None
