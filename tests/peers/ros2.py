@@ -1,5 +1,6 @@
 """A peer in ROS 2, written with rclpy alone."""
 
+import contextlib
 import importlib
 import threading
 import time
@@ -8,7 +9,7 @@ import rclpy
 from action_msgs.msg import GoalStatus
 from rclpy.action import ActionClient, ActionServer
 from rclpy.callback_groups import ReentrantCallbackGroup
-from rclpy.executors import SingleThreadedExecutor
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.parameter import Parameter, parameter_value_to_python
 
 TIMEOUT = 10.0
@@ -64,12 +65,17 @@ class Peer:
         self.group = ReentrantCallbackGroup()
         self.executor = SingleThreadedExecutor()
         self.executor.add_node(self.node)
-        threading.Thread(target=self.executor.spin, daemon=True).start()
+        self.thread = threading.Thread(target=self.spin, daemon=True)
+        self.thread.start()
         self.buffer = None
 
+    def spin(self):
+        with contextlib.suppress(ExternalShutdownException):
+            self.executor.spin()
+
     def close(self):
-        self.executor.shutdown(1.0)
         rclpy.try_shutdown()
+        self.thread.join(TIMEOUT)
 
     def message(self, type_name, **fields):
         return load(type_name)(**fields)
