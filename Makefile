@@ -1,5 +1,5 @@
 # The two commands of the README; each sets up what it needs, once.
-.PHONY: demo test bench clean
+.PHONY: demo test bench lab clean
 
 PYTHON ?= python3
 TOOLS := .venv/tools
@@ -27,6 +27,12 @@ bench: $(TOOLS)/ready $(ROS2)/ready
 	@$(TOOLS)/bin/copier copy --trust --defaults --quiet --vcs-ref=HEAD -d model=python_model \
 	  -d spec_file=benchmarks/fast.ros_package -d ros_distro=kilted . build/bench/fast
 	PYTHONPATH=build/bench/fast $(ROS2)/bin/python benchmarks/loop.py
+
+# The merge laboratory at length, with other trials each time; hours for the default number.
+LAB_TRIALS ?= 3000
+lab: $(TOOLS)/ready
+	LAB_TRIALS=$(LAB_TRIALS) LAB_SEED=random LAB_KILLS=200 \
+	  $(TOOLS)/bin/pytest -s tests/test_lab.py tests/test_update.py -k "lost or killed"
 
 $(TOOLS)/ready: pyproject.toml
 	$(PYTHON) -m venv $(TOOLS)
