@@ -73,6 +73,11 @@ def _unique(items, key):
     return list({key(item): item for item in items}.values())
 
 
+def _clash(item):
+    """Return what two interfaces of a node cannot both have."""
+    return {"dynParameter": "parameter"}.get(item["kind"], item["kind"]), item["name"].strip("/")
+
+
 def xml(spec):
     """Write a spec; of two interfaces that would clash, the later one counts."""
     lines = [
@@ -81,9 +86,7 @@ def xml(spec):
     ]
     for node in _unique(spec["nodes"], lambda node: node["name"]):
         lines.append(f'  <node name="{node["name"]}" frequency="{node["frequency"]}">')
-        group = {"dynParameter": "parameter"}
-        key = lambda i: (group.get(i["kind"], i["kind"]), i["name"].strip("/"))  # noqa: E731
-        for item in _unique(node["interfaces"], key):
+        for item in _unique(node["interfaces"], _clash):
             kind, type_ = item["kind"], TYPES[item["kind"]][item["type"]]
             text = (
                 f'    <{kind} name="{item["name"]}" description={quoteattr(item["description"])}'
