@@ -88,7 +88,15 @@ def own_collection(tmp_path):
 def render(collection, tmp_path):
     """Render a package from a spec, given as a file or as XML, and commit it to git."""
 
-    def make(spec=None, *, template=collection, model="python_model", name="package", **data):
+    def make(
+        spec=None,
+        *,
+        template=collection,
+        vcs_ref=None,
+        model="python_model",
+        name="package",
+        **data,
+    ):
         folder = tmp_path / name
         if isinstance(spec, str):
             file = tmp_path / "specs" / f"{folder.name}.xml"
@@ -98,7 +106,15 @@ def render(collection, tmp_path):
         if spec is not None:
             data["spec_file"] = str(spec)
         data = {"model": model, "ros_distro": "kilted", **data}
-        copier.run_copy(str(template), folder, data=data, defaults=True, unsafe=True, quiet=True)
+        copier.run_copy(
+            str(template),
+            folder,
+            data=data,
+            vcs_ref=vcs_ref,
+            defaults=True,
+            unsafe=True,
+            quiet=True,
+        )
         commit(folder, "Render")
         return folder
 

@@ -1,7 +1,15 @@
 """What an update says, and what it keeps: renames, removals, conflicts."""
 
+import os
+import shutil
+import subprocess
+import sys
+import time
+from random import Random
+
 import pytest
-from conftest import commit, git
+from conftest import EXAMPLES, commit, git
+from lab import Laboratory, texts
 from test_mechanism import QUIET
 
 SPEC = """<package name="arm" author="Ada" author_email="ada@example.org" description="An arm"
@@ -159,3 +167,56 @@ def test_reordering_needs_no_hand(arm, update_with):
     said = update_with((pose, ""), ("    <dynParameter", speed + pose + "    <dynParameter"))
     assert "CONFLICT" not in said
     assert EDITS['"""Handle a message at once."""'] in (arm / "arm/reach_impl.py").read_text()
+
+
+def tree(package):
+    """Return all that git would see of a package, and the state of its index."""
+    commit(package, "Look")
+    return git(package, "rev-parse", "HEAD^{tree}")
+
+
+def test_killed_update_can_be_undone_and_done_again(arm, copier_command, tmp_path):
+    """Kill an update at random moments; git brings the package back, and the next one works."""
+    spec = arm / "arm.ros_package"
+    spec.write_text(
+        spec.read_text().replace('<node name="watch"', '<node name="look" was="watch"')
+    )
+    commit(arm, "Rename a node")
+    undisturbed = tmp_path / "undisturbed"
+    shutil.copytree(arm, undisturbed)
+    start = time.monotonic()
+    assert copier_command("update", *QUIET, cwd=undisturbed).returncode == 0
+    duration = time.monotonic() - start
+    wanted = tree(undisturbed)
+    before = git(arm, "rev-parse", "HEAD^{tree}")
+    random = Random(1)
+    for _ in range(int(os.environ.get("LAB_KILLS", "6"))):
+        package = tmp_path / "killed"
+        shutil.copytree(arm, package)
+        command = [sys.executable, "-m", "copier", "update", *QUIET]
+        process = subprocess.Popen(command, cwd=package, stderr=subprocess.DEVNULL)
+        time.sleep(random.uniform(0.3, 1.0) * duration)
+        process.kill()
+        process.wait()
+        git(package, "restore", "--staged", "--worktree", ".")
+        git(package, "clean", "-fdq")
+        assert git(package, "status", "--short") == ""
+        assert git(package, "write-tree") == before
+        result = copier_command("update", *QUIET, cwd=package)
+        assert result.returncode == 0, result.stderr
+        assert tree(package) == wanted
+        shutil.rmtree(package)
+
+
+@pytest.mark.parametrize("example", sorted(EXAMPLES.glob("*.ros_package")), ids=lambda e: e.stem)
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_update_equals_fresh(tmp_path_factory, render, update, example, distro):
+    """An untouched package of any version, updated, is what the newest version makes."""
+    newest = Laboratory(tmp_path_factory.mktemp("versions")).collection
+    fresh = render(example, template=newest, ros_distro=distro, name="fresh/same")
+    for version in git(newest, "tag").split():
+        old = render(
+            example, template=newest, vcs_ref=version, ros_distro=distro, name=f"{version}/same"
+        )
+        update(old)
+        assert texts(old) == texts(fresh), version

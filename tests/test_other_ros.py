@@ -1,0 +1,48 @@
+"""A package moves from ROS 1 to ROS 2 and back with its logic in place, and runs on both."""
+
+import shutil
+
+import pytest
+import ros
+from conftest import EXAMPLES, ROOT, commit, git
+from test_ros2 import nodes, spec_without_tf
+
+
+@pytest.mark.ros1
+@pytest.mark.ros2
+def test_there_and_back(ros1, ros2, render, update, tmp_path):
+    spec, options = spec_without_tf(ros2)
+    package = render(spec, ros_distro="noetic", name="src/all_kinds")
+    git(package, "apply", str(ROOT / "tests/logic/all_kinds.patch"))
+    commit(package, "Fill in the logic")
+    logic = (package / "all_kinds/worker_impl.py").read_bytes()
+    files = git(package, "ls-files")
+    update(package, ros_distro=ros2.distro)
+    commit(package, "Move to ROS 2")
+    assert (package / "all_kinds/worker_impl.py").read_bytes() == logic
+    for gone in ("CMakeLists.txt", "cfg", "scripts", "launch/all_kinds.launch", "test/nodes.test"):
+        assert not (package / gone).exists(), gone
+    ros2.build(tmp_path)
+    with nodes(ros2, tmp_path, "all_kinds", "worker"):
+        ros2.scenario(tmp_path, *options)
+    for folder in ("build", "install", "log"):
+        shutil.rmtree(tmp_path / folder)
+    update(package, ros_distro="noetic")
+    commit(package, "Move to ROS 1")
+    assert (package / "all_kinds/worker_impl.py").read_bytes() == logic
+    assert git(package, "ls-files") == files
+    assert git(package, "diff", "HEAD~2", "HEAD", "--stat") == ""
+    shutil.copytree(ROOT / "tests/interfaces/test_msgs", tmp_path / "src/test_msgs")
+    ros1.build(tmp_path)
+    with ros.master(ros1), ros1.running("roslaunch all_kinds all_kinds.launch", tmp_path):
+        ros1.scenario(tmp_path, *options)
+
+
+@pytest.mark.parametrize("distro", ["humble", "rolling"])
+def test_other_distribution_of_ros2(render, update, distro):
+    """What differs between distributions follows, and nothing else."""
+    package = render(EXAMPLES / "all_kinds.ros_package", ros_distro="jazzy", name="all_kinds")
+    update(package, ros_distro=distro)
+    changed = set(git(package, "diff", "--name-only").split())
+    generated = {"all_kinds/worker_ros.py"} if distro == "humble" else set()
+    assert changed == {".copier-answers.yml"} | generated
