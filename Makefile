@@ -15,7 +15,7 @@ demo: $(TOOLS)/ready
 	@cat build/demo/contact_analysis/contact_analysis/contact_evaluate_impl.py
 	@echo && echo "Its README starts with a diagram: build/demo/contact_analysis/README.md"
 
-test: $(TOOLS)/ready $(ROS2)/ready .venv/ros1-asked
+test: $(TOOLS)/ready $(ROS2)/ready .venv/debian-asked
 	$(TOOLS)/bin/ruff check .
 	$(TOOLS)/bin/ruff format --check .
 	$(TOOLS)/bin/mypy
@@ -42,12 +42,13 @@ $(TOOLS)/ready: pyproject.toml
 # ROS 2 comes as wheels, where there are some for this Python; else its tests say that they skip.
 $(ROS2)/ready: tests/ros2-wheels.txt
 	$(PYTHON) -m venv $(ROS2)
-	-$(ROS2)/bin/pip install --quiet --disable-pip-version-check -r tests/ros2-wheels.txt
+	-$(ROS2)/bin/pip install --quiet --disable-pip-version-check -r tests/ros2-wheels.txt \
+	  && $(ROS2)/bin/python tests/mend_wheels.py
 	@touch $@
 
 # ROS 1 comes from Debian, where we may install; else its tests say that they skip.
-.venv/ros1-asked: tests/ros1-packages.txt
-	-sh tests/install_ros1.sh
+.venv/debian-asked: tests/debian-packages.txt
+	-sh tests/install_debian.sh
 	@touch $@
 
 clean:

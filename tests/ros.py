@@ -142,7 +142,10 @@ def ros2():
 @functools.cache
 def _ros2_setup():
     """Return the shell command that sets ROS 2 up: none where it is sourced already."""
-    wheels = f"export VIRTUAL_ENV={WHEELS} PATH={WHEELS}/bin:$PATH AMENT_PREFIX_PATH={WHEELS}"
+    wheels = (
+        f"export VIRTUAL_ENV={WHEELS} PATH={WHEELS}/bin:$PATH"
+        f" AMENT_PREFIX_PATH={WHEELS} CMAKE_PREFIX_PATH={WHEELS}"
+    )
     for setup in ("", wheels) if "ROS_DISTRO" in SHELL else (wheels,):
         command = f"{setup or 'true'} && python3 -c 'import rclpy' && command -v colcon"
         if subprocess.run(["bash", "-c", command], env=SHELL, capture_output=True).returncode == 0:
@@ -154,6 +157,12 @@ def has(ros, module):
     """Say whether the Python of a ROS has a module."""
     result = ros.run(f"{ros.python} -c 'import {module}'", "/", check=False)
     return result.returncode == 0
+
+
+def has_package(ros, name):
+    """Say whether a ROS 2 has a package."""
+    code = f"from ament_index_python import get_package_prefix as find; find({name!r})"
+    return ros.run(f'{ros.python} -c "{code}"', "/", check=False).returncode == 0
 
 
 def _free_domain():

@@ -1,4 +1,4 @@
-"""python_model in ROS 1: packages built by catkin, started by roslaunch, talked to by rospy."""
+"""The models in ROS 1: packages built by catkin, started by roslaunch, talked to by rospy."""
 
 import re
 import shutil
@@ -6,10 +6,10 @@ import xml.etree.ElementTree as ET
 
 import pytest
 import ros
-from conftest import EXAMPLES, ROOT, commit, git
+from conftest import EXAMPLES, ROOT
+from models import LOGIC, MODELS, add_volume, all_kinds, fill_in, use_volume
 
-pytestmark = pytest.mark.ros1
-VOLUME = '    <subscriber name="volume" type="std_msgs::Float64" description="How loud"/>\n'
+pytestmark = [pytest.mark.ros1, pytest.mark.parametrize("model", MODELS)]
 
 
 @pytest.fixture
@@ -25,40 +25,38 @@ def run_scenario(ros1, workspace, *options):
         return log()
 
 
-def test_every_interface(ros1, render, workspace):
-    package = render(EXAMPLES / "all_kinds.ros_package", ros_distro="noetic", name="src/all_kinds")
-    git(package, "apply", str(ROOT / "tests/logic/all_kinds.patch"))
-    ros1.build(workspace)
+def test_every_interface(ros1, render, workspace, model):
+    package = render(all_kinds(), model=model, ros_distro="noetic", name="src/all_kinds")
+    fill_in(package, model)
+    built = ros1.build(workspace)
+    assert "warning:" not in built
     log = run_scenario(ros1, workspace)
     assert "Waiting for service permit, action delegate." in log
     assert "Traceback" not in log
 
 
-def test_added_subscriber(ros1, render, update, workspace):
-    package = render(EXAMPLES / "all_kinds.ros_package", ros_distro="noetic", name="src/all_kinds")
-    git(package, "apply", str(ROOT / "tests/logic/all_kinds.patch"))
-    logic = (package / "all_kinds/worker_impl.py").read_text()
-    file = package / "all_kinds.ros_package"
-    file.write_text(
-        file.read_text().replace("    <directPublisher", VOLUME + "    <directPublisher", 1)
-    )
-    commit(package, "Fill in the logic, add a topic")
+def test_added_subscriber(ros1, render, update, workspace, model):
+    package = render(all_kinds(), model=model, ros_distro="noetic", name="src/all_kinds")
+    logic = fill_in(package, model)
+    add_volume(package)
     update(package)
-    assert (package / "all_kinds/worker_impl.py").read_text() == logic
+    assert (package / LOGIC[model]).read_text() == logic
+    use_volume(package, model)
     ros1.build(workspace)
     run_scenario(ros1, workspace, "volume")
 
 
-def test_package_tests_and_linters(ros1, render, workspace):
+def test_package_tests_and_linters(ros1, render, workspace, model):
     """The untouched packages pass their own tests, catkin_lint and the schema of REP 149."""
     packages = [
-        render(spec, ros_distro="noetic", name=f"src/{name}")
+        render(spec, model=model, ros_distro="noetic", name=f"src/{name}")
         for name, spec in (
             ("all_kinds", EXAMPLES / "all_kinds.ros_package"),
             ("hostile", ROOT / "tests/specs/hostile.ros_package"),
         )
     ]
-    ros1.build(workspace)
+    built = ros1.build(workspace)
+    assert "warning:" not in built, built
     ros1.run("catkin_make run_tests", workspace, workspace)
     result = ros1.run("catkin_test_results", workspace, workspace).stdout
     assert re.search(r"Summary: [1-9]\d tests, 0 errors, 0 failures, 0 skipped", result), result
@@ -68,9 +66,14 @@ def test_package_tests_and_linters(ros1, render, workspace):
         ros1.run("xmllint --noout package.xml", package)
 
 
-def test_installed_package_runs(ros1, render, workspace):
+def test_installed_package_is_whole(ros1, render, workspace, model):
     """`catkin_make install` brings everything the launch file needs."""
-    render(ROOT / "tests/specs/hostile.ros_package", ros_distro="noetic", name="src/hostile")
+    render(
+        ROOT / "tests/specs/hostile.ros_package",
+        model=model,
+        ros_distro="noetic",
+        name="src/hostile",
+    )
     ros1.run("catkin_make install", workspace)
     share = workspace / "install/share/hostile"
     assert ET.parse(share / "launch/hostile.launch").getroot().tag == "launch"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Install Debian's ROS 1 packages unless they are there, if this user may.
-packages=$(cat "$(dirname "$0")/ros1-packages.txt")
+packages=$(cat "$(dirname "$0")/debian-packages.txt")
 # shellcheck disable=SC2086
 dpkg -s $packages >/dev/null 2>&1 && exit 0
 command -v apt-get >/dev/null || { echo "No apt-get here: the ROS 1 tests will skip."; exit 0; }
