@@ -15,7 +15,15 @@ def dependencies_from_template(ros_distro: str) -> list[str]:
     """Return the packages every package of this model needs."""
     if ros_distro == "noetic":
         return ["roscpp"]
-    return ["launch_ros", "launch_xml", "rclcpp", "rclcpp_components", "rclcpp_lifecycle"]
+    return [
+        "launch_ros",
+        "launch_xml",
+        "lifecycle_msgs",
+        "rcl_interfaces",
+        "rclcpp",
+        "rclcpp_components",
+        "rclcpp_lifecycle",
+    ]
 
 
 def dependencies_from_interface(
@@ -29,8 +37,7 @@ def dependencies_from_interface(
     packages = {
         "actionServer": ["actionlib" if ros1 else "rclcpp_action"],
         "actionClient": ["actionlib" if ros1 else "rclcpp_action"],
-        "dynParameter": ["dynamic_reconfigure" if ros1 else "rcl_interfaces"],
-        "parameter": [] if ros1 else ["rcl_interfaces"],
+        "dynParameter": ["dynamic_reconfigure"] if ros1 else [],
         "listener": ["geometry_msgs", "tf2", "tf2_ros"],
         "broadcaster": ["geometry_msgs", "tf2_ros"],
     }.get(kind, [])
@@ -44,6 +51,7 @@ def required_packages(spec: dict[str, Any]) -> list[str]:
         "actionlib",
         "dynamic_reconfigure",
         "geometry_msgs",
+        "lifecycle_msgs",
         "rcl_interfaces",
         "rclcpp",
         "rclcpp_action",
