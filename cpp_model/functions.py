@@ -200,6 +200,29 @@ def cfg_value(value: Any) -> str:
     return repr(value)
 
 
+def fit(text: str) -> str:
+    """Return code whose lines too long for long names are broken as uncrustify breaks them."""
+    return "\n".join(_fit_line(line) for line in text.split("\n"))
+
+
+def _fit_line(line: str) -> str:
+    if len(line) <= WIDTH + 1:
+        return line
+    indent = " " * (len(line) - len(line.lstrip()))
+    if match := re.fullmatch(r" *(\[\[maybe_unused\]\]) (.+)", line):
+        return f"{indent}{match[1]}\n{indent}{match[2]}"
+    if match := re.fullmatch(r" *([\w:<>]+) (\w+(;| =.*))", line):
+        margin = indent if match[1].endswith(">") else indent + "  "
+        return f"{indent}{match[1]}\n{margin}{match[2]}"
+    if match := re.fullmatch(r" *([^=\"]+ =) (.+)", line):
+        rest = _fit_line(f"{indent}  {match[2]}").replace("\n  ", "\n")
+        return f"{indent}{match[1]}\n{rest}"
+    if match := re.fullmatch(r" *([^\"(]+\()(.+\);)", line):
+        items = match[2].replace(", ", f",\n{indent}  ")
+        return f"{indent}{match[1]}\n{indent}  {items}"
+    return line
+
+
 def sort_includes(text: str) -> str:
     """Return include lines, each once: those of C++ first, then the others, sorted."""
     lines = sorted(set(re.findall(r"^#include .+$", text, re.MULTILINE)))
