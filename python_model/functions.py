@@ -91,6 +91,11 @@ def python_text(text: str, indent: int, used: int = 0) -> str:
     return "(" + "".join(margin + repr(line) for line in lines) + "\n" + " " * indent + ")"
 
 
+def cfg_value(value: Any) -> str:
+    """Return a value as a literal for a line of its own in a .cfg file."""
+    return python_value(value, 4, 1)
+
+
 def sort_imports(text: str) -> str:
     """Return import statements, each once, in the order and groups ament_flake8 wants."""
     statements = set(re.findall(r"^\S.*\n(?:[ )].*\n)*", text.strip() + "\n", re.MULTILINE))

@@ -1,0 +1,234 @@
+"""What the templates of this model need to write C++. Each function is a filter."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+WIDTH = 99
+
+# Words that the header made by dynamic_reconfigure needs for itself.
+_RESERVED = ("config", "groups", "name", "params", "state", "val")
+
+
+def dependencies_from_template(ros_distro: str) -> list[str]:
+    """Return the packages every package of this model needs."""
+    if ros_distro == "noetic":
+        return ["roscpp"]
+    return [
+        "launch_ros",
+        "launch_xml",
+        "lifecycle_msgs",
+        "rcl_interfaces",
+        "rclcpp",
+        "rclcpp_components",
+        "rclcpp_lifecycle",
+    ]
+
+
+def dependencies_from_interface(
+    kind: str, attributes: dict[str, Any], ros_distro: str
+) -> list[str]:
+    """Return the packages that one interface needs: that of its type, and that of its kind."""
+    ros1 = ros_distro == "noetic"
+    name = attributes.get("name", "")
+    if ros1 and kind == "dynParameter" and name in _RESERVED:
+        raise ValueError(f'dynamic_reconfigure cannot make a parameter "{name}"; choose another')
+    packages = {
+        "actionServer": ["actionlib" if ros1 else "rclcpp_action"],
+        "actionClient": ["actionlib" if ros1 else "rclcpp_action"],
+        "dynParameter": ["dynamic_reconfigure"] if ros1 else [],
+        "listener": ["geometry_msgs", "tf2", "tf2_ros"],
+        "broadcaster": ["geometry_msgs", "tf2_ros"],
+    }.get(kind, [])
+    type_ = attributes.get("type", "")
+    return [*packages, type_.split("/")[0]] if "/" in type_ else packages
+
+
+def required_packages(spec: dict[str, Any]) -> list[str]:
+    """Return those of the dependencies that the code of the template itself builds with."""
+    names = {
+        "actionlib",
+        "dynamic_reconfigure",
+        "geometry_msgs",
+        "lifecycle_msgs",
+        "rcl_interfaces",
+        "rclcpp",
+        "rclcpp_action",
+        "rclcpp_components",
+        "rclcpp_lifecycle",
+        "roscpp",
+        "tf2",
+        "tf2_ros",
+    }
+    for node in spec["nodes"]:
+        names.update(message_packages(node))
+    return [package for package in spec["depends"] if package in names]
+
+
+def other_packages(spec: dict[str, Any]) -> list[str]:
+    """Return those that <depend> alone names; they need not be there for CMake."""
+    required = required_packages(spec)
+    return [
+        package
+        for package in spec["depends"]
+        if package not in required and not package.startswith("launch")
+    ]
+
+
+def message_packages(node: dict[str, Any]) -> list[str]:
+    """Return the packages whose messages the interface of a node shows, sorted."""
+    packages = {
+        item["type"].split("/")[0]
+        for items in node.values()
+        if isinstance(items, list)
+        for item in items
+        if "/" in item.get("type", "")
+    }
+    if node["listeners"] or node["broadcasters"]:
+        packages.add("geometry_msgs")
+    return sorted(packages)
+
+
+def ros1_handle(name: str) -> str:
+    """Return the node handle for a name: roscpp refuses `~/name` and wants another handle."""
+    return "private_" if name.startswith("~") else "node_"
+
+
+def ros1_name(name: str) -> str:
+    """Return a name as its node handle takes it."""
+    return name.removeprefix("~/")
+
+
+def cpp_guard(file: str) -> str:
+    """Return the include guard of a header: `all_kinds/goal.hpp` gives `ALL_KINDS__GOAL_HPP_`."""
+    return re.sub(r"[^A-Z0-9]", "_", file.upper().replace("/", "__")) + "_"
+
+
+def cpp_alias(name: str) -> str:
+    """Return a ROS name as part of the name of a type: `~/arm/pose` gives `ArmPose`.
+
+    Different names give different types: only `_` before a small letter is dropped.
+    """
+    word = name.lstrip("~/").replace("/", "_")
+    if re.fullmatch(r"[a-z][a-z0-9]*(_[a-z][a-z0-9]*)*", word):
+        return "".join(part.capitalize() for part in word.split("_"))
+    return word + "_"
+
+
+def cpp_type(type_: str, ros: int = 2) -> str:
+    """Return the C++ name of a ROS type or of the type of a parameter."""
+    if type_.endswith("[]"):
+        return f"std::vector<{cpp_type(type_[:-2])}>"
+    if "/" in type_:
+        package, folder, name = type_.split("/")
+        return f"{package}::{name}" if ros == 1 else f"{package}::{folder}::{name}"
+    return {"int": "std::int64_t", "string": "std::string"}.get(type_, type_)
+
+
+def cpp_header(type_: str, ros: int) -> str:
+    """Return the header of a ROS type, named as the generators of ROS name it."""
+    package, folder, name = type_.split("/")
+    if ros == 1:
+        return f"{package}/{name}{'Action' if folder == 'action' else ''}.h"
+    name = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)
+    name = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name).lower()
+    return f"{package}/{folder}/{name}.hpp"
+
+
+def cpp_value(value: Any, indent: int, used: int = 0) -> str:
+    """Return a value of a parameter as an initializer; the arguments are those of `cpp_text`."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return cpp_text(value, indent, used)
+    if not isinstance(value, list):
+        # The number itself would be one too large, before the sign is applied.
+        return "-9223372036854775807 - 1" if value == -(2**63) else repr(value)
+    items = [cpp_value(item, indent + 2, 1) for item in value]
+    line = "{" + ", ".join(items) + "}"
+    if "\n" not in line and indent + used + len(line) <= WIDTH:
+        return line
+    margin = "\n" + " " * (indent + 2)
+    return "{" + ",".join(margin + item for item in items) + "\n" + " " * indent + "}"
+
+
+def cpp_text(text: str, indent: int, used: int = 0) -> str:
+    """Return a text as a string literal, split at blanks where a line would be too long.
+
+    Args:
+        text: any text.
+        indent: the columns before the line the literal stands on.
+        used: the columns on that line that other code takes.
+    """
+    literal = f'"{cpp_escape(text)}"'
+    if indent + used + len(literal) <= WIDTH:
+        return literal
+    lines = [""]
+    for piece in re.findall(r"\s*\S{1,60}|\s+$", text):
+        if lines[-1] and indent + 2 + len(cpp_escape(lines[-1] + piece)) > WIDTH - 4:
+            lines.append("")
+        lines[-1] += piece
+    margin = "\n" + " " * (indent + 2)
+    return "".join(f'{margin}"{cpp_escape(line)}"' for line in lines)
+
+
+def cpp_escape(text: str) -> str:
+    """Return the text for the inside of a string literal, whatever stands in it."""
+    names = {"\n": r"\n", "\t": r"\t", "\r": r"\r", '"': r"\"", "\\": r"\\"}
+    letters = (
+        names.get(letter) or (letter if letter.isprintable() else _octal(letter)) for letter in text
+    )
+    return "".join(letters).replace("??", r"?\?")
+
+
+def cpp_comment(text: str) -> str:
+    """Return lines of comments with none that goes on in the next: a last `\\` gets a dot."""
+    return re.sub(r"(\\|\?\?/)$", r"\1.", text, flags=re.MULTILINE)
+
+
+def cfg_value(value: Any) -> str:
+    r"""Return a value as a literal for a .cfg file.
+
+    dynamic_reconfigure writes texts into C++ as they are, and its whole numbers have 32 bits.
+    """
+    if isinstance(value, str):
+        letters = (letter if letter.isascii() else _octal(letter) for letter in cpp_escape(value))
+        return repr("".join(letters))
+    if isinstance(value, int) and not isinstance(value, bool):
+        return repr(min(max(value, -(2**31)), 2**31 - 1))
+    return repr(value)
+
+
+def fit(text: str) -> str:
+    """Return code whose lines too long for long names are broken as uncrustify breaks them."""
+    return "\n".join(_fit_line(line) for line in text.split("\n"))
+
+
+def _fit_line(line: str) -> str:
+    if len(line) <= WIDTH + 1:
+        return line
+    indent = " " * (len(line) - len(line.lstrip()))
+    if match := re.fullmatch(r" *(\[\[maybe_unused\]\]) (.+)", line):
+        return f"{indent}{match[1]}\n{indent}{match[2]}"
+    if match := re.fullmatch(r" *([\w:<>]+) (\w+(;| =.*))", line):
+        margin = indent if match[1].endswith(">") else indent + "  "
+        return f"{indent}{match[1]}\n{margin}{match[2]}"
+    if match := re.fullmatch(r" *([^=\"]+ =) (.+)", line):
+        rest = _fit_line(f"{indent}  {match[2]}").replace("\n  ", "\n")
+        return f"{indent}{match[1]}\n{rest}"
+    if match := re.fullmatch(r" *([^\"(]+\()(.+\);)", line):
+        items = match[2].replace(", ", f",\n{indent}  ")
+        return f"{indent}{match[1]}\n{indent}  {items}"
+    return line
+
+
+def sort_includes(text: str) -> str:
+    """Return include lines, each once: those of C++ first, then the others, sorted."""
+    lines = sorted(set(re.findall(r"^#include .+$", text, re.MULTILINE)))
+    groups = ([s for s in lines if "<" in s], [s for s in lines if "<" not in s])
+    return "\n\n".join("\n".join(group) for group in groups if group) + "\n"
+
+
+def _octal(letter: str) -> str:
+    return "".join(f"\\{byte:03o}" for byte in letter.encode())
