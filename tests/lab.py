@@ -16,7 +16,7 @@ import copier
 from conftest import commit, copy_collection, git
 from hypothesis import strategies as st
 
-MODELS = ("python_model",)
+MODELS = ("python_model", "cpp_model")
 DISTROS = ("noetic", "kilted")
 NAMES = ("cop", "load", "pose", "/state", "speed_x", "goal")
 TYPES = {

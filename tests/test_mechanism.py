@@ -181,10 +181,8 @@ def test_each_version_has_its_own_hook(own_collection, render, update):
     readme.write_text(readme.read_text().replace("## Use\n", "## {{ spec.new_key }}\n"))
     template = own_collection / "python_model/functions.py"
     template.write_text(template.read_text() + "\n\ndef shout(text):\n    return text.upper()\n")
-    gitignore = own_collection / "python_model/template/.gitignore"
-    gitignore.rename(gitignore.with_name(".gitignore.jinja"))
-    gitignore = gitignore.with_name(".gitignore.jinja")
-    gitignore.write_text(gitignore.read_text() + "{{ 'loud' | shout }}\n")
+    added = own_collection / "python_model/template/LOUD.md.jinja"
+    added.write_text("{{ 'loud' | shout }}\n")
     commit(own_collection, "Second version", tag="2.0.0")
     text = (package / "README.md").read_text()
     (package / "README.md").write_text(text + "\nMy own words.\n")
@@ -194,7 +192,7 @@ def test_each_version_has_its_own_hook(own_collection, render, update):
     assert "## hello\n" in readme
     assert "My own words." in readme
     assert "<<<<<<<" not in readme
-    assert "LOUD" in (package / ".gitignore").read_text()
+    assert (package / "LOUD.md").read_text() == "LOUD\n"
     assert answers(package)["spec"]["new_key"] == "hello"
     assert has_goal(package)
 

@@ -7,7 +7,7 @@ import pytest
 from conftest import EXAMPLES, commit, git
 from test_mechanism import QUIET, answers
 
-MODELS = ["python_model"]
+MODELS = ["python_model", "cpp_model"]
 
 
 @pytest.fixture
@@ -85,7 +85,7 @@ def test_published_versions_update(github, copier_command, tmp_path):
     assert copier_command(*command, cwd=tmp_path, **environment).returncode == 0
     package = tmp_path / "mypkg"
     commit(package)
-    gitignore = collection / "python_model/template/.gitignore"
+    gitignore = collection / "shared/gitignore"
     gitignore.write_text(gitignore.read_text() + "*.bag\n")
     commit(collection, "Ignore bags", tag="1.1.0")
     bare = tmp_path / "github/org/python_model.git"
