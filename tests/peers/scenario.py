@@ -7,8 +7,10 @@ Exits with 1 at the first thing that does not hold.
 
 import importlib
 import itertools
+import os
 import sys
 import time
+import traceback
 
 
 def wait_for(condition, what, timeout=20.0):
@@ -231,4 +233,9 @@ def main(ros, *options):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    try:
+        main(*sys.argv[1:])
+    except BaseException:
+        traceback.print_exc()
+        sys.stderr.flush()
+        os._exit(1)  # whatever threads of ROS still run
