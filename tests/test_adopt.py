@@ -1,0 +1,308 @@
+"""Packages of the original generator become packages of ours, and no line is lost."""
+
+import ast
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+from conftest import ROOT, commit, git
+
+LEGACY = ROOT / "tests" / "legacy"
+needs_cpp = pytest.mark.skipif(not (ROOT / "cpp_model").exists(), reason="no cpp_model")
+
+
+def run(collection, *arguments):
+    command = [sys.executable, collection / "scripts/adopt.py", *arguments]
+    return subprocess.run(list(map(str, command)), capture_output=True, text=True)
+
+
+@pytest.fixture
+def legacy(tmp_path):
+    """Return a function that gives a copy of a package of the original generator."""
+
+    def copy(name="arm"):
+        return shutil.copytree(LEGACY / name, tmp_path / "legacy" / name)
+
+    return copy
+
+
+@pytest.fixture
+def adopt(collection, tmp_path):
+    """Adopt a package, and return the new folder and what the command said."""
+
+    def make(folder, *options):
+        before = contents(folder)
+        new = tmp_path / "new" / folder.name
+        result = run(collection, folder, new, *options)
+        assert result.returncode == 0, result.stderr
+        assert contents(folder) == before, "the original was touched"
+        assert sorted(new.parent.iterdir()) == [new]
+        return new, result.stdout
+
+    return make
+
+
+def contents(folder):
+    return {path: path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def code_of_regions(folder):
+    """Yield the lines inside of protected regions, file by file."""
+    for path in filter(lambda path: path.is_file(), folder.rglob("*")):
+        inside = False
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if "protected region" in line:
+                inside = " begin " in line
+            elif inside and line.strip():
+                yield path.relative_to(folder), line
+
+
+def method(file, name):
+    """Return the source of a function or a class, wherever it is in a file."""
+    source = file.read_text(encoding="utf-8")
+    (found,) = (node for node in ast.walk(ast.parse(source)) if getattr(node, "name", "") == name)
+    return ast.get_source_segment(source, found)
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize("name", ["arm", pytest.param("arm_cpp", marks=needs_cpp)])
+def test_no_line_is_lost(legacy, adopt, name, distro):
+    folder = legacy(name)
+    new, _ = adopt(folder, "--ros-distro", distro)
+    written = b"\n".join(contents(new).values()).decode().splitlines()
+    spec = (folder / f"model/{name}.ros_package").read_text()
+    lines = list(code_of_regions(folder))
+    assert len(lines) > 15
+    for file, line in lines:
+        assert line in written or f'"{line}"' in spec, f"{file}: {line}"
+
+
+def test_python_code_is_in_its_place(legacy, adopt):
+    new, said = adopt(legacy())
+    impl = new / "arm/reach_impl.py"
+    text = impl.read_text()
+    imports = text[: text.index("class ReachImpl:")]
+    for line in ("import rospy", "from std_msgs.msg import Float64", "from threading import Lock"):
+        assert f"\n{line}\n" in imports
+    assert "Empty" not in imports  # not used
+    for name, line in {
+        "__init__": "self.filter = Filter()",
+        "configure": "return self.filter.gain > 0",
+        "update": "self.filter.step(data.in_wanted.data)",
+        "serve_load": 'result.message = "loaded"\n        return response',
+        "execute_learn": "self.passthrough.as_learn.set_succeeded(result)",
+        "receive_stop": "self.stopped(msg)",
+        "stopped": "self.passthrough.frames.waitForTransform(",
+    }.items():
+        assert line in method(impl, name)
+    assert "return True" not in method(impl, "configure")
+    assert "goal.succeed()" not in text
+    assert "def stopped" in method(impl, "ReachImpl")
+    place = said.split('"user update" in arm/reach_impl.py:')[1].split()[0]
+    assert text.splitlines()[int(place) - 1] == "        if data.in_wanted_updated:"
+
+
+@needs_cpp
+def test_cpp_code_is_in_its_place(legacy, adopt):
+    new, _ = adopt(legacy("arm_cpp"))
+    header = (new / "include/arm_cpp/reach_impl.hpp").read_text()
+    assert '\n#include <mutex>\n#include "filter.hpp"\n\nnamespace' in header
+    public, private = header.split("private:")
+    assert "    void stop()\n    {\n" in public
+    assert "    Filter filter_;\n" in private
+    source = (new / "src/reach_impl.cpp").read_text()
+    for name, line in {
+        "ReachImpl": "moving_ = true;",
+        "configure": "filter_.gain = config.gain;\n  return true;",
+        "update": "data.out_pose.data = filter_.step(moving_ ? 1.0 : 0.0);",
+        "receive_stop": "stop();",
+        "serve_load": "res.success = moving_;",
+        "execute_learn": "as_->setSucceeded();",
+        "cleanup": "moving_ = false;",
+    }.items():
+        body = re.search(rf"ReachImpl::{name}\(.*?\n\{{\n(.*?)\n\}}\n", source, re.DOTALL)[1]
+        assert line in body
+    assert (new / "include/arm_cpp/filter.hpp").exists()
+    assert "<build_depend>eigen</build_depend>" in (new / "package.xml").read_text()
+
+
+def test_build_files_and_readme_take_their_regions(legacy, adopt):
+    new, _ = adopt(legacy())
+    cmake = (new / "CMakeLists.txt").read_text()
+    assert cmake.index("(catkin ") < cmake.index("Eigen3") < cmake.index("catkin_python_setup()")
+    assert cmake.endswith(
+        "install(DIRECTORY data DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n"
+    )
+    head, reach, watch = re.split("## Node .*", (new / "README.md").read_text())
+    assert "It has been tried on a table only." in head
+    assert "It reaches for what is wanted.\n" in reach
+    assert "`pose`:\n\nThe angle of the first joint" in reach
+    assert "0 1 9" in watch
+
+
+def test_what_has_no_place_is_listed(legacy, adopt):
+    new, said = adopt(legacy())
+    rest = (new / "NOT_PLACED.md").read_text()
+    for region, code in {
+        'src/arm/watch_impl.py:29 "user implementation of service callback for forgotten"': (
+            "\n        self.forgotten = req\n"
+        ),
+        'README.md:41 "subscriber old"': "\n````\nNot there any more, see ```old```.\n````\n",
+        'package.xml:6-7 "additional package statements"': "  <run_depend>eigen</run_depend>\n",
+    }.items():
+        assert f"NOT PLACED  {region}: " in said
+        assert f"## {region}\n" in rest
+        assert code in rest
+    assert said.count("NOT PLACED") == rest.count("\n## ") - 1  # and the files
+
+
+def test_ros2_has_no_place_for_catkin(legacy, adopt):
+    _, said = adopt(legacy(), "--ros-distro", "kilted")
+    assert 'NOT PLACED  CMakeLists.txt:9 "additional user defined REQUIREMENTS"' in said
+    assert '"imports"' not in said
+
+
+def test_kept_files_come_along(legacy, adopt):
+    folder = legacy()
+    (folder.parent / "secret").write_text("not in the package")
+    new, said = adopt(folder)
+    for old, file in {
+        "launch/both.launch": "launch/both.launch",
+        "data/moves.csv": "data/moves.csv",
+        "src/arm/helper.py": "arm/helper.py",
+    }.items():
+        assert (new / file).read_bytes() == (folder / old).read_bytes()
+    assert ".gen_maintain: gone.txt is not there" in said
+    assert ".gen_maintain: ../secret is outside of the package" in said
+    assert "LEFT        NOTES" in said
+    assert "- NOTES: " in (new / "NOT_PLACED.md").read_text()
+
+
+def test_new_names_are_told(legacy, adopt):
+    new, said = adopt(legacy())
+    lines = (new / "arm/reach_impl.py").read_text().splitlines()
+    for change, code in {
+        "passthrough.as_NAME -> goal, the callback's argument": "as_learn",
+        "msg -> message": "self.stopped(msg)",
+        "client_NAME(request) -> client_NAME.call(request, timeout)": "client_permit(",
+    }.items():
+        places = re.search(rf"  {re.escape(change)}: (.*)", said)[1].split(", ")
+        for place in places:
+            assert code in lines[int(place.partition(":")[2]) - 1]
+
+
+def test_adopted_package_updates(legacy, adopt, update):
+    new, _ = adopt(legacy())
+    commit(new, "Adopt")
+    assert update(new) == ""
+    spec = new / "arm.ros_package"
+    extra = '<serviceServer name="store" type="std_srvs::Trigger"/>\n    <serviceClient'
+    spec.write_text(spec.read_text().replace("<serviceClient", extra, 1))
+    commit(new, "Add a service")
+    before = (new / "arm/reach_impl.py").read_text().splitlines()
+    update(new)
+    impl = new / "arm/reach_impl.py"
+    assert "def serve_store" in method(impl, "ReachImpl")
+    assert set(before) <= set(impl.read_text().splitlines())
+    assert "<<<<<<<" not in git(new, "diff")
+
+
+def test_a_service_server_needs_no_frequency(legacy, adopt):
+    folder = legacy()
+    spec = folder / "model/arm.ros_package"
+    text = re.sub(r' frequency="[\d.]+"', "", spec.read_text())
+    spec.write_text(text.replace("python_node_update", "python_service_server"))
+    new, said = adopt(folder)
+    assert 'python_service_server has no update; its nodes got frequency="1"' in said
+    assert (new / "arm.ros_package").read_text().count('frequency="1"') == 2
+
+
+def test_windows_and_latin_1_files_are_read(legacy, adopt):
+    folder = legacy()
+    impl = folder / "src/arm/reach_impl.py"
+    text = impl.read_text().replace('"loaded"', '"größer"').replace("\n", "\r\n")
+    impl.write_bytes(text.encode("latin-1"))
+    new, _ = adopt(folder)
+    written = (new / "arm/reach_impl.py").read_bytes()
+    assert 'result.message = "größer"\n' in written.decode()
+    assert b"\r" not in written
+
+
+def _bad_folder(folder):
+    shutil.rmtree(folder / "model")
+
+
+def _bad_xml(folder):
+    (folder / "model/arm.ros_package").write_text("<package>\n<node></package>")
+
+
+def _bad_spec(folder):
+    spec = folder / "model/arm.ros_package"
+    spec.write_text(spec.read_text().replace("<publisher ", "<publishr "))
+
+
+def _two_specs(folder):
+    (folder / "model/other.ros_package").write_text("<package/>")
+
+
+def _no_language(folder):
+    spec = folder / "model/arm.ros_package"
+    spec.write_text(spec.read_text().replace("python_node_update", "of_our_own"))
+    shutil.rmtree(folder / "src")
+
+
+def _no_end(folder):
+    impl = folder / "src/arm/reach_impl.py"
+    impl.write_text(impl.read_text().replace("# protected region user update end #\n", ""))
+
+
+def _only_an_end(folder):
+    impl = folder / "src/arm/reach_impl.py"
+    impl.write_text(impl.read_text().replace("# protected region user update begin #\n", ""))
+
+
+@pytest.mark.parametrize(
+    ("spoil", "message"),
+    [
+        (shutil.rmtree, "no such folder"),
+        (_bad_folder, "has no model/*.ros_package"),
+        (_bad_xml, "arm.ros_package:2: not well-formed XML"),
+        (_bad_spec, '<publishr> is not known here; did you mean "publisher"?'),
+        (_two_specs, "one spec is needed, found model/arm.ros_package, model/other.ros_package"),
+        (_no_language, "say with --model which it is; allowed: "),
+        (_no_end, '"user update" of line 43 has no end before this line'),
+        (_only_an_end, '"user update" has no beginning'),
+    ],
+)
+def test_bad_folder_gives_one_message(collection, legacy, tmp_path, spoil, message):
+    folder = legacy()
+    spoil(folder)
+    new = tmp_path / "new" / "arm"
+    result = run(collection, folder, new)
+    assert result.returncode == 1
+    assert len(result.stderr.splitlines()) == 1
+    assert message in result.stderr
+    assert result.stdout == ""
+    assert not new.parent.exists() or not list(new.parent.iterdir())
+
+
+def test_nothing_is_written_over(collection, legacy, tmp_path):
+    folder = legacy()
+    (tmp_path / "new").mkdir()
+    for new, message in (
+        (tmp_path / "new", "is there already"),
+        (folder / "new", "which must stay as it is"),
+    ):
+        result = run(collection, folder, new)
+        assert result.returncode == 1
+        assert message in result.stderr
+    assert not list((tmp_path / "new").iterdir())
+
+
+def test_unknown_ros_is_refused(collection, legacy, tmp_path):
+    result = run(collection, legacy(), tmp_path / "new", "--ros-distro", "foxy")
+    assert result.returncode == 1
+    assert "'foxy' is not in ['noetic'," in result.stderr
+    assert "Traceback" not in result.stderr
