@@ -46,11 +46,14 @@ def dependencies_from_interface(
 
 
 def required_packages(spec: dict[str, Any]) -> list[str]:
-    """Return those of the dependencies that the code of the template itself builds with."""
+    """Return those of the dependencies that CMake must find.
+
+    They are what the templates use, and of what <depend> adds the names that can only be those of
+    packages with a CMake configuration: in ROS 1 all packages of ROS have one.
+    """
     names = {
         "actionlib",
         "dynamic_reconfigure",
-        "geometry_msgs",
         "lifecycle_msgs",
         "rcl_interfaces",
         "rclcpp",
@@ -63,16 +66,23 @@ def required_packages(spec: dict[str, Any]) -> list[str]:
     }
     for node in spec["nodes"]:
         names.update(message_packages(node))
-    return [package for package in spec["depends"] if package in names]
+    sure = r"\w+_\w+|actionlib|nodelet|pluginlib|ros\w+|tf2?|urdf"
+    if spec["ros"] == 2:
+        sure = r"\w+_(interfaces|msgs|srvs)"
+    return [
+        package for package in spec["depends"] if package in names or re.fullmatch(sure, package)
+    ]
 
 
 def other_packages(spec: dict[str, Any]) -> list[str]:
-    """Return those that <depend> alone names; they need not be there for CMake."""
+    """Return those that <depend> alone names and that need not be there for CMake."""
     required = required_packages(spec)
     return [
         package
         for package in spec["depends"]
-        if package not in required and not package.startswith("launch")
+        if package not in required
+        and re.fullmatch(r"\w+", package)
+        and not package.startswith("launch")
     ]
 
 
