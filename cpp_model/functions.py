@@ -177,6 +177,7 @@ def cpp_text(text: str, indent: int, used: int = 0) -> str:
         text: any text.
         indent: the columns before the line the literal stands on.
         used: the columns on that line that other code takes.
+
     """
     literal = f'"{cpp_escape(text)}"'
     if indent + used + len(literal) <= WIDTH:
@@ -201,7 +202,7 @@ def cpp_escape(text: str) -> str:
 
 
 def cpp_comment(text: str) -> str:
-    """Return lines of comments with none that goes on in the next: a last `\\` gets a dot."""
+    """Return lines of comments with none that goes on in the next: a last backslash gets a dot."""
     return re.sub(r"(\\|\?\?/)$", r"\1.", text, flags=re.MULTILINE)
 
 
