@@ -45,12 +45,13 @@ def dependencies_from_interface(
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
 
 
-def required_packages(spec: dict[str, Any]) -> list[str]:
-    """Return those of the dependencies that the code of the template itself builds with."""
+def added_packages(spec: dict[str, Any]) -> list[str]:
+    """Return the packages that only <depend> names; others than libraries may be among them."""
     names = {
         "actionlib",
         "dynamic_reconfigure",
-        "geometry_msgs",
+        "launch_ros",
+        "launch_xml",
         "lifecycle_msgs",
         "rcl_interfaces",
         "rclcpp",
@@ -63,16 +64,32 @@ def required_packages(spec: dict[str, Any]) -> list[str]:
     }
     for node in spec["nodes"]:
         names.update(message_packages(node))
-    return [package for package in spec["depends"] if package in names]
-
-
-def other_packages(spec: dict[str, Any]) -> list[str]:
-    """Return those that <depend> alone names; they need not be there for CMake."""
-    required = required_packages(spec)
     return [
         package
         for package in spec["depends"]
-        if package not in required and not package.startswith("launch")
+        if package not in names and re.fullmatch(r"\w+", package)
+    ]
+
+
+def other_packages(spec: dict[str, Any]) -> list[str]:
+    """Return those of the added packages that CMake may not find: names of the system's, say.
+
+    In ROS 1 every package has a CMake configuration; in ROS 2 those for Python alone have none.
+    """
+    sure = r"\w+_\w+|actionlib|nodelet|pluginlib|ros\w+|tf2?|urdf"
+    if spec["ros"] == 2:
+        sure = r"\w+_(interfaces|msgs|srvs)"
+    return [package for package in added_packages(spec) if not re.fullmatch(sure, package)]
+
+
+def required_packages(spec: dict[str, Any]) -> list[str]:
+    """Return those of the dependencies that CMake must find."""
+    return [
+        package
+        for package in spec["depends"]
+        if package not in other_packages(spec)
+        and re.fullmatch(r"\w+", package)
+        and not package.startswith("launch")
     ]
 
 
@@ -160,6 +177,7 @@ def cpp_text(text: str, indent: int, used: int = 0) -> str:
         text: any text.
         indent: the columns before the line the literal stands on.
         used: the columns on that line that other code takes.
+
     """
     literal = f'"{cpp_escape(text)}"'
     if indent + used + len(literal) <= WIDTH:
@@ -177,13 +195,14 @@ def cpp_escape(text: str) -> str:
     """Return the text for the inside of a string literal, whatever stands in it."""
     names = {"\n": r"\n", "\t": r"\t", "\r": r"\r", '"': r"\"", "\\": r"\\"}
     letters = (
-        names.get(letter) or (letter if letter.isprintable() else _octal(letter)) for letter in text
+        names.get(letter) or (letter if letter.isprintable() else _octal(letter))
+        for letter in text
     )
     return "".join(letters).replace("??", r"?\?")
 
 
 def cpp_comment(text: str) -> str:
-    """Return lines of comments with none that goes on in the next: a last `\\` gets a dot."""
+    """Return lines of comments with none that goes on in the next: a last backslash gets a dot."""
     return re.sub(r"(\\|\?\?/)$", r"\1.", text, flags=re.MULTILINE)
 
 
