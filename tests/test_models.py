@@ -98,5 +98,5 @@ def test_updates_keep_edits(source, model, tmp_path, monkeypatch):
     copier.run_update(package, **options)
     for path in edited:
         text = path.read_text()
-        assert text.startswith(EDIT), path
         assert "<<<<<<<" not in text, f"{path}:\n{text}"
+        assert text.startswith(EDIT), path

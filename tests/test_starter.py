@@ -89,7 +89,7 @@ def test_faults_of_a_model_are_found(team):
     assert f"template/README.md.jinja:{line}: 'dict object' has no attribute 'nam'" in result
     change(model / "template/README.md.jinja", "timer.nam }", "timer.name }")
     assert "package.xml: mismatched tag" in run_tests(model, "-k", "alone and publisher")
-    conflicting = "{{ node.publishers | length }}\n" * 2
+    conflicting = "{{ spec.nodes[0].publishers | length }}\n" * 2
     change(model / "template/README.md.jinja", "# {{", conflicting + "# {{")
     result = run_tests(model, "-k", "keep_edits")
     assert "README.md" in result
