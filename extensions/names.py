@@ -28,9 +28,9 @@ def identifier(name: str) -> str:
     return name.lstrip("~/").replace("/", "_")
 
 
-def graph_id(name: str, node: str) -> str:
-    """Return one word for a name in the graph of all nodes; a private name is its node's."""
-    return f"{node}_{identifier(name)}" if name.startswith("~") else identifier(name)
+def graph_id(name: str, owner: str) -> str:
+    """Return one word for a name in the graph of all nodes; a private name is its owner's."""
+    return f"{owner}_{identifier(name)}" if name.startswith("~") else identifier(name)
 
 
 def camel_case(name: str) -> str:

@@ -42,6 +42,7 @@ class SpecExtension(Extension):
             "spec_changed": pass_context(self._reporting(self.spec_changed)),
             "spec_text": pass_context(self._reporting(self.spec_text)),
             "has_spec": pass_context(self._reporting(self.has_spec)),
+            "package_name": pass_context(self._reporting(self.package_name)),
             "spec_renames": pass_context(self._reporting(self.spec_renames)),
             "update_summary": pass_context(self._reporting(self.update_summary)),
             "can_ask": sys.stdin.isatty,
@@ -75,6 +76,10 @@ class SpecExtension(Extension):
     def has_spec(self, context: Context) -> bool:
         """Say whether the destination holds a spec already."""
         return bool(_specs(_destination(context)))
+
+    def package_name(self, context: Context, spec: dict[str, Any]) -> str:
+        """Return the name of the package, by whatever attribute the model's specs give it."""
+        return str(self._model(context).name(spec))
 
     def spec_renames(self, context: Context, spec: dict[str, Any]) -> list[dict[str, str]]:
         """Return what was renamed since the package's last commit; see `hooks.changes`."""
@@ -131,8 +136,8 @@ class SpecExtension(Extension):
 
     def _check_file_name(self, context: Context, xml: bytes, file: Path) -> None:
         """Insist on `<package>.ros_package`: templates could not find it by another name."""
-        values = self._model(context).context(xml, _shown(file), str(context["ros_distro"]))
-        name = next(iter(values.values()))
+        model = self._model(context)
+        name = model.name(model.context(xml, _shown(file), str(context["ros_distro"])))
         if file.stem != name:
             self._fail(
                 f'{_shown(file)}: the package is called "{name}", so its spec is'
@@ -234,18 +239,17 @@ def _sources(package: Path, hooks: ModuleType) -> Mapping[str, str]:
         hooks.formats.package_name(name)
     except ValueError:
         name += "_pkg"
-    user = getpass.getuser()
-    author = _git_config("user.name") or user
+    login = getpass.getuser()
     email = _git_config("user.email")
     try:
         hooks.formats.email(email)
     except ValueError:
-        email = f"{re.sub(r'[^a-z0-9]', '', user.lower()) or 'user'}@todo.todo"
+        email = f"{re.sub(r'[^a-z0-9]', '', login.lower()) or 'user'}@todo.todo"
     return {
         "folder": name,
-        "author": author,
+        "user": _git_config("user.name") or login,
         "email": email,
-        "copyright": f"{date.today().year} {author}",
+        "year": str(date.today().year),
     }
 
 

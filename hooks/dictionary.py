@@ -137,7 +137,7 @@ def _read(file: Path) -> dict[str, Any]:
     except yaml.YAMLError as error:
         raise SpecError(f"{file}: not YAML: {error}") from None
     if not isinstance(content, dict):
-        raise SpecError(f"{file}: must be a mapping with package_attributes and node_interface")
+        raise SpecError(f"{file}: must be a mapping with package_attributes and <tag>_interface")
     return content
 
 

@@ -42,6 +42,10 @@ class Model:
         package, depends, used = check(tag, element, self.dictionary, file)
         return complete(package, depends, used, self.functions, distro)
 
+    def name(self, context: Mapping[str, Any]) -> str:
+        """Return the name of the package: the value of its first attribute."""
+        return str(context[next(iter(self.dictionary.package))])
+
     def starter(self, sources: Mapping[str, str]) -> str:
         """Return the XML a package starts with; see `hooks.starter`."""
         return starter(self.dictionary, sources)

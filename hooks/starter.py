@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterable, Mapping
+from string import Template
 from xml.sax.saxutils import quoteattr
 
 from .dictionary import DEPEND, PACKAGE, Attribute, Component, Dictionary, Interface
@@ -14,7 +15,7 @@ _WIDTH = 96
 def starter(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
     """Return the XML of a small spec that works, with the rest of the kinds as comments.
 
-    An attribute whose example is `$name` in the dictionary takes its value from `sources`.
+    `$word` in an example of the dictionary stands for the value that `sources` has for the word.
     """
     package = list(dictionary.package.values())
     lines = [
@@ -97,9 +98,7 @@ def _tag(
     """Write a tag with an example for each attribute, one a line if they are long."""
     parts = []
     for attribute in attributes:
-        example = str(attribute.example)
-        if example.startswith("$"):
-            example = (sources or {})[example[1:]]
+        example = Template(str(attribute.example)).safe_substitute(sources or {})
         if example or not attribute.optional:
             parts.append(f"{attribute.name}={quoteattr(example or attribute.name)}")
     line = f"{indent}<{' '.join([tag, *parts])}{end}"

@@ -3,8 +3,9 @@
     python scripts/publish.py python_model git@github.com:org/python_model.git
 
 Every version tag of the collection becomes one commit there, with the same tag, message,
-author and date: the model's folder is its root, and what the models share stands beside it. The
-commits are the same whoever publishes them, so publishing again adds only what is new.
+author and date: the model's folder is its root, and what the models share stands beside it. A
+link out of the model's folder becomes what it leads to. The commits are the same whoever
+publishes them, so publishing again adds only what is new.
 """
 
 from __future__ import annotations
@@ -54,11 +55,16 @@ def _commit(repository: Path, model: str, tag: str, parent: str) -> str:
     with tempfile.TemporaryDirectory() as folder:
         index = {"GIT_INDEX_FILE": f"{folder}/index"}
         _git(repository, "read-tree", f"{tag}:{model}", **index)
-        for name in SHARED:
-            _git(repository, "read-tree", f"--prefix={name}/", f"{tag}:{name}", **index)
-        blob = _git(repository, "rev-parse", f"{tag}:LICENSE")
-        entry = f"100644,{blob},LICENSE"
-        _git(repository, "update-index", "--add", "--cacheinfo", entry, **index)
+        links = _links(repository, tag, model)
+        beside = {name: name for name in SHARED if name not in links.values()}
+        for path, source in {**links, **beside, "LICENSE": "LICENSE"}.items():
+            _git(repository, "update-index", "--force-remove", path, **index)
+            mode, kind, blob = _git(repository, "ls-tree", tag, source).split()[:3]
+            if kind == "tree":
+                _git(repository, "read-tree", f"--prefix={path}/", blob, **index)
+            else:
+                entry = f"{mode},{blob},{path}"
+                _git(repository, "update-index", "--add", "--cacheinfo", entry, **index)
         tree = _git(repository, "write-tree", **index)
     form = "%an%n%ae%n%aI%n%cn%n%ce%n%cI%n%B"
     values = _git(repository, "log", "-1", f"--format={form}", tag).split("\n", 6)
@@ -66,6 +72,17 @@ def _commit(repository: Path, model: str, tag: str, parent: str) -> str:
     parents = ("-p", parent) if parent else ()
     identity = dict(zip(people, values[:6], strict=True))
     return _git(repository, "commit-tree", tree, *parents, "-m", values[6].strip(), **identity)
+
+
+def _links(repository: Path, tag: str, model: str) -> dict[str, str]:
+    """Return the model's symbolic links, each with the path in the collection it leads to."""
+    links = {}
+    for entry in _git(repository, "ls-tree", "-r", "-z", f"{tag}:{model}").split("\0"):
+        if entry.startswith("120000"):
+            path = entry.partition("\t")[2]
+            target = _git(repository, "cat-file", "blob", f"{tag}:{model}/{path}")
+            links[path] = os.path.normpath(os.path.join(model, os.path.dirname(path), target))
+    return links
 
 
 _PERSON = ("NAME", "EMAIL", "DATE")

@@ -67,7 +67,7 @@ def copy_collection(target):
     for name in filter(None, names):
         if (ROOT / name).exists():
             (target / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(ROOT / name, target / name)
+            shutil.copy2(ROOT / name, target / name, follow_symlinks=False)
     commit(target, "First version", tag="1.0.0")
     return target
 
@@ -82,6 +82,38 @@ def collection(tmp_path_factory):
 def own_collection(tmp_path):
     """A collection that the test may change and tag."""
     return copy_collection(tmp_path / "own_collection")
+
+
+@pytest.fixture
+def github(own_collection, tmp_path):
+    """Stand in for GitHub, at `org`: a collection, what publishes it, and the way there."""
+    host = tmp_path / "github"
+
+    def publish():
+        for file in own_collection.glob("*_model/copier.yml"):
+            bare = bare_repository(host / "org" / f"{file.parent.name}.git")
+            script = own_collection / "scripts/publish.py"
+            command = [sys.executable, script, file.parent.name, bare]
+            subprocess.run(command, cwd=own_collection, check=True, capture_output=True)
+
+    publish()
+    return (
+        own_collection,
+        publish,
+        {
+            "GIT_CONFIG_COUNT": "1",
+            "GIT_CONFIG_KEY_0": f"url.file://{host}/.insteadOf",
+            "GIT_CONFIG_VALUE_0": "https://github.com/",
+        },
+    )
+
+
+def bare_repository(folder):
+    """Make a bare repository, if it is not there, and return its folder."""
+    if not folder.exists():
+        folder.mkdir(parents=True)
+        git(folder, "init", "--bare", "--quiet", "--initial-branch=main")
+    return folder
 
 
 @pytest.fixture

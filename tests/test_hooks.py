@@ -235,14 +235,15 @@ def test_kinds_bring_their_dependencies(model):
     assert "pkg" not in context(model, own)["depends"]
 
 
-SOURCES = {"folder": "pkg", "author": 'A "b" <c>', "email": "a@example.org", "copyright": "2026"}
+SOURCES = {"folder": "pkg", "user": 'A "b" <c>', "email": "a@example.org", "year": "2026"}
 
 
 def test_starter_is_valid_and_shows_every_kind(model):
     xml = model.starter(SOURCES)
     spec = context(model, xml)
     (node,) = spec["nodes"]
-    assert spec["author"] == SOURCES["author"]
+    assert spec["author"] == SOURCES["user"]
+    assert spec["copyright"] == f"2026 {SOURCES['user']}"
     assert [len(node["publishers"]), len(node["subscribers"])] == [1, 1]
     assert spec["kinds"] == ["publisher", "subscriber"]
     # Every other kind is there as a comment; with its comment signs off it is valid too.

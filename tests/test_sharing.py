@@ -1,40 +1,10 @@
 """Models as git repositories of their own: `copier copy gh:org/python_model mypkg`."""
 
-import subprocess
-import sys
-
 import pytest
 from conftest import EXAMPLES, commit, git
 from test_mechanism import QUIET, answers
 
 MODELS = ["python_model", "cpp_model"]
-
-
-@pytest.fixture
-def github(own_collection, tmp_path):
-    """Stand in for GitHub: a folder of bare repositories, and the environment that leads there."""
-    host = tmp_path / "github"
-
-    def publish():
-        for model in MODELS:
-            bare = host / "org" / f"{model}.git"
-            if not bare.exists():
-                bare.mkdir(parents=True)
-                git(bare, "init", "--bare", "--quiet", "--initial-branch=main")
-            script = own_collection / "scripts/publish.py"
-            command = [sys.executable, script, model, bare]
-            subprocess.run(command, cwd=own_collection, check=True, capture_output=True)
-
-    publish()
-    return (
-        own_collection,
-        publish,
-        {
-            "GIT_CONFIG_COUNT": "1",
-            "GIT_CONFIG_KEY_0": f"url.file://{host}/.insteadOf",
-            "GIT_CONFIG_VALUE_0": "https://github.com/",
-        },
-    )
 
 
 @pytest.mark.parametrize("model", MODELS)

@@ -1,0 +1,257 @@
+"""Specs that try out all a dictionary allows, and packages rendered from them.
+
+It serves the model in whose repository it stands, or each model of a collection.
+"""
+
+import shutil
+import subprocess
+import tempfile
+import traceback
+import warnings
+import xml.etree.ElementTree as ET
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import copier
+import jinja2
+import yaml
+
+from hooks.dictionary import PACKAGE
+from hooks.faults import SpecError
+from hooks.model import Model as Hook
+from hooks.ros import DISTROS
+
+ROOT = Path(__file__).parents[1]
+SAMPLES = {
+    "text": ("some text", "other text"),
+    "raw": ("some text", "other text"),
+    "identifier": ("some_word", "other_word"),
+    "component_name": ("some_part", "other_part"),
+    "package_name": ("some_package", "other_package"),
+    "dependency": ("std_msgs", "std_srvs"),
+    "ros_name": ("some_name", "other/name", "~/own_name"),
+    "message_type": ("std_msgs/msg/String", "std_msgs/msg/Bool"),
+    "service_type": ("std_srvs/srv/Trigger", "std_srvs/srv/SetBool"),
+    "action_type": ("test_msgs/action/Fibonacci", "test_msgs/action/NestedMessage"),
+    "number": ("2.5", "3.5"),
+    "bool": ("true", "false"),
+    "int": ("2", "3"),
+    "double": ("2.5", "3.5"),
+    "string": ("some string", "other string"),
+    "email": ("ada@example.org", "bob@example.org"),
+    "license": ("MIT", "Apache-2.0"),
+}
+
+
+@dataclass(frozen=True)
+class Owner:
+    """What has attributes in a dictionary: the package, a component tag or an interface kind."""
+
+    attributes: dict
+    component: str = ""
+    kind: str = ""
+
+    def __str__(self):
+        return f"{self.component} {self.kind}".strip() or PACKAGE
+
+
+class Model:
+    """A model of this repository, with what is needed to try it out."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.name = folder.name
+
+    def __repr__(self):
+        return self.name
+
+    @cached_property
+    def hook(self):
+        return Hook(self.folder, ROOT)
+
+    @cached_property
+    def distros(self):
+        """The ROS distributions that the model's questions allow."""
+        for part in yaml.compose_all((self.folder / "copier.yml").read_text()):
+            for key, value in part.value if isinstance(part, yaml.MappingNode) else ():
+                if key.value == "ros_distro":
+                    return [choice.value for choice in dict_of(value)["choices"].value]
+        return list(DISTROS)
+
+    @cached_property
+    def owners(self):
+        dictionary = self.hook.dictionary
+        found = [Owner(dictionary.package)]
+        for component in dictionary.components.values():
+            found.append(Owner(component.attributes, component.tag))
+            for interface in component.interfaces.values():
+                found.append(Owner(interface.attributes, component.tag, interface.kind))
+        return found
+
+    def context(self, spec):
+        """Return the context of a spec, or None if the dictionary does not allow the spec."""
+        try:
+            return self.hook.context(spec.encode(), "spec", self.distros[-1])
+        except SpecError:
+            return None
+
+    def base(self, owner, given=()):
+        """Return the attributes an element must have, and those `given`, each with a value."""
+        values = {}
+        for name, attribute in owner.attributes.items():
+            if name in given:
+                values[name] = given[name]
+            elif not attribute.optional and not attribute.ignored:
+                values[name] = candidates(attribute, values)[0]
+        return values
+
+    def variants(self, owner):
+        """Yield each attribute with the values of two elements that differ in it alone."""
+        for name, attribute in owner.attributes.items():
+            if attribute.ignored:
+                continue
+            needed = {other: words[0] for other, words in attribute.when.items()}
+            base = self.base(owner, needed)
+            for text in candidates(attribute, base):
+                values = self.base(owner, {**needed, name: text})
+                one, two = self.spec([(owner, base)]), self.spec([(owner, values)])
+                if self.context(two) not in (None, self.context(one)):
+                    yield name, base, values
+
+    def spec(self, elements):
+        """Return a spec with elements: of an owner, with values. It gets what else it needs."""
+        package = next((values for owner, values in elements if not owner.component), None)
+        root = ET.Element(PACKAGE, package or self.base(self.owners[0]))
+        parents = {}
+        needed = [(owner, self.base(owner)) for owner in self.owners if is_component(owner)]
+        own = [item for item in elements if is_component(item[0])]
+        tags = {owner.component for owner, _ in elements if owner.component}
+        for owner, values in own + needed:
+            if owner.component not in parents and (owner.component in tags or not tags):
+                parents[owner.component] = ET.SubElement(root, owner.component, values)
+        for owner, values in elements:
+            if owner.kind:
+                ET.SubElement(parents[owner.component], owner.kind, values)
+        ET.indent(root)
+        return ET.tostring(root, encoding="unicode") + "\n"
+
+    def small(self):
+        """Return the elements of a spec with one interface of each kind."""
+        return self._accepted([(o, self.base(o)) for o in self.owners if o.component])
+
+    def everything(self):
+        """Return the elements of `small` and one more for each value an attribute may have."""
+        more = [(o, values) for o in self.owners if o.kind for *_, values in self.variants(o)]
+        return self._accepted(more, self.small())
+
+    def _accepted(self, elements, start=()):
+        """Return the elements that fit together, after those of `start`."""
+        found = list(start)
+        for number, (owner, values) in enumerate(elements):
+            names = {
+                name: f"{text}_{len(start)}_{number}"
+                for name, text in values.items()
+                if owner.attributes[name].unique and owner.kind
+            }
+            for given in (values | names, values):
+                if self.context(self.spec([*found, (owner, given)])):
+                    found.append((owner, given))
+                    break
+        return found
+
+
+def is_component(owner):
+    return owner.component and not owner.kind
+
+
+def dict_of(node):
+    """Return a mapping of YAML nodes by their keys."""
+    return {key.value: value for key, value in node.value}
+
+
+def candidates(attribute, values):
+    """Return texts that may be values of an attribute, where its element has `values`."""
+    if attribute.choices:
+        return list(attribute.choices)
+    kind, is_list = attribute.format, False
+    if kind == "literal":
+        kind, is_list = values[attribute.of].removesuffix("[]"), values[attribute.of][-1] == "]"
+    example = str(attribute.example)
+    found = [example] if example and "$" not in example and attribute.format != "literal" else []
+    found += SAMPLES[kind]
+    for limit in (attribute.above, attribute.minimum, attribute.maximum):
+        if isinstance(limit, int | float):
+            found += [str(limit), str(limit + 1), str(limit - 1)]
+    return [f"[{text}, {text}]" for text in found] if is_list else found
+
+
+def models():
+    """Return the model of this repository, or those of a collection."""
+    if (ROOT / "dictionary.yaml").exists():
+        return [Model(ROOT)]
+    return [Model(file.parent) for file in sorted(ROOT.glob("*_model/dictionary.yaml"))]
+
+
+def template(target):
+    """Copy the working tree of this repository, without its history, and return the folder."""
+
+    def ignored(folder, names):
+        own = {".git", ".venv", "build"} if Path(folder) == ROOT else set()
+        return (own | {"__pycache__"}) & set(names)
+
+    return Path(shutil.copytree(ROOT, target, ignore=ignored, symlinks=True))
+
+
+def make(source, target, model, spec, distro):
+    """Render a package from a spec into a folder.
+
+    Raises:
+        AssertionError: a template failed; the text names its file and line.
+
+    """
+    file = target.with_suffix(".xml")
+    file.write_text(spec, encoding="utf-8")
+    data = {"spec_file": str(file), "ros_distro": distro}
+    data |= {} if model.folder == ROOT else {"model": model.name}
+    options = {"defaults": True, "unsafe": True, "quiet": True}
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            copier.run_copy(str(source), target, data=data, **options)
+    except (jinja2.TemplateError, TypeError, ValueError, KeyError, AttributeError) as error:
+        raise AssertionError(f"{place(source, error)}: {error}\n{distro}: {spec}") from error
+
+
+def place(source, error):
+    """Name the template and the line where an error arose."""
+    if isinstance(error, jinja2.TemplateSyntaxError):
+        return f"{Path(error.filename or '').relative_to(source)}:{error.lineno}"
+    for frame in reversed(traceback.extract_tb(error.__traceback__)):
+        if Path(frame.filename).is_relative_to(source):
+            return f"{Path(frame.filename).relative_to(source)}:{frame.lineno}"
+    return "a template"
+
+
+def render(model, spec, distro, source=None):
+    """Return the files of a package, by path, without the spec and Copier's answers."""
+    with tempfile.TemporaryDirectory() as folder:
+        source = source or template(Path(folder) / "template")
+        package = Path(folder) / "package"
+        make(source, package, model, spec, distro)
+        return {
+            str(path.relative_to(package)): path.read_text(encoding="utf-8")
+            for path in sorted(package.rglob("*"))
+            if path.is_file()
+            and path.suffix != ".ros_package"
+            and path.name != ".copier-answers.yml"
+        }
+
+
+def commit(folder, tag=None):
+    """Commit all of a folder, in a repository of its own."""
+    identity = ("-c", "user.name=Test Er", "-c", "user.email=test@example.org")
+    for command in (("init", "-q"), ("add", "-A"), (*identity, "commit", "-qm", "A change")):
+        subprocess.run(["git", *command], cwd=folder, check=True, capture_output=True)
+    if tag:
+        subprocess.run(["git", "tag", tag], cwd=folder, check=True)

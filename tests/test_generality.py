@@ -1,0 +1,72 @@
+"""The hook and the extensions serve any model: they name no tag or attribute of ours."""
+
+import ast
+import re
+
+import pytest
+import yaml
+from conftest import ROOT
+
+from hooks.dictionary import DEPEND, PACKAGE, WAS, Attribute, load
+from hooks.formats import FORMATS
+
+MODELS = sorted(file.parent for file in ROOT.glob("*_model/dictionary.yaml"))
+FILES = sorted([*ROOT.glob("hooks/*.py"), *ROOT.glob("extensions/*.py")])
+# The language in which dictionaries are written, and what every spec has.
+GENERAL = {*FORMATS, *vars(Attribute)["__dataclass_fields__"], PACKAGE, DEPEND, WAS}
+
+
+def our_words():
+    """Return what our models name: their folders, tags, interface kinds; and their attributes."""
+    tags = {model.name for model in MODELS}
+    attributes = set()
+    for model in MODELS:
+        dictionary = load(model / "dictionary.yaml", ROOT)
+        attributes |= set(dictionary.package)
+        for component in dictionary.components.values():
+            tags |= {component.tag, component.key, *component.interfaces}
+            tags |= {interface.key for interface in component.interfaces.values()}
+            attributes |= set(component.attributes)
+            for interface in component.interfaces.values():
+                attributes |= set(interface.attributes)
+    return tags - GENERAL, attributes - GENERAL
+
+
+def words_of(file):
+    """Return the identifiers, the words of the texts, and the whole texts of some Python."""
+    tree = ast.parse(file.read_text())
+    prose = {
+        node.value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+    }
+    identifiers, texts = set(), set()
+    for node in ast.walk(tree):
+        identifiers |= {
+            getattr(node, field)
+            for field in ("id", "attr", "arg", "name")
+            if isinstance(getattr(node, field, None), str)
+        }
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and node not in prose:
+            texts.add(node.value)
+    return identifiers, texts
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.name)
+def test_code_names_nothing_of_ours(file):
+    tags, attributes = our_words()
+    assert {"node", "nodes", "publisher", "python_model"} <= tags
+    assert {"frequency", "author", "type"} <= attributes
+    identifiers, texts = words_of(file)
+    words = {word for text in identifiers | texts for word in re.findall(r"[a-zA-Z]+", text)}
+    words |= identifiers | texts
+    assert sorted(words & tags) == []
+    assert sorted(texts & attributes) == []
+
+
+def test_questions_name_nothing_of_ours():
+    tags, attributes = our_words()
+    text = yaml.safe_dump(yaml.safe_load((ROOT / "hooks/copier.yml").read_text()))
+    words = set(re.findall(r"\w+", text))
+    assert sorted(words & tags) == []
+    assert sorted(set(re.findall(r"spec\.(\w+)", text)) & (attributes | {"name"})) == []

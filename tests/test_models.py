@@ -1,0 +1,102 @@
+"""What every model must be: sound over all that its dictionary allows, and kind to edits."""
+
+import ast
+import xml.etree.ElementTree as ET
+
+import copier
+import model_checks
+import pytest
+import yaml
+
+MODELS = model_checks.models()
+EDIT = "An edit of the developer"
+
+
+@pytest.fixture(scope="session")
+def source(tmp_path_factory):
+    return model_checks.template(tmp_path_factory.mktemp("source") / "template")
+
+
+@pytest.fixture
+def render(source, model):
+    return lambda elements, distro: model_checks.render(
+        model, model.spec(elements), distro, source
+    )
+
+
+def check_syntax(files):
+    """Parse what has a parser in Python's library."""
+    for path, text in files.items():
+        try:
+            if path.endswith(".py"):
+                ast.parse(text)
+            elif path.endswith((".xml", ".launch", ".test")):
+                ET.fromstring(text)
+            elif path.endswith((".yaml", ".yml")):
+                yaml.safe_load(text)
+        except (SyntaxError, ET.ParseError, yaml.YAMLError) as error:
+            raise AssertionError(f"{path}: {error}\n{text}") from error
+
+
+@pytest.mark.parametrize(
+    ("model", "distro"), [(model, distro) for model in MODELS for distro in model.distros], ids=str
+)
+def test_all_of_the_dictionary_renders(render, model, distro):
+    check_syntax(render(model.everything(), distro))
+
+
+@pytest.mark.parametrize(
+    ("model", "owner"), [(model, owner) for model in MODELS for owner in model.owners], ids=str
+)
+def test_each_kind_renders_alone(render, model, owner):
+    for distro in {model.distros[0], model.distros[-1]}:
+        check_syntax(render([(owner, model.base(owner))], distro))
+
+
+@pytest.mark.parametrize(
+    ("model", "owner"), [(model, owner) for model in MODELS for owner in model.owners], ids=str
+)
+def test_every_attribute_is_used(render, model, owner):
+    """Another value of an attribute changes a file besides the spec and Copier's answers."""
+    rendered = {}
+
+    def files(values, distro):
+        key = (*values.items(), distro)
+        rendered[key] = rendered.get(key) or render([(owner, values)], distro)
+        return rendered[key]
+
+    used = set()
+    for name, base, values in model.variants(owner):
+        for distro in () if name in used else (model.distros[-1], model.distros[0]):
+            if files(base, distro) != files(values, distro):
+                used.add(name)
+                break
+    known = {name for name, attribute in owner.attributes.items() if not attribute.ignored}
+    unused = ", ".join(sorted(known - used))
+    assert not unused, f"dictionary.yaml: {owner}: no template makes use of {unused}"
+
+
+@pytest.mark.parametrize("model", MODELS, ids=str)
+def test_updates_keep_edits(source, model, tmp_path, monkeypatch):
+    """A line of the developer's in each file is there after all came that a spec can have."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    versions = model_checks.template(tmp_path / "versions")
+    model_checks.commit(versions, "1.0.0")
+    package = tmp_path / "package"
+    small, everything = model.spec(model.small()), model.spec(model.everything())
+    model_checks.make(versions, package, model, small, model.distros[-1])
+    edited = [
+        path for path in package.rglob("*") if path.is_file() and path.suffix != ".ros_package"
+    ]
+    edited = [path for path in edited if path.name != ".copier-answers.yml"]
+    for path in edited:
+        path.write_text(f"{EDIT}\n{path.read_text()}")
+    (spec,) = package.glob("*.ros_package")
+    spec.write_text(everything)
+    model_checks.commit(package)
+    options = {"defaults": True, "unsafe": True, "quiet": True, "overwrite": True}
+    copier.run_update(package, **options)
+    for path in edited:
+        text = path.read_text()
+        assert "<<<<<<<" not in text, f"{path}:\n{text}"
+        assert text.startswith(EDIT), path

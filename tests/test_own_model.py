@@ -1,0 +1,133 @@
+"""A model that is nothing like ours: a second component tag, other words, functions of its own."""
+
+import copier
+import pytest
+from conftest import ROOT, commit
+
+MODEL = {
+    "dictionary.yaml": """
+package_attributes: [title]
+node_attributes: [name]
+node_interface:
+  topic: [name]
+controller_attributes:
+  - label: {format: identifier, unique: true}
+  - rate: {format: int, minimum: 1, default: 100}
+controller_interface:
+  joint:
+    doc: a joint to move
+    attributes:
+      - label: {format: identifier, unique: true}
+      - limit: {format: double, default: 1.0}
+starter: [joint]
+""",
+    "functions.py": '''"""What the templates of this model need."""
+
+
+def degrees(radians):
+    """Return an angle in degrees, rounded."""
+    return round(radians * 57.29577951)
+''',
+    "copier.yml": "---\n!include hooks/copier.yml\n---\n_subdirectory: template\n",
+    "template/{{ spec.title }}.ros_package.jinja": "{{ spec_text(spec_file) }}",
+    "template/{{ _copier_conf.answers_file }}.jinja": "{{ _copier_answers | to_nice_yaml }}",
+    "template/{% yield c from spec.controllers %}{{ c.label }}{% endyield %}.txt.jinja": """
+{% for joint in c.joints %}
+{{ joint.label }} {{ joint.limit | degrees }} at {{ c.rate }}
+{% endfor %}
+""",
+    "template/nodes.txt.jinja": "{% for node in spec.nodes %}\n{{ node.name }}\n{% endfor %}\n",
+}
+SPEC = """<package title="arm">
+  <controller label="left" rate="50">
+    <joint label="elbow" limit="1.5708"/>
+  </controller>
+  <node name="eye"/>
+  <controller label="right"/>
+</package>
+"""
+
+
+@pytest.fixture
+def model(tmp_path):
+    """Make a repository of the model, with hooks and extensions inside, and return its folder."""
+    folder = tmp_path / "model"
+    for name, text in MODEL.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    for name in ("hooks", "extensions"):
+        for file in (ROOT / name).glob("*.*"):
+            (folder / name).mkdir(exist_ok=True)
+            (folder / name / file.name).write_bytes(file.read_bytes())
+    commit(folder, tag="1.0.0")
+    return folder
+
+
+@pytest.fixture
+def make(model, tmp_path):
+    """Render a package of the model from a spec, or from its starter spec, and commit it."""
+
+    def run(spec=None, name="arm"):
+        data = {"ros_distro": "kilted"}
+        if spec is not None:
+            (tmp_path / "spec.xml").write_text(spec)
+            data["spec_file"] = str(tmp_path / "spec.xml")
+        options = {"defaults": True, "unsafe": True, "quiet": True}
+        copier.run_copy(str(model), tmp_path / name, data=data, **options)
+        commit(tmp_path / name)
+        return tmp_path / name
+
+    return run
+
+
+def test_second_component_tag(make, update):
+    package = make(SPEC)
+    assert (package / "left.txt").read_text() == "\nelbow 90 at 50\n"
+    assert (package / "right.txt").read_text() == "\n"
+    assert (package / "nodes.txt").read_text() == "eye\n"
+    more = SPEC.replace('label="right"/>', 'label="right"><joint label="wrist"/></controller>')
+    (package / "arm.ros_package").write_text(more)
+    commit(package)
+    update(package)
+    assert (package / "right.txt").read_text() == "\nwrist 57 at 100\n"
+
+
+def test_renamed_component_of_another_tag(make, update):
+    package = make(SPEC)
+    (package / "left.txt").write_text("mine\n\nelbow 90 at 50\n")
+    (package / "arm.ros_package").write_text(
+        SPEC.replace('label="left"', 'label="port" was="left"')
+    )
+    commit(package)
+    update(package)
+    assert (package / "port.txt").read_text() == "mine\n\nelbow 90 at 50\n"
+    assert not (package / "left.txt").exists()
+
+
+def test_starter_spec_of_another_dictionary(make):
+    package = make(name="my_arm")
+    (spec,) = package.glob("*.ros_package")
+    assert '<joint label="label"/>' in spec.read_text()
+
+
+@pytest.mark.parametrize(
+    ("spec", "message"),
+    [
+        (SPEC.replace("<joint", "<topic"), "it belongs inside <node>"),
+        (SPEC.replace('rate="50"', 'rate="0"'), "rate: 0 must be at least 1"),
+        (SPEC.replace('label="right"', 'label="left"'), '"left" is already taken'),
+        ('<package title="arm"/>', "has no <node> or <controller>"),
+    ],
+)
+def test_faults_in_another_tag(make, spec, message):
+    with pytest.raises(copier.errors.UserMessageError, match=message):
+        make(spec)
+
+
+def test_fault_in_a_function(model, make):
+    file = model / "functions.py"
+    file.write_text(file.read_text().replace("round(radians", "round(missing"))
+    commit(model, tag="2.0.0")
+    with pytest.raises(copier.errors.UserMessageError) as error:
+        make(SPEC)
+    assert "functions.py:6: degrees(1.5708): NameError: name 'missing'" in str(error.value)
