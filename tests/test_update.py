@@ -220,3 +220,31 @@ def test_update_equals_fresh(tmp_path_factory, render, update, example, distro):
         )
         update(old)
         assert texts(old) == texts(fresh), version
+
+
+def test_renames_in_cpp_keep_their_code(render, copier_command):
+    package = render(SPEC, model="cpp_model", name="arm")
+    impl = package / "src/reach_impl.cpp"
+    text = impl.read_text().replace(
+        "  [[maybe_unused]] const ReachConfig & config)\n{\n}",
+        "  const ReachConfig & config)\n{\n"
+        "  data.out_pose.data = config.gain * data.in_goal.data;\n}",
+    )
+    assert "data.in_goal.data" in text
+    impl.write_text(text)
+    header = package / "include/arm/reach_impl.hpp"
+    header.write_text(header.read_text().replace("private:\n", "private:\n  int mine_ = 0;\n"))
+    spec = package / "arm.ros_package"
+    text = spec.read_text().replace('<node name="reach"', '<node name="grasp" was="reach"')
+    spec.write_text(text.replace('name="goal"', 'name="target" was="goal"'))
+    commit(package, "Rename")
+    result = copier_command("update", "--trust", "--defaults", cwd=package)
+    assert result.returncode == 0, result.stderr
+    assert "CONFLICT" not in result.stderr
+    assert not impl.exists()
+    code = (package / "src/grasp_impl.cpp").read_text()
+    assert "void GraspImpl::update(\n" in code
+    assert "data.out_pose.data = config.gain * data.in_target.data;" in code
+    header = (package / "include/arm/grasp_impl.hpp").read_text()
+    assert "int mine_ = 0;" in header
+    assert "#ifndef ARM__GRASP_IMPL_HPP_" in header
