@@ -2,6 +2,7 @@
 
 import contextlib
 import re
+import shutil
 
 import pytest
 import ros
@@ -82,6 +83,9 @@ def test_package_tests_and_linters(ros2, spec, render, tmp_path, model):
         ros_distro=ros2.distro,
         name="src/hostile",
     )
+    for file in tmp_path.glob("src/*/package.xml"):
+        if shutil.which("xmllint"):
+            ros2.run(f"xmllint --noout {file}", tmp_path)
     built = ros2.build(tmp_path)
     assert "warning:" not in built, built
     ros2.run("colcon test --event-handlers console_cohesion+", tmp_path, tmp_path)
