@@ -4,7 +4,7 @@ import re
 
 import pytest
 import yaml
-from conftest import EXAMPLES, commit, git
+from conftest import EXAMPLES, ROOT, commit, git
 
 SPEC = """<?xml version="1.0" encoding="UTF-8"?>
 <package name="robot" author="Ada" author_email="ada@example.org" description="A robot"
@@ -128,6 +128,15 @@ def test_update_asks_nothing_without_a_terminal(package, copier_command):
 
 
 def test_update_with_nothing_to_do_changes_nothing(package, copier_command):
+    result = copier_command("update", *QUIET, cwd=package)
+    assert result.returncode == 0, result.stderr
+    assert git(package, "status", "--short") == ""
+
+
+@pytest.mark.parametrize("model", ["python_model", "cpp_model"])
+def test_hostile_text_survives_the_answers(render, copier_command, model):
+    """Quotes, braces, newlines, huge numbers: recorded, read again, and found unchanged."""
+    package = render(ROOT / "tests/specs/hostile.ros_package", model=model, name="hostile")
     result = copier_command("update", *QUIET, cwd=package)
     assert result.returncode == 0, result.stderr
     assert git(package, "status", "--short") == ""
