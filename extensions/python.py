@@ -24,6 +24,7 @@ class PythonExtension(Extension):
             "python_value": python_value,
             "python_text": python_text,
             "ros1_action": ros1_action,
+            "rospy_name": rospy_name,
             "ros1_module": ros1_module,
             "sort_imports": sort_imports,
         }
@@ -46,6 +47,11 @@ def ros1_action(type_: str) -> str:
     """Return the Python name of the message that ROS 1 makes of an action."""
     package, _, name = type_.split("/")
     return f"{package}.msg.{name}Action"
+
+
+def rospy_name(name: str) -> str:
+    """Return a name as rospy resolves it right: it takes `~/pose` for `/pose`, but not `~pose`."""
+    return name.replace("~/", "~", 1)
 
 
 def ros1_module(type_: str) -> str:
