@@ -25,7 +25,11 @@ def files(package, pattern):
 @pytest.mark.parametrize("distro", ["noetic", "humble", "lyrical"])
 @pytest.mark.parametrize("name", SPECS)
 def test_rendered_code_is_sound(render, name, distro):
-    package = render(SPECS[name], ros_distro=distro)
+    check_sound(render(SPECS[name], ros_distro=distro))
+
+
+def check_sound(package):
+    """Check that files can be parsed, that ruff format leaves them, and that names are there."""
     for file in files(package, "*.py") + files(package, "*.cfg"):
         if file.name == "setup.cfg":
             continue
@@ -115,3 +119,11 @@ def test_package_xml_keeps_to_its_schema(render, distro):
     assert {child.tag for child in tree} <= allowed
     paper = ET.parse(render(SPECS["paper"], ros_distro=distro, name="paper") / "package.xml")
     assert paper.findtext("license") == "GPL-3.0-only"
+
+
+def test_private_names_in_ros1(render):
+    """The way that rospy takes them: it would make a global name of `~/empty`."""
+    package = render(SPECS["all kinds"], ros_distro="noetic")
+    text = (package / "all_kinds/worker_ros.py").read_text()
+    assert "'~empty'" in text
+    assert "~/" not in text

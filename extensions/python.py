@@ -1,0 +1,118 @@
+"""Filters that write Python: types, values, texts, imports."""
+
+from __future__ import annotations
+
+import re
+import sys
+from typing import Any
+
+from jinja2 import Environment
+from jinja2.ext import Extension
+
+WIDTH = 99
+
+
+class PythonExtension(Extension):
+    """Register the filters of this file."""
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        environment.filters |= {
+            "cfg_value": cfg_value,
+            "python_type": python_type,
+            "python_module": python_module,
+            "python_value": python_value,
+            "python_text": python_text,
+            "ros1_action": ros1_action,
+            "rospy_name": rospy_name,
+            "ros1_module": ros1_module,
+            "sort_imports": sort_imports,
+        }
+
+
+def python_type(type_: str) -> str:
+    """Return the Python name of a ROS type or of the type of a parameter."""
+    if type_.endswith("[]"):
+        return f"Sequence[{python_type(type_[:-2])}]"
+    names = {"double": "float", "string": "str"}
+    return names.get(type_, type_.replace("/", "."))
+
+
+def python_module(type_: str) -> str:
+    """Return the module of a ROS type: `std_msgs/msg/String` gives `std_msgs.msg`."""
+    return ".".join(type_.split("/")[:-1])
+
+
+def ros1_action(type_: str) -> str:
+    """Return the Python name of the message that ROS 1 makes of an action."""
+    package, _, name = type_.split("/")
+    return f"{package}.msg.{name}Action"
+
+
+def rospy_name(name: str) -> str:
+    """Return a name as rospy resolves it right: it takes `~/pose` for `/pose`, but not `~pose`."""
+    return name.replace("~/", "~", 1)
+
+
+def ros1_module(type_: str) -> str:
+    """Return the module of a type in ROS 1, where actions are messages."""
+    return python_module(type_).replace(".action", ".msg")
+
+
+def python_value(value: Any, indent: int, used: int = 0) -> str:
+    """Return a value of a parameter as a literal; the arguments are those of `python_text`."""
+    if isinstance(value, str):
+        return python_text(value, indent, used)
+    if not isinstance(value, list):
+        return repr(value).replace("e+", "e")
+    items = [python_value(item, indent + 4, 1) for item in value]
+    line = f"({', '.join(items)}{',' if len(items) == 1 else ''})"
+    if "\n" not in line and indent + used + len(line) <= WIDTH:
+        return line
+    margin = " " * (indent + 4)
+    return "(\n" + "".join(f"{margin}{item},\n" for item in items) + " " * indent + ")"
+
+
+def python_text(text: str, indent: int, used: int = 0) -> str:
+    """Return a text as a string literal, split at blanks where a line would be too long.
+
+    Args:
+        text: any text.
+        indent: the columns before the line the literal stands on.
+        used: the columns on that line that other code takes.
+
+    """
+    if indent + used + len(repr(text)) <= WIDTH:
+        return repr(text)
+    lines = [""]
+    for piece in re.findall(r"\s*\S{1,60}|\s+$", text):
+        if lines[-1] and indent + 4 + len(repr(lines[-1] + piece)) > WIDTH:
+            lines.append("")
+        lines[-1] += piece
+    margin = "\n" + " " * (indent + 4)
+    return "(" + "".join(margin + repr(line) for line in lines) + "\n" + " " * indent + ")"
+
+
+def cfg_value(value: Any) -> str:
+    """Return a value as a literal for a line of its own in a .cfg file."""
+    return python_value(value, 4, 1)
+
+
+def sort_imports(text: str) -> str:
+    """Return import statements, each once, in the order and groups ament_flake8 wants."""
+    statements = set(re.findall(r"^\S.*\n(?:[ )].*\n)*", text.strip() + "\n", re.MULTILINE))
+    modules = {statement: statement.split()[1] for statement in statements}
+    in_order = sorted(statements, key=lambda statement: modules[statement].lower())
+    standard = [s for s in in_order if modules[s].split(".")[0] in sys.stdlib_module_names]
+    others = [s for s in in_order if s not in standard]
+    groups = [map(_unfolded, group) for group in (standard, others) if group]
+    return "\n".join("".join(group) for group in groups)
+
+
+def _unfolded(statement: str) -> str:
+    """Give each name a line of its own where an import is too long for one."""
+    if len(statement) <= WIDTH or "(" in statement:
+        return statement
+    head, _, names = statement.strip().partition(" import ")
+    lines = "".join(f"    {name},\n" for name in names.split(", "))
+    return f"{head} import (\n{lines})\n"
