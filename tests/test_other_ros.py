@@ -13,10 +13,11 @@ from test_ros2 import nodes, without_tf
 @pytest.mark.ros2
 @pytest.mark.parametrize("model", MODELS)
 def test_there_and_back(ros1, ros2, render, update, tmp_path, model):
-    """Without transforms, which ROS 2's wheels lack."""
-    package = render(
-        without_tf(all_kinds()), model=model, ros_distro="noetic", name="src/all_kinds"
-    )
+    """The wheels of ROS 2 lack rclcpp, and for Python tf2_ros."""
+    in_python = model == "python_model"
+    spec = without_tf(all_kinds()) if in_python else all_kinds()
+    options = [] if in_python else ["tf"]
+    package = render(spec, model=model, ros_distro="noetic", name="src/all_kinds")
     logic = fill_in(package, model)
     files = git(package, "ls-files")
     update(package, ros_distro=ros2.distro)
@@ -24,10 +25,10 @@ def test_there_and_back(ros1, ros2, render, update, tmp_path, model):
     assert (package / LOGIC[model]).read_text() == logic
     for gone in ("cfg", "scripts", "launch/all_kinds.launch", "test/nodes.test"):
         assert not (package / gone).exists(), gone
-    if model == "python_model" or ros.has_package(ros2, "rclcpp"):
+    if in_python or ros.has_package(ros2, "rclcpp"):
         ros2.build(tmp_path)
         with nodes(ros2, tmp_path, "all_kinds", "worker"):
-            ros2.scenario(tmp_path)
+            ros2.scenario(tmp_path, *options)
     for folder in ("build", "install", "log"):
         shutil.rmtree(tmp_path / folder, ignore_errors=True)
     update(package, ros_distro="noetic")
@@ -38,7 +39,7 @@ def test_there_and_back(ros1, ros2, render, update, tmp_path, model):
     shutil.copytree(ROOT / "tests/interfaces/test_msgs", tmp_path / "src/test_msgs")
     ros1.build(tmp_path)
     with ros.master(ros1), ros1.running("roslaunch all_kinds all_kinds.launch", tmp_path):
-        ros1.scenario(tmp_path)
+        ros1.scenario(tmp_path, *options)
 
 
 @pytest.mark.parametrize("distro", ["humble", "rolling"])

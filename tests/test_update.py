@@ -1,5 +1,6 @@
 """What an update says, and what it keeps: renames, removals, conflicts."""
 
+import contextlib
 import os
 import shutil
 import subprocess
@@ -194,10 +195,16 @@ def test_killed_update_can_be_undone_and_done_again(arm, copier_command, tmp_pat
         package = tmp_path / "killed"
         shutil.copytree(arm, package)
         command = [sys.executable, "-m", "copier", "update", *QUIET]
-        process = subprocess.Popen(command, cwd=package, stderr=subprocess.DEVNULL)
+        process = subprocess.Popen(
+            command, cwd=package, stderr=subprocess.DEVNULL, start_new_session=True
+        )
         time.sleep(random.uniform(0.3, 1.0) * duration)
         process.kill()
         process.wait()
+        with contextlib.suppress(ProcessLookupError):  # a git it has started may still run
+            while True:
+                os.killpg(process.pid, 0)
+                time.sleep(0.01)
         git(package, "restore", "--staged", "--worktree", ".")
         git(package, "clean", "-fdq")
         assert git(package, "status", "--short") == ""
