@@ -70,3 +70,11 @@ def test_questions_name_nothing_of_ours():
     words = set(re.findall(r"\w+", text))
     assert sorted(words & tags) == []
     assert sorted(set(re.findall(r"spec\.(\w+)", text)) & (attributes | {"name"})) == []
+
+
+def test_page_tells_every_filter():
+    page = (ROOT / "docs/designers.md").read_text()
+    for file in ROOT.glob("extensions/*.py"):
+        table = re.search(r"environment.filters \|= \{(.*?)\}", file.read_text(), re.DOTALL)
+        for name in re.findall(r'"(\w+)":', table[1] if table else ""):
+            assert re.search(rf"`{name}[`(]", page), name

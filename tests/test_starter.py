@@ -9,8 +9,7 @@ import yaml
 from conftest import bare_repository, commit, git
 from test_mechanism import QUIET, answers
 
-SERVER = """
-  server:
+SERVER = """  server:
     doc: a service the node offers
     attributes:
       - name: {doc: name of the service, format: ros_name, unique: true, example: example}
@@ -99,7 +98,8 @@ def test_faults_of_a_model_are_found(team):
 def test_life_of_a_model(team, github, tmp_path):
     """Make it, add a tag and a function, publish it, use it, publish v2, update both."""
     model, run = team
-    change(model / "dictionary.yaml", "\nstarter:", SERVER + "\nstarter:")
+    dictionary = model / "dictionary.yaml"
+    dictionary.write_text(dictionary.read_text() + SERVER)
     functions = model / "functions.py"
     functions.write_text(functions.read_text() + SHOUT)
     readme = model / "template/README.md.jinja"
