@@ -9,7 +9,7 @@ def dependencies_from_template(ros_distro: str) -> list[str]:
     """Return the packages every package of this model needs at run time."""
     if ros_distro == "noetic":
         return ["rospy"]
-    return ["launch_ros", "launch_xml", "rclpy"]
+    return ["launch_ros", "launch_xml", "rcl_interfaces", "rclpy"]
 
 
 def dependencies_from_interface(
@@ -19,9 +19,9 @@ def dependencies_from_interface(
     ros1 = ros_distro == "noetic"
     packages = {
         "actionServer": ["actionlib"] if ros1 else [],
-        "actionClient": ["actionlib"] if ros1 else [],
-        "dynParameter": ["dynamic_reconfigure"] if ros1 else ["rcl_interfaces"],
-        "parameter": [] if ros1 else ["rcl_interfaces"],
+        "actionClient": ["actionlib" if ros1 else "action_msgs"],
+        "serviceClient": ["rosgraph"] if ros1 else [],
+        "dynParameter": ["dynamic_reconfigure"] if ros1 else [],
         "listener": ["geometry_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
         "broadcaster": ["geometry_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
     }.get(kind, [])

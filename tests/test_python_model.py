@@ -127,3 +127,21 @@ def test_private_names_in_ros1(render):
     text = (package / "all_kinds/worker_ros.py").read_text()
     assert "'~empty'" in text
     assert "~/" not in text
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize("name", SPECS)
+def test_every_import_is_a_dependency(render, name, distro):
+    """What the code of a package imports stands in its package.xml."""
+    package = render(SPECS[name], ros_distro=distro)
+    tree = ET.parse(package / "package.xml")
+    depends = {element.text for element in tree.getroot() if element.tag.endswith("depend")}
+    provided = {"tf2_ros": "tf2_ros" if distro == "noetic" else "tf2_ros_py"}
+    own = tree.findtext("name")
+    for file in (package / own).glob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text())):
+            names = [node.module] if isinstance(node, ast.ImportFrom) else []
+            names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else names
+            for module in {name.split(".")[0] for name in names}:
+                if module not in sys.stdlib_module_names and module != own:
+                    assert provided.get(module, module) in depends, f"{file.name}: {module}"
