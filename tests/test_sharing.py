@@ -4,10 +4,14 @@ import pytest
 from conftest import EXAMPLES, commit, git
 from test_mechanism import QUIET, answers
 
-MODELS = ["python_model", "cpp_model"]
+EXAMPLE_OF = {
+    "python_model": ("contact_analysis", "contact_evaluate"),
+    "cpp_model": ("contact_analysis", "contact_evaluate"),
+    "service_model": ("serving", "clerk"),
+}
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", EXAMPLE_OF)
 def test_copy_from_github(github, copier_command, tmp_path, model):
     """Exactly the commands of the README, without a spec and with one."""
     *_, environment = github
@@ -19,20 +23,19 @@ def test_copy_from_github(github, copier_command, tmp_path, model):
     assert (package / "mypkg.ros_package").exists()
     assert answers(package)["_src_path"] == f"gh:org/{model}"
     assert answers(package)["_commit"] == "1.0.0"
-    (tmp_path / "contact.ros_package").write_bytes(
-        (EXAMPLES / "contact_analysis.ros_package").read_bytes()
-    )
+    example, node = EXAMPLE_OF[model]
+    (tmp_path / "mine.ros_package").write_bytes((EXAMPLES / f"{example}.ros_package").read_bytes())
     arguments = (
         "copy",
         "--trust",
         "-d",
-        "spec_file=contact.ros_package",
+        "spec_file=mine.ros_package",
         f"gh:org/{model}",
-        "contact",
+        "mine",
     )
     result = copier_command(*arguments, cwd=tmp_path, **environment)
     assert result.returncode == 0, result.stderr
-    assert "contact_evaluate" in (tmp_path / "contact/README.md").read_text()
+    assert node in (tmp_path / "mine/README.md").read_text()
 
 
 def test_trust_once(github, copier_command, tmp_path):
