@@ -133,7 +133,10 @@ def test_private_names_in_ros1(render):
 @pytest.mark.parametrize("name", SPECS)
 def test_every_import_is_a_dependency(render, name, distro):
     """What the code of a package imports stands in its package.xml."""
-    package = render(SPECS[name], ros_distro=distro)
+    check_imports(render(SPECS[name], ros_distro=distro), distro)
+
+
+def check_imports(package, distro):
     tree = ET.parse(package / "package.xml")
     depends = {element.text for element in tree.getroot() if element.tag.endswith("depend")}
     provided = {"tf2_ros": "tf2_ros" if distro == "noetic" else "tf2_ros_py"}

@@ -7,7 +7,7 @@ import shutil
 import pytest
 import ros
 from conftest import EXAMPLES, ROOT, commit
-from test_python_model import DISTROS, check_sound, files
+from test_python_model import DISTROS, check_imports, check_sound, files
 
 SPECS = {"example": EXAMPLES / "serving.ros_package", "starter": None}
 LOGIC = {
@@ -38,7 +38,9 @@ HOME = '    <serviceServer name="go_home" type="std_srvs::Empty"/>\n'
 @pytest.mark.parametrize("distro", ["noetic", "humble", "lyrical"])
 @pytest.mark.parametrize("name", SPECS)
 def test_rendered_code_is_sound(render, name, distro):
-    check_sound(render(SPECS[name], model="service_model", ros_distro=distro))
+    package = render(SPECS[name], model="service_model", ros_distro=distro)
+    check_sound(package)
+    check_imports(package, distro)
 
 
 def test_logic_is_the_same_for_all_ros(render):

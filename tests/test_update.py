@@ -220,11 +220,11 @@ def test_killed_update_can_be_undone_and_done_again(arm, copier_command, tmp_pat
 def test_update_equals_fresh(tmp_path_factory, render, update, example, distro):
     """An untouched package of any version, updated, is what the newest version makes."""
     newest = Laboratory(tmp_path_factory.mktemp("versions")).collection
-    fresh = render(example, template=newest, ros_distro=distro, name="fresh/same")
+    options = {"template": newest, "ros_distro": distro}
+    options["model"] = "service_model" if example.stem == "serving" else "python_model"
+    fresh = render(example, name="fresh/same", **options)
     for version in git(newest, "tag").split():
-        old = render(
-            example, template=newest, vcs_ref=version, ros_distro=distro, name=f"{version}/same"
-        )
+        old = render(example, vcs_ref=version, name=f"{version}/same", **options)
         update(old)
         assert texts(old) == texts(fresh), version
 
