@@ -63,6 +63,8 @@ def _call(functions: Functions, name: str, place: str, *arguments: Any) -> set[s
     try:
         result = functions[name](*arguments)
     except SpecError as error:
+        if isinstance(error.__cause__, ValueError):  # the function refuses the spec
+            raise SpecError(f"{place}: {error.__cause__} (said by {name})") from error
         raise SpecError(f"{error} (called for {place})") from error
     if not isinstance(result, list) or not all(isinstance(item, str) for item in result):
         raise SpecError(f"{name} for {place}: must return a list of package names, not {result!r}")

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 
 MODELS = ("python_model", "cpp_model")
 DISTROS = ("noetic", "kilted")
-NAMES = ("cop", "load", "pose", "/state", "speed_x", "goal")
+NAMES = ("cop", "load", "pose", "/states", "speed_x", "goal")
 TYPES = {
     "publisher": ("std_msgs::String", "geometry_msgs::Point"),
     "subscriber": ("std_msgs::String", "sensor_msgs::Imu"),

@@ -314,6 +314,12 @@ def test_fault_in_functions(tmp_path):
         context(Model(tmp_path, tmp_path), FIGURE_4_SPEC)
     assert f"{functions}:2: " in str(error.value)
     assert '<listener name="l">' in str(error.value)
+    refusal = "    raise ValueError('no listener today')\n"
+    functions.write_text(f"def dependencies_from_interface(kind, attributes, distro):\n{refusal}")
+    with pytest.raises(SpecError) as error:
+        context(Model(tmp_path, tmp_path), FIGURE_4_SPEC)
+    said = "no listener today (said by dependencies_from_interface)"
+    assert str(error.value) == f'spec.xml:3: <listener name="l">: {said}'
     functions.write_text("def broken(:\n")
     with pytest.raises(SpecError, match=r"functions.py:1: SyntaxError"):
         Model(tmp_path, tmp_path)
