@@ -52,25 +52,28 @@ class SpecExtension(Extension):
 
     def read_spec(self, context: Context, spec_file: str) -> dict[str, Any]:
         """Return the context of the package's spec, or of a starter where there is none."""
-        xml, name = self._source(context, spec_file)
-        distro = str(context["ros_distro"])
-        return dict(self._model(context).context(xml, name, distro))
+        model = self._model(context)
+        xml, shown, own = self._source(context, spec_file)
+        values = dict(model.context(xml, shown, str(context["ros_distro"])))
+        if own:
+            self._check_file_name(own, model.name(values))
+        return values
 
     def spec_changed(self, context: Context, spec_file: str, spec: Any) -> str:
         """Say "changed" when the spec in the package no longer gives the recorded `spec`.
 
         Copier's own renders in temporary folders get `spec` as data: nothing is read then.
         """
-        self._model(context)
-        if self._is_given(context) or spec == self.read_spec(context, spec_file):
+        if self._is_given(context):
+            self._model(context)  # for its filters
             return ""
-        return "changed"
+        return "" if spec == self.read_spec(context, spec_file) else "changed"
 
     def spec_text(self, context: Context, spec_file: str) -> str:
         """Return the XML to write into a new package. It is never written again."""
         if self._is_given(context):
             return ""
-        xml, _ = self._source(context, spec_file)
+        xml, *_ = self._source(context, spec_file)
         return xml.decode("utf-8-sig")
 
     def has_spec(self, context: Context) -> bool:
@@ -98,8 +101,8 @@ class SpecExtension(Extension):
         ros = self.hooks.ros
         return distro if distro in ros.DISTROS else str(ros.DEFAULT_DISTRO)
 
-    def _source(self, context: Context, spec_file: str) -> tuple[bytes, str]:
-        """Return the XML that counts, and its name for messages."""
+    def _source(self, context: Context, spec_file: str) -> tuple[bytes, str, Path | None]:
+        """Return the XML that counts, its name for messages, and the package's own file."""
         package = _destination(context)
         found = _specs(package)
         if len(found) > 1:
@@ -122,22 +125,17 @@ class SpecExtension(Extension):
                 f" bring it back, for instance with git checkout HEAD -- '*{SUFFIX}'"
             )
         else:
-            return self._model(context).starter(
-                _sources(package, self.hooks)
-            ).encode(), "starter spec"
+            starter = self._model(context).starter(_sources(package, self.hooks))
+            return starter.encode(), "starter spec", None
         xml = file.read_bytes()
         try:
             xml.decode("utf-8-sig")
         except UnicodeDecodeError:
             self._fail(f"{_shown(file)}:1: not UTF-8 text; save the spec as UTF-8")
-        if found:
-            self._check_file_name(context, xml, found[0])
-        return xml, _shown(file)
+        return xml, _shown(file), found[0] if found else None
 
-    def _check_file_name(self, context: Context, xml: bytes, file: Path) -> None:
+    def _check_file_name(self, file: Path, name: str) -> None:
         """Insist on `<package>.ros_package`: templates could not find it by another name."""
-        model = self._model(context)
-        name = model.name(model.context(xml, _shown(file), str(context["ros_distro"])))
         if file.stem != name:
             self._fail(
                 f'{_shown(file)}: the package is called "{name}", so its spec is'

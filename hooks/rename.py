@@ -38,6 +38,17 @@ def carry(package: Path, renames: list[dict[str, str]]) -> None:
         new = _render(Path(folder) / "new", new_answers)
     names = [pair for rename in renames for pair in _forms(rename["before"], rename["after"])]
     everywhere = _exchanges(old, new, names)
+    of_owner = [
+        (
+            rename["owner_before"],
+            _exchanges(
+                _named(old, rename["owner_before"]),
+                _named(new, rename["owner_after"]),
+                _forms(rename["before"], rename["after"]),
+            ),
+        )
+        for rename in renames
+    ]
     for path in _git(package, "ls-tree", "-r", "--name-only", "-z", "HEAD", ".").split("\0"):
         if not path or path == ANSWERS:
             continue
@@ -46,13 +57,8 @@ def carry(package: Path, renames: list[dict[str, str]]) -> None:
         except UnicodeDecodeError:
             continue
         words = dict(everywhere)
-        for rename in renames:
-            if rename["owner_before"] in path:
-                words |= _exchanges(
-                    _named(old, rename["owner_before"]),
-                    _named(new, rename["owner_after"]),
-                    _forms(rename["before"], rename["after"]),
-                )
+        for owner, exchanges in of_owner:
+            words |= exchanges if owner in path else {}
         target = path if path in new or path not in old else _new_path(path, new, names)
         if path in old and target in new:
             if target != path or _exchange(mine, words) != mine:
