@@ -32,7 +32,7 @@ bench: $(TOOLS)/ready $(ROS2)/ready
 LAB_TRIALS ?= 3000
 lab: $(TOOLS)/ready
 	LAB_TRIALS=$(LAB_TRIALS) LAB_SEED=random LAB_KILLS=200 \
-	  $(TOOLS)/bin/pytest -s tests/test_lab.py tests/test_update.py -k "lost or killed"
+	  $(TOOLS)/bin/pytest -s tests/updates -k "lost or killed"
 
 $(TOOLS)/ready: pyproject.toml
 	$(PYTHON) -m venv $(TOOLS)
@@ -40,15 +40,15 @@ $(TOOLS)/ready: pyproject.toml
 	@touch $@
 
 # ROS 2 comes as wheels, where there are some for this Python; else its tests say that they skip.
-$(ROS2)/ready: tests/ros2-wheels.txt
+$(ROS2)/ready: tests/setup/ros2-wheels.txt
 	$(PYTHON) -m venv $(ROS2)
-	-$(ROS2)/bin/pip install --quiet --disable-pip-version-check -r tests/ros2-wheels.txt \
-	  && $(ROS2)/bin/python tests/mend_wheels.py
+	-$(ROS2)/bin/pip install --quiet --disable-pip-version-check -r tests/setup/ros2-wheels.txt \
+	  && $(ROS2)/bin/python tests/setup/mend_wheels.py
 	@touch $@
 
 # ROS 1 comes from Debian, where we may install; else its tests say that they skip.
-.venv/debian-asked: tests/debian-packages.txt
-	-sh tests/install_debian.sh
+.venv/debian-asked: tests/setup/debian-packages.txt
+	-sh tests/setup/install_debian.sh
 	@touch $@
 
 clean:

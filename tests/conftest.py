@@ -1,22 +1,14 @@
-"""What all tests share: the collection as a git repository, rendering, updating, and ROS."""
+"""The fixtures of all tests: the collection, rendering, updating, and ROS."""
 
 import os
-import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 import copier
 import pytest
-import ros
 
-ROOT = Path(__file__).parents[1]
-EXAMPLES = ROOT / "examples"
-GIT = {
-    f"GIT_{who}_{what}": value
-    for who in ("AUTHOR", "COMMITTER")
-    for what, value in (("NAME", "Test Er"), ("EMAIL", "test@example.org"))
-}
+from support import ros
+from support.repository import GIT, bare_repository, commit, copy_collection, git
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -37,39 +29,6 @@ def _clean_environment(tmp_path_factory):
         )
         patch.delenv("ROS_DISTRO", raising=False)
         yield
-
-
-def git(folder, *arguments):
-    result = subprocess.run(
-        ["git", *arguments], cwd=folder, check=True, capture_output=True, text=True
-    )
-    return result.stdout.strip()
-
-
-def commit(folder, message="A change", tag=None):
-    """Commit all of a folder, which becomes a repository if it is none."""
-    if not (folder / ".git").exists() and not git_top(folder):
-        git(folder, "init", "-q")
-    git(folder, "add", "-A")
-    git(folder, "commit", "-q", "--allow-empty", "-m", message)
-    if tag:
-        git(folder, "tag", tag)
-
-
-def git_top(folder):
-    command = ["git", "-C", str(folder), "rev-parse", "--show-toplevel"]
-    return subprocess.run(command, capture_output=True, text=True).stdout.strip()
-
-
-def copy_collection(target):
-    """Copy the working tree, without what git ignores, and make it a repository."""
-    names = git(ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
-    for name in filter(None, names):
-        if (ROOT / name).exists():
-            (target / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(ROOT / name, target / name, follow_symlinks=False)
-    commit(target, "First version", tag="1.0.0")
-    return target
 
 
 @pytest.fixture(scope="session")
@@ -106,14 +65,6 @@ def github(own_collection, tmp_path):
             "GIT_CONFIG_VALUE_0": "https://github.com/",
         },
     )
-
-
-def bare_repository(folder):
-    """Make a bare repository, if it is not there, and return its folder."""
-    if not folder.exists():
-        folder.mkdir(parents=True)
-        git(folder, "init", "--bare", "--quiet", "--initial-branch=main")
-    return folder
 
 
 @pytest.fixture

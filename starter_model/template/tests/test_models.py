@@ -1,1 +1,1 @@
-../../../tests/test_models.py
+../../../tests/models/test_models.py

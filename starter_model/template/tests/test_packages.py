@@ -2,7 +2,7 @@
 
 import ast
 
-import model_checks
+from support import model_checks
 
 SPEC = """<package name="robot" author="Ada" author_email="ada@example.org" description="A robot"
          license="MIT">

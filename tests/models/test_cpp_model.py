@@ -10,11 +10,9 @@ import shutil
 
 import pytest
 import yaml
-from conftest import ROOT
-from models import all_kinds
-from test_python_model import DISTROS, SPECS, files
 
-HOSTILE = ROOT / "tests/specs/hostile.ros_package"
+from support.packages import DATA, DISTROS, HOSTILE, SPECS, all_kinds, files
+
 MESSAGES = {"geometry_msgs", "std_msgs", "std_srvs", "test_msgs"}
 
 
@@ -28,7 +26,7 @@ def test_logic_compiles_and_passes_its_tests(ros2, render, tmp_path, spec):
     build = tmp_path / "build"
     build.mkdir()
     options = f"-DPACKAGE={package} '-DNODES={nodes}' '-DDEPENDS={depends}'"
-    ros2.run(f"cmake {ROOT}/tests/logic_only {options}", build)
+    ros2.run(f"cmake {DATA}/logic_only {options}", build)
     ros2.run("make -j2", build)
     result = ros2.run("ctest", build).stdout
     assert "100% tests passed" in result, result

@@ -1,52 +1,19 @@
 """python_model rendered over its choices, without ROS."""
 
 import ast
-import subprocess
-import sys
 import xml.etree.ElementTree as ET
 
 import pytest
 import yaml
-from conftest import EXAMPLES, ROOT
 
-SPECS = {
-    "paper": EXAMPLES / "contact_analysis.ros_package",
-    "all kinds": EXAMPLES / "all_kinds.ros_package",
-    "hostile": ROOT / "tests/specs/hostile.ros_package",
-    "starter": None,
-}
-DISTROS = ("noetic", "humble", "jazzy", "kilted", "lyrical", "rolling")
-
-
-def files(package, pattern):
-    return [path for path in package.rglob(pattern) if ".git" not in path.parts]
+from support.packages import DISTROS, SPECS, files
+from support.soundness import check_imports, check_sound
 
 
 @pytest.mark.parametrize("distro", ["noetic", "humble", "lyrical"])
 @pytest.mark.parametrize("name", SPECS)
 def test_rendered_code_is_sound(render, name, distro):
     check_sound(render(SPECS[name], ros_distro=distro))
-
-
-def check_sound(package):
-    """Check that files can be parsed, that ruff format leaves them, and that names are there."""
-    for file in files(package, "*.py") + files(package, "*.cfg"):
-        if file.name == "setup.cfg":
-            continue
-        ast.parse(file.read_text())
-        assert "\n\n\n\n" not in file.read_text(), file
-    for file in files(package, "*.xml") + files(package, "*.launch") + files(package, "*.test"):
-        ET.parse(file)
-    for file in files(package, "*.yaml"):
-        yaml.safe_load(file.read_text())
-    ruff = [sys.executable, "-m", "ruff"]
-    format_ = subprocess.run(
-        [*ruff, "format", "--diff", "--no-cache", "."], cwd=package, capture_output=True, text=True
-    )
-    assert format_.returncode == 0, format_.stdout
-    # Names that are not defined and imports that are not used: pyflakes' rules.
-    check = [*ruff, "check", "--isolated", "--no-cache", "--select=F", "."]
-    assert subprocess.run(check, cwd=package).returncode == 0
 
 
 @pytest.mark.parametrize("name", SPECS)
@@ -134,17 +101,3 @@ def test_private_names_in_ros1(render):
 def test_every_import_is_a_dependency(render, name, distro):
     """What the code of a package imports stands in its package.xml."""
     check_imports(render(SPECS[name], ros_distro=distro), distro)
-
-
-def check_imports(package, distro):
-    tree = ET.parse(package / "package.xml")
-    depends = {element.text for element in tree.getroot() if element.tag.endswith("depend")}
-    provided = {"tf2_ros": "tf2_ros" if distro == "noetic" else "tf2_ros_py"}
-    own = tree.findtext("name")
-    for file in (package / own).glob("*.py"):
-        for node in ast.walk(ast.parse(file.read_text())):
-            names = [node.module] if isinstance(node, ast.ImportFrom) else []
-            names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else names
-            for module in {name.split(".")[0] for name in names}:
-                if module not in sys.stdlib_module_names and module != own:
-                    assert provided.get(module, module) in depends, f"{file.name}: {module}"

@@ -1,4 +1,4 @@
-"""Talk to the running nodes of examples/all_kinds, whose logic is tests/logic, through ROS.
+"""Talk to the running nodes of examples/all_kinds, whose logic is tests/data/logic, through ROS.
 
 Run by the Python of a ROS: scenario.py PEER TOPIC..., where PEER is ros1 or ros2. A topic is
 `tf` where transforms can be tested, `volume` where the subscriber of that name was added.

@@ -2,7 +2,8 @@
 
 import copier
 import pytest
-from conftest import ROOT, commit
+
+from support.repository import ROOT, commit
 
 MODEL = {
     "dictionary.yaml": """

@@ -6,8 +6,9 @@ import sys
 
 import pytest
 import yaml
-from conftest import bare_repository, commit, git
-from test_mechanism import QUIET, answers
+
+from support.packages import QUIET, answers
+from support.repository import bare_repository, commit, git
 
 SERVER = """  server:
     doc: a service the node offers
@@ -134,7 +135,7 @@ def test_life_of_a_model(team, github, tmp_path):
 
     collection, publish_starter, _ = github
     change(collection / "hooks/ros.py", 'DISTRO = "lyrical"', 'DISTRO = "rolling"')
-    change(collection / "tests/test_models.py", "EDIT = ", "# Newer\nEDIT = ")
+    change(collection / "tests/models/test_models.py", "EDIT = ", "# Newer\nEDIT = ")
     example = collection / "starter_model/template/template"
     (example / "new.txt").write_text("new\n")
     change(example / "README.md.jinja", "## Change", "## Other")

@@ -9,9 +9,10 @@ import time
 from random import Random
 
 import pytest
-from conftest import EXAMPLES, commit, git
-from lab import Laboratory, texts
-from test_mechanism import QUIET
+
+from support.lab import Laboratory, texts
+from support.packages import QUIET
+from support.repository import EXAMPLES, commit, git
 
 SPEC = """<package name="arm" author="Ada" author_email="ada@example.org" description="An arm"
          license="MIT">

@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 import yaml
-from conftest import ROOT, bare_repository, commit, git
-from test_mechanism import answers
+
+from support.packages import answers
+from support.repository import ROOT, bare_repository, commit, git
 
 PAGE = (ROOT / "docs/designers.md").read_text()
 

@@ -2,10 +2,11 @@
 
 import os
 
-import lab
 import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
+
+from support import lab
 
 TRIALS = int(os.environ.get("LAB_TRIALS", "16"))
 SEED = os.environ.get("LAB_SEED")

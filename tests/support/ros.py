@@ -15,8 +15,8 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-TESTS = Path(__file__).parent
-WHEELS = TESTS.parent / ".venv" / "ros2"
+PEERS = Path(__file__).parents[1] / "ros/peers"
+WHEELS = Path(__file__).parents[2] / ".venv" / "ros2"
 # The environment before the tests change it: a ROS 2 may be sourced in it. The Makefile keeps
 # the modules of that ROS out of pytest, which has a Python of its own.
 SHELL = os.environ | {"PYTHONPATH": os.environ.get("ROS_PYTHONPATH", "")}
@@ -90,7 +90,7 @@ class Ros:
     def scenario(self, workspace, *options):
         """Talk to the running nodes of a workspace; see peers/scenario.py."""
         peer = "ros1" if "ROS_MASTER_URI" in self.environment else "ros2"
-        command = shlex.join([self.python, str(TESTS / "peers/scenario.py"), peer, *options])
+        command = shlex.join([self.python, str(PEERS / "scenario.py"), peer, *options])
         return self.run(command, workspace, workspace, timeout=180)
 
 
@@ -188,3 +188,20 @@ def master(ros):
             assert time.monotonic() < end, "the ROS 1 master does not start"
             time.sleep(0.2)
         yield
+
+
+@contextlib.contextmanager
+def nodes(ros2, workspace, package, *names):
+    """Run nodes of a package with the parameter files its launch file names."""
+    install = workspace / "install" / package
+    with contextlib.ExitStack() as stack:
+        yield [
+            stack.enter_context(
+                ros2.running(
+                    f"{install}/lib/{package}/{name} --ros-args"
+                    f" --params-file {install}/share/{package}/config/{name}.yaml",
+                    workspace,
+                )
+            )
+            for name in names
+        ]

@@ -3,8 +3,9 @@
 import re
 
 import pytest
-import yaml
-from conftest import EXAMPLES, ROOT, commit, git
+
+from support.packages import HOSTILE, QUIET, answers
+from support.repository import EXAMPLES, commit, git
 
 SPEC = """<?xml version="1.0" encoding="UTF-8"?>
 <package name="robot" author="Ada" author_email="ada@example.org" description="A robot"
@@ -18,7 +19,6 @@ MORE = SPEC.replace(
     "  </node>", '    <subscriber name="goal" type="std_msgs::Float64"/>\n  </node>'
 )
 BAD = MORE.replace("subscriber", "subscribr")
-QUIET = ("--trust", "--defaults", "--quiet")
 
 
 @pytest.fixture
@@ -29,10 +29,6 @@ def package(render):
 def write(package, text, message="Change the spec"):
     (package / "robot.ros_package").write_text(text)
     commit(package, message)
-
-
-def answers(package):
-    return yaml.safe_load((package / ".copier-answers.yml").read_text())
 
 
 def has_goal(package):
@@ -136,7 +132,7 @@ def test_update_with_nothing_to_do_changes_nothing(package, copier_command):
 @pytest.mark.parametrize("model", ["python_model", "cpp_model"])
 def test_hostile_text_survives_the_answers(render, copier_command, model):
     """Quotes, braces, newlines, huge numbers: recorded, read again, and found unchanged."""
-    package = render(ROOT / "tests/specs/hostile.ros_package", model=model, name="hostile")
+    package = render(HOSTILE, model=model, name="hostile")
     result = copier_command("update", *QUIET, cwd=package)
     assert result.returncode == 0, result.stderr
     assert git(package, "status", "--short") == ""

@@ -5,9 +5,19 @@ import shutil
 import xml.etree.ElementTree as ET
 
 import pytest
-import ros
-from conftest import EXAMPLES, ROOT
-from models import LOGIC, MODELS, add_volume, all_kinds, fill_in, use_volume
+
+from support import ros
+from support.packages import (
+    DATA,
+    HOSTILE,
+    LOGIC,
+    MODELS,
+    add_volume,
+    all_kinds,
+    fill_in,
+    use_volume,
+)
+from support.repository import EXAMPLES
 
 pytestmark = [pytest.mark.ros1, pytest.mark.parametrize("model", MODELS)]
 
@@ -15,7 +25,7 @@ pytestmark = [pytest.mark.ros1, pytest.mark.parametrize("model", MODELS)]
 @pytest.fixture
 def workspace(tmp_path):
     """A workspace with the interfaces that ROS 1 lacks."""
-    shutil.copytree(ROOT / "tests/interfaces/test_msgs", tmp_path / "src/test_msgs")
+    shutil.copytree(DATA / "test_msgs", tmp_path / "src/test_msgs")
     return tmp_path
 
 
@@ -52,7 +62,7 @@ def test_package_tests_and_linters(ros1, render, workspace, model):
         render(spec, model=model, ros_distro="noetic", name=f"src/{name}")
         for name, spec in (
             ("all_kinds", EXAMPLES / "all_kinds.ros_package"),
-            ("hostile", ROOT / "tests/specs/hostile.ros_package"),
+            ("hostile", HOSTILE),
         )
     ]
     built = ros1.build(workspace)
@@ -69,7 +79,7 @@ def test_package_tests_and_linters(ros1, render, workspace, model):
 def test_installed_package_is_whole(ros1, render, workspace, model):
     """`catkin_make install` brings everything the launch file needs."""
     render(
-        ROOT / "tests/specs/hostile.ros_package",
+        HOSTILE,
         model=model,
         ros_distro="noetic",
         name="src/hostile",

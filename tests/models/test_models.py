@@ -4,9 +4,10 @@ import ast
 import xml.etree.ElementTree as ET
 
 import copier
-import model_checks
 import pytest
 import yaml
+
+from support import model_checks
 
 MODELS = model_checks.models()
 EDIT = "An edit of the developer"

@@ -5,9 +5,11 @@ import shlex
 import shutil
 
 import pytest
-import ros
-from conftest import EXAMPLES, ROOT, commit
-from test_python_model import DISTROS, check_imports, check_sound, files
+
+from support import ros
+from support.packages import DATA, DISTROS, files
+from support.repository import EXAMPLES, commit
+from support.soundness import check_imports, check_sound
 
 SPECS = {"example": EXAMPLES / "serving.ros_package", "starter": None}
 LOGIC = {
@@ -90,7 +92,7 @@ def test_new_service_is_merged(render, update):
 
 
 def talk(ros_, workspace, peer):
-    script = shlex.quote(str(ROOT / "tests/peers/serving.py"))
+    script = shlex.quote(str(ros.PEERS / "serving.py"))
     ros_.run(f"{ros_.python} {script} {peer}", workspace, workspace, timeout=120)
 
 
@@ -114,7 +116,7 @@ def test_serves_in_ros2(ros2, render, tmp_path):
 
 @pytest.mark.ros1
 def test_serves_in_ros1(ros1, render, tmp_path):
-    shutil.copytree(ROOT / "tests/interfaces/test_msgs", tmp_path / "src/test_msgs")
+    shutil.copytree(DATA / "test_msgs", tmp_path / "src/test_msgs")
     spec = EXAMPLES / "serving.ros_package"
     package = render(spec, model="service_model", ros_distro="noetic", name="src/serving")
     ros1.build(tmp_path)

@@ -1,8 +1,9 @@
 """Models as git repositories of their own: `copier copy gh:org/python_model mypkg`."""
 
 import pytest
-from conftest import EXAMPLES, commit, git
-from test_mechanism import QUIET, answers
+
+from support.packages import QUIET, answers
+from support.repository import EXAMPLES, commit, git
 
 EXAMPLE_OF = {
     "python_model": ("contact_analysis", "contact_evaluate"),

@@ -4,7 +4,6 @@ import re
 import string
 
 import pytest
-from conftest import EXAMPLES, ROOT
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -14,6 +13,7 @@ from hooks.faults import SpecError
 from hooks.model import Model
 from hooks.parse import parse
 from hooks.ros import DISTROS, translate_dependency
+from support.repository import EXAMPLES, ROOT
 
 FIGURE_4 = """
 package_attributes: ["name", "author", "author_email",

@@ -13,8 +13,9 @@ from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
 import copier
-from conftest import commit, copy_collection, git
 from hypothesis import strategies as st
+
+from support.repository import commit, copy_collection, git
 
 MODELS = ("python_model", "cpp_model")
 DISTROS = ("noetic", "kilted")

@@ -22,7 +22,7 @@ from hooks.faults import SpecError
 from hooks.model import Model as Hook
 from hooks.ros import DISTROS
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 SAMPLES = {
     "text": ("some text", "other text"),
     "raw": ("some text", "other text"),

@@ -3,10 +3,11 @@
 import shutil
 
 import pytest
-import ros
-from conftest import EXAMPLES, ROOT, commit, git
-from models import LOGIC, MODELS, all_kinds, fill_in
-from test_ros2 import nodes, without_tf
+
+from support import ros
+from support.packages import DATA, LOGIC, MODELS, all_kinds, fill_in, without_tf
+from support.repository import EXAMPLES, commit, git
+from support.ros import nodes
 
 
 @pytest.mark.ros1
@@ -36,7 +37,7 @@ def test_there_and_back(ros1, ros2, render, update, tmp_path, model):
     assert (package / LOGIC[model]).read_text() == logic
     assert git(package, "ls-files") == files
     assert git(package, "diff", "HEAD~2", "HEAD", "--stat") == ""
-    shutil.copytree(ROOT / "tests/interfaces/test_msgs", tmp_path / "src/test_msgs")
+    shutil.copytree(DATA / "test_msgs", tmp_path / "src/test_msgs")
     ros1.build(tmp_path)
     with ros.master(ros1), ros1.running("roslaunch all_kinds all_kinds.launch", tmp_path):
         ros1.scenario(tmp_path, *options)

@@ -7,9 +7,10 @@ import subprocess
 import sys
 
 import pytest
-from conftest import ROOT, commit, git
 
-LEGACY = ROOT / "tests" / "legacy"
+from support.repository import ROOT, commit, git
+
+LEGACY = ROOT / "tests/adoption/legacy"
 needs_cpp = pytest.mark.skipif(not (ROOT / "cpp_model").exists(), reason="no cpp_model")
 
 

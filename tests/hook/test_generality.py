@@ -5,10 +5,10 @@ import re
 
 import pytest
 import yaml
-from conftest import ROOT
 
 from hooks.dictionary import DEPEND, PACKAGE, WAS, Attribute, load
 from hooks.formats import FORMATS
+from support.repository import ROOT
 
 MODELS = sorted(file.parent for file in ROOT.glob("*_model/dictionary.yaml"))
 FILES = sorted([*ROOT.glob("hooks/*.py"), *ROOT.glob("extensions/*.py")])

@@ -1,13 +1,23 @@
 """The models in ROS 2: packages installed, started and talked to through real middleware."""
 
-import contextlib
 import re
 import shutil
 
 import pytest
-import ros
-from conftest import EXAMPLES, ROOT
-from models import LOGIC, MODELS, add_volume, all_kinds, fill_in, use_volume
+
+from support import ros
+from support.packages import (
+    HOSTILE,
+    LOGIC,
+    MODELS,
+    add_volume,
+    all_kinds,
+    fill_in,
+    use_volume,
+    without_tf,
+)
+from support.repository import EXAMPLES
+from support.ros import PEERS, nodes
 
 pytestmark = pytest.mark.ros2
 each_model = pytest.mark.parametrize("model", MODELS)
@@ -17,32 +27,11 @@ each_model = pytest.mark.parametrize("model", MODELS)
 def spec(ros2, request):
     """The spec of all kinds, and what the scenario can test of it in this ROS 2."""
     if request.getfixturevalue("model") == "cpp_model" and not ros.has_package(ros2, "rclcpp"):
-        pytest.skip("rclcpp is not installed; test_cpp_model.py checks what can be without")
+        pytest.skip("rclcpp is not installed; models/test_cpp_model.py checks what can be without")
     if ros.has(ros2, "tf2_ros"):
         return all_kinds(), ["tf"]
     print("tf2_ros is not installed: transforms are left out")
     return without_tf(all_kinds()), []
-
-
-def without_tf(text):
-    return re.sub(r" *<(listener|broadcaster) .*\n", "", text)
-
-
-@contextlib.contextmanager
-def nodes(ros2, workspace, package, *names):
-    """Run nodes of a package with the parameter files its launch file names."""
-    install = workspace / "install" / package
-    with contextlib.ExitStack() as stack:
-        yield [
-            stack.enter_context(
-                ros2.running(
-                    f"{install}/lib/{package}/{name} --ros-args"
-                    f" --params-file {install}/share/{package}/config/{name}.yaml",
-                    workspace,
-                )
-            )
-            for name in names
-        ]
 
 
 @each_model
@@ -78,7 +67,7 @@ def test_package_tests_and_linters(ros2, spec, render, tmp_path, model):
     """The untouched packages pass their own tests, the linters of ROS 2 among them."""
     render(spec[0], model=model, ros_distro=ros2.distro, name="src/all_kinds")
     render(
-        ROOT / "tests/specs/hostile.ros_package",
+        HOSTILE,
         model=model,
         ros_distro=ros2.distro,
         name="src/hostile",
@@ -109,4 +98,4 @@ def test_messages_are_not_copied(ros2, render, tmp_path):
     """python_model hands on the message that came; C++ moves what it owns."""
     render(EXAMPLES / "../benchmarks/fast.ros_package", ros_distro=ros2.distro, name="src/fast")
     ros2.build(tmp_path)
-    ros2.run(f"python3 {ROOT}/tests/peers/same_message.py", tmp_path, tmp_path)
+    ros2.run(f"python3 {PEERS}/same_message.py", tmp_path, tmp_path)

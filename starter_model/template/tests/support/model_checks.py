@@ -1,0 +1,1 @@
+../../../../tests/support/model_checks.py

@@ -1,0 +1,60 @@
+"""Packages of the examples: their specs, where the logic of each model is, how to fill it in."""
+
+import re
+
+import yaml
+
+from support.repository import EXAMPLES, ROOT, commit, git
+
+DATA = ROOT / "tests/data"
+HOSTILE = DATA / "hostile.ros_package"
+SPECS = {
+    "paper": EXAMPLES / "contact_analysis.ros_package",
+    "all kinds": EXAMPLES / "all_kinds.ros_package",
+    "hostile": HOSTILE,
+    "starter": None,
+}
+DISTROS = ("noetic", "humble", "jazzy", "kilted", "lyrical", "rolling")
+QUIET = ("--trust", "--defaults", "--quiet")
+MODELS = ["python_model", "cpp_model"]
+LOGIC = {"python_model": "all_kinds/worker_impl.py", "cpp_model": "src/worker_impl.cpp"}
+VOLUME = '    <subscriber name="volume" type="std_msgs::Float64" description="How loud"/>\n'
+
+
+def fill_in(package, model):
+    """Write the logic of data/logic into a package of examples/all_kinds; return its text."""
+    git(package, "apply", str(DATA / f"logic/{model}.patch"))
+    commit(package, "Fill in the logic")
+    return (package / LOGIC[model]).read_text()
+
+
+def add_volume(package):
+    """Add a subscriber to the spec of a package."""
+    file = package / "all_kinds.ros_package"
+    text = file.read_text()
+    file.write_text(text.replace("    <directPublisher", f"{VOLUME}    <directPublisher", 1))
+    commit(package, "Add a topic")
+
+
+def use_volume(package, model):
+    """Use the new topic in the logic, where the logic could not be written before it."""
+    patch = DATA / f"logic/{model}_volume.patch"
+    if patch.exists():
+        git(package, "apply", str(patch))
+
+
+def all_kinds():
+    """Return the spec with every interface kind."""
+    return (EXAMPLES / "all_kinds.ros_package").read_text()
+
+
+def without_tf(text):
+    return re.sub(r" *<(listener|broadcaster) .*\n", "", text)
+
+
+def answers(package):
+    return yaml.safe_load((package / ".copier-answers.yml").read_text())
+
+
+def files(package, pattern):
+    return [path for path in package.rglob(pattern) if ".git" not in path.parts]

@@ -1,0 +1,54 @@
+"""The collection as a git repository, and git itself."""
+
+import shutil
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "examples"
+GIT = {
+    f"GIT_{who}_{what}": value
+    for who in ("AUTHOR", "COMMITTER")
+    for what, value in (("NAME", "Test Er"), ("EMAIL", "test@example.org"))
+}
+
+
+def bare_repository(folder):
+    """Make a bare repository, if it is not there, and return its folder."""
+    if not folder.exists():
+        folder.mkdir(parents=True)
+        git(folder, "init", "--bare", "--quiet", "--initial-branch=main")
+    return folder
+
+
+def git(folder, *arguments):
+    result = subprocess.run(
+        ["git", *arguments], cwd=folder, check=True, capture_output=True, text=True
+    )
+    return result.stdout.strip()
+
+
+def commit(folder, message="A change", tag=None):
+    """Commit all of a folder, which becomes a repository if it is none."""
+    if not (folder / ".git").exists() and not git_top(folder):
+        git(folder, "init", "-q")
+    git(folder, "add", "-A")
+    git(folder, "commit", "-q", "--allow-empty", "-m", message)
+    if tag:
+        git(folder, "tag", tag)
+
+
+def git_top(folder):
+    command = ["git", "-C", str(folder), "rev-parse", "--show-toplevel"]
+    return subprocess.run(command, capture_output=True, text=True).stdout.strip()
+
+
+def copy_collection(target):
+    """Copy the working tree, without what git ignores, and make it a repository."""
+    names = git(ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
+    for name in filter(None, names):
+        if (ROOT / name).exists():
+            (target / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(ROOT / name, target / name, follow_symlinks=False)
+    commit(target, "First version", tag="1.0.0")
+    return target
