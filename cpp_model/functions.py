@@ -206,6 +206,11 @@ def cpp_comment(text: str) -> str:
     return re.sub(r"(\\|\?\?/)$", r"\1.", text, flags=re.MULTILINE)
 
 
+def cfg_name(node: dict[str, Any]) -> str:
+    """Return what dynamic_reconfigure calls the parameters of a node; `<Node>Config` is taken."""
+    return f"{node['class_name']}Dynamic"
+
+
 def cfg_value(value: Any) -> str:
     r"""Return a value as a literal for a .cfg file.
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from jinja2 import Environment
 from jinja2.ext import Extension
 
@@ -15,7 +13,6 @@ class NamesExtension(Extension):
         super().__init__(environment)
         environment.filters |= {
             "identifier": identifier,
-            "camel_case": camel_case,
             "graph_id": graph_id,
             "ros_type": ros_type,
             "type_package": type_package,
@@ -31,11 +28,6 @@ def identifier(name: str) -> str:
 def graph_id(name: str, owner: str) -> str:
     """Return one word for a name in the graph of all nodes; a private name is its owner's."""
     return f"{owner}_{identifier(name)}" if name.startswith("~") else identifier(name)
-
-
-def camel_case(name: str) -> str:
-    """Return the class name for a name: `contact_evaluate` gives `ContactEvaluate`."""
-    return "".join(word[0].upper() + word[1:] for word in re.split(r"[_/~]+", name) if word)
 
 
 def ros_type(type_: str, ros: int) -> str:

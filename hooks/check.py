@@ -10,7 +10,7 @@ from typing import Any
 
 from .dictionary import DEPEND, NAME_BEFORE, PACKAGE, WAS, Attribute, Component, Dictionary
 from .faults import SpecError, allowed
-from .formats import FORMATS, as_identifier, dependency, literal
+from .formats import FORMATS, as_class_name, as_identifier, dependency, literal
 from .parse import Element
 
 Values = dict[str, Any]
@@ -75,7 +75,8 @@ class _Checker:
 
     def component(self, tag: str, element: Element, component: Component) -> Values:
         values: Values = {"tag": component.tag}
-        values |= self.attributes(tag, element, component.attributes, (component.tag,))
+        given = self.attributes(tag, element, component.attributes, (component.tag,))
+        values |= {**given, "class_name": as_class_name(str(next(iter(given.values()))))}
         values |= {interface.key: [] for interface in component.interfaces.values()}
         for kind, child in element.children:
             if kind not in component.interfaces:

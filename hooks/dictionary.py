@@ -21,6 +21,8 @@ DEPEND = "depend"
 WAS = "was"
 RESERVED_KEYS = frozenset({"ros", "kinds", "depends", "notes"})
 """The keys of the context that the hook itself adds to the attributes of the package."""
+COMPONENT_KEYS = frozenset({"tag", "class_name"})
+"""The keys that the hook itself adds to the attributes of a component."""
 
 
 @dataclass(frozen=True)
@@ -192,7 +194,7 @@ def _check_keys(file: Path, dictionary: Dictionary) -> None:
         (PACKAGE, dictionary.package, component_keys | RESERVED_KEYS)
     ]
     for component in dictionary.components.values():
-        keys = {interface.key for interface in component.interfaces.values()}
+        keys = {interface.key for interface in component.interfaces.values()} | COMPONENT_KEYS
         owners.append((component.tag, component.attributes, keys))
     for owner, attributes, keys in owners:
         for name in keys & set(attributes):

@@ -245,3 +245,8 @@ def literal(value: str, type_name: str) -> Any:
 def as_identifier(name: str) -> str:
     """Return a ROS name as one word for use inside an identifier: `~/a/b` gives `a_b`."""
     return name.lstrip("~/").replace("/", "_")
+
+
+def as_class_name(name: str) -> str:
+    """Return the name of a class for a name: `contact_evaluate` gives `ContactEvaluate`."""
+    return "".join(word[0].upper() + word[1:] for word in re.split(r"[_/~]+", name) if word)

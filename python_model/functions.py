@@ -27,3 +27,8 @@ def dependencies_from_interface(
     }.get(kind, [])
     type_ = attributes.get("type", "")
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
+
+
+def cfg_name(node: dict[str, Any]) -> str:
+    """Return what dynamic_reconfigure calls the parameters of a node."""
+    return str(node["class_name"])

@@ -32,9 +32,9 @@ def degrees(radians):
     "copier.yml": "---\n!include hooks/copier.yml\n---\n_subdirectory: template\n",
     "template/{{ spec.title }}.ros_package.jinja": "{{ spec_text(spec_file) }}",
     "template/{{ _copier_conf.answers_file }}.jinja": "{{ _copier_answers | to_nice_yaml }}",
-    "template/{% yield c from spec.controllers %}{{ c.label }}{% endyield %}.txt.jinja": """
-{% for joint in c.joints %}
-{{ joint.label }} {{ joint.limit | degrees }} at {{ c.rate }}
+    "template/[controller.label].txt.jinja": """
+{% for joint in controller.joints %}
+{{ joint.label }} {{ joint.limit | degrees }} at {{ controller.rate }}
 {% endfor %}
 """,
     "template/nodes.txt.jinja": "{% for node in spec.nodes %}\n{{ node.name }}\n{% endfor %}\n",

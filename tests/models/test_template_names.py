@@ -1,0 +1,87 @@
+"""The tree of a template looks like the package it makes, in names that any system takes."""
+
+import re
+
+import copier
+import pytest
+import yaml
+from repository import ROOT, git
+from model_checks import Model
+
+FILES = git(ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
+TEMPLATES = sorted(name for name in FILES if re.match(r"\w+_model/template/", name))
+MODELS = sorted(file.parent for file in ROOT.glob("*_model/dictionary.yaml"))
+LONGEST_PATH = 80
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_names_of_templates_are_plain(name):
+    """Windows refuses some characters; a rule in a name is a rule nobody finds."""
+    assert not re.search(r'[<>:"|?*\\\x00-\x1f]|\{%|[ .](/|$)', name)
+    assert len(name) <= LONGEST_PATH
+
+
+def helpers():
+    """Return the files of the table, each with the interface kinds that it is for."""
+    table = (ROOT / "shared/files.jinja").read_text()
+    return yaml.safe_load(re.search(r"helpers = (\{.*?\})", table, re.DOTALL)[1])
+
+
+@pytest.mark.parametrize("name", helpers())
+def test_table_of_files_is_true(name):
+    """What it names is a template, and the kinds are those of a dictionary."""
+    assert any(re.search(rf"/{name}\.[ch]?pp\.jinja$|/{name}\.py\.jinja$", f) for f in TEMPLATES)
+    kinds = {
+        kind
+        for model in MODELS
+        for component in Model(model).hook.dictionary.components.values()
+        for kind in component.interfaces
+    }
+    assert set(helpers()[name]) <= kinds
+
+
+TEMPLATE = {
+    "copier.yml": """
+spec:
+  type: json
+  default: {nodes: [{name: a, places: [{name: x}]}, {name: b, places: []}], places: [{name: y}]}
+words: {type: str, default: "see [node.name] or a[node.name]"}
+_subdirectory: template
+_envops: {undefined: jinja2.StrictUndefined}
+_jinja_extensions:
+  - copier_template_extensions.TemplateExtensionLoader
+  - extensions/paths.py:PathsExtension
+""",
+    "template/[node.name]_one/{{ spec.places[0].name }}.[node.name].txt.jinja": (
+        "[node.name] {{ node.name }}"
+    ),
+    "template/[place.name].jinja": "{{ place.name }}{% include 'part' %}",
+    "template/whole.txt.jinja": (
+        "a[node.name]\n{% set node = {'name': 3} %}{{ 'abcd'[node.name] }} {{ words }}"
+    ),
+    "template/[plain]_[0].txt": "plain",
+    "part": "[node.name]",
+}
+
+
+def test_names_for_each_component(tmp_path):
+    """`[node.name]` makes a file of each node, in a folder of a node its own; contents stay."""
+    source = tmp_path / "source"
+    for name, text in TEMPLATE.items():
+        (source / name).parent.mkdir(parents=True, exist_ok=True)
+        (source / name).write_text(text)
+    (source / "extensions").mkdir()
+    (source / "extensions/paths.py").write_text((ROOT / "extensions/paths.py").read_text())
+    copier.run_copy(str(source), tmp_path / "out", defaults=True, unsafe=True, quiet=True)
+    files = {
+        str(file.relative_to(tmp_path / "out")): file.read_text()
+        for file in (tmp_path / "out").rglob("*")
+        if file.is_file()
+    }
+    assert files == {
+        "a_one/y.a.txt": "[node.name] a",
+        "b_one/y.b.txt": "[node.name] b",
+        "y": "y[node.name]",
+        "whole.txt": "a[node.name]\nd see [node.name] or a[node.name]",
+        "[plain]_[0].txt": "plain",
+    }
