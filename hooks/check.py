@@ -76,7 +76,7 @@ class _Checker:
     def component(self, tag: str, element: Element, component: Component) -> Values:
         values: Values = {"tag": component.tag}
         given = self.attributes(tag, element, component.attributes, (component.tag,))
-        values |= {**given, "class_name": as_class_name(str(next(iter(given.values()))))}
+        values |= {**given, "class_name": as_class_name(str(next(iter(given.values()), "")))}
         values |= {interface.key: [] for interface in component.interfaces.values()}
         for kind, child in element.children:
             if kind not in component.interfaces:
@@ -84,6 +84,11 @@ class _Checker:
                 continue
             interface = component.interfaces[kind]
             found = self.attributes(kind, child, interface.attributes, (element.index, kind))
+            needed = interface.requires
+            if needed and needed not in element.attributes and given.get(needed) is None:
+                what = f'its <{tag}> at line {element.line} must have the attribute "{needed}"'
+                what += _doc(component.attributes[needed])
+                self.fault(child, self.label(kind, child), what)
             for nested_tag, nested in child.children:
                 self.unknown_tag(nested_tag, nested, [])
             values[interface.key].append(found)

@@ -58,6 +58,7 @@ class Interface:
     kind: str
     attributes: Mapping[str, Attribute]
     doc: str = ""
+    requires: str | None = None
 
     @property
     def key(self) -> str:
@@ -147,10 +148,12 @@ def _interface(file: Path, kind: str, item: Any) -> Interface:
     """Read an interface kind, which is a list of attributes or a mapping that has one."""
     if isinstance(item, list):
         item = {"attributes": item}
-    if not isinstance(item, dict) or not set(item) <= {"attributes", "doc"}:
-        raise SpecError(f"{file}: {kind}: must be a list of attributes, or attributes and doc")
+    if not isinstance(item, dict) or not set(item) <= {"attributes", "doc", "requires"}:
+        raise SpecError(
+            f"{file}: {kind}: must be a list of attributes, or attributes, doc and requires"
+        )
     return Interface(
-        kind, _attributes(file, kind, item.get("attributes", [])), item.get("doc", "")
+        kind, **{**item, "attributes": _attributes(file, kind, item.get("attributes", []))}
     )
 
 
@@ -196,6 +199,13 @@ def _check_keys(file: Path, dictionary: Dictionary) -> None:
     for component in dictionary.components.values():
         keys = {interface.key for interface in component.interfaces.values()} | COMPONENT_KEYS
         owners.append((component.tag, component.attributes, keys))
+        for interface in component.interfaces.values():
+            if interface.requires and interface.requires not in component.attributes:
+                word = interface.requires
+                raise SpecError(
+                    f'{file}: {interface.kind}: requires "{word}", which is no attribute of'
+                    f" <{component.tag}>; {allowed(word, component.attributes)}"
+                )
     for owner, attributes, keys in owners:
         for name in keys & set(attributes):
             raise SpecError(f'{file}: {owner}: the context needs the key "{name}"; rename it')

@@ -149,7 +149,17 @@ def test_fault_in_a_node(model, inside, message):
         (NODE.replace('frequency="1"', 'frequency="-1"'), "must be above 0"),
         (NODE.replace('frequency="1"', 'frequency="0"'), "must be above 0"),
         (NODE.replace('frequency="1"', 'frequency="inf"'), "is not a number"),
-        (NODE.replace('frequency="1"', ""), 'attribute "frequency" is missing'),
+        *(
+            (
+                NODE.replace(' frequency="1"', "").format(text),
+                f'{label}: its <node> at line 1 must have the attribute "frequency" (how often',
+            )
+            for text, label in {
+                '<publisher name="x" type="a::B"/>': '<publisher name="x">',
+                '<subscriber name="x" type="a::B"/>': '<subscriber name="x">',
+                '<dynParameter name="x" type="int" value="1"/>': '<dynParameter name="x">',
+            }.items()
+        ),
         (NODE.replace('name="n"', 'name="for"'), "keyword of Python and C++"),
         (NODE.replace('name="n"', 'name="a-b"'), "is not a valid name"),
         (NODE.replace('name="n"', 'name="test"'), '"test" is reserved'),
@@ -298,6 +308,11 @@ def test_lines_and_order_are_kept():
         ("package_attributes: [name, nodes]\nnode_interface: {}", 'needs the key "nodes"'),
         ("- a", "must be a mapping"),
         ("a: [", "not YAML"),
+        (
+            "node_attributes: [name, rate]\nnode_interface: {out: {requires: rat}}",
+            'out: requires "rat", which is no attribute of <node>; did you mean "rate"?',
+        ),
+        ("node_attributes: [tag]\nnode_interface: {}", 'needs the key "tag"'),
     ],
 )
 def test_fault_in_a_dictionary(tmp_path, text, message):

@@ -5,8 +5,9 @@ import re
 import copier
 import pytest
 import yaml
-from repository import ROOT, git
-from model_checks import Model
+
+from support.model_checks import Model
+from support.repository import ROOT, git
 
 FILES = git(ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
 TEMPLATES = sorted(name for name in FILES if re.match(r"\w+_model/template/", name))

@@ -8,7 +8,6 @@ from support.repository import EXAMPLES, commit, git
 EXAMPLE_OF = {
     "python_model": ("contact_analysis", "contact_evaluate"),
     "cpp_model": ("contact_analysis", "contact_evaluate"),
-    "service_model": ("serving", "clerk"),
 }
 
 

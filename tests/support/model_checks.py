@@ -99,12 +99,19 @@ class Model:
     def base(self, owner, given=()):
         """Return the attributes an element must have, and those `given`, each with a value."""
         values = {}
+        required = self.required(owner)
         for name, attribute in owner.attributes.items():
             if name in given:
                 values[name] = given[name]
-            elif not attribute.optional and not attribute.ignored:
+            elif name in required or not (attribute.optional or attribute.ignored):
                 values[name] = candidates(attribute, values)[0]
         return values
+
+    def required(self, owner):
+        """Return the attributes of a component that an interface kind requires of it."""
+        component = self.hook.dictionary.components.get(owner.component)
+        kinds = component.interfaces.values() if component and not owner.kind else ()
+        return {kind.requires for kind in kinds}
 
     def variants(self, owner):
         """Yield each attribute with the values of two elements that differ in it alone."""
