@@ -10,6 +10,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from .advice import contradictions
 from .check import check
 from .complete import Functions, complete
 from .dictionary import Dictionary, load
@@ -40,7 +41,9 @@ class Model:
         """
         tag, element = parse(xml, file)
         package, depends, used = check(tag, element, self.dictionary, file)
-        return complete(package, depends, used, self.functions, distro)
+        context = complete(package, depends, used, self.functions, distro)
+        context["notes"] += contradictions(context, self.dictionary)
+        return context
 
     def name(self, context: Mapping[str, Any]) -> str:
         """Return the name of the package: the value of its first attribute."""

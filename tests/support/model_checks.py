@@ -89,10 +89,10 @@ class Model:
                 found.append(Owner(interface.attributes, component.tag, interface.kind))
         return found
 
-    def context(self, spec):
+    def context(self, spec, distro=None):
         """Return the context of a spec, or None if the dictionary does not allow the spec."""
         try:
-            return self.hook.context(spec.encode(), "spec", self.distros[-1])
+            return self.hook.context(spec.encode(), "spec", distro or self.distros[-1])
         except SpecError:
             return None
 
