@@ -1,7 +1,6 @@
 """The commands of docs/designers.md and the workflows, run against local repositories."""
 
 import os
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -9,16 +8,11 @@ from pathlib import Path
 import pytest
 import yaml
 
+from support.documentation import blocks
 from support.packages import answers
 from support.repository import ROOT, bare_repository, commit, git
 
-PAGE = (ROOT / "docs/designers.md").read_text()
-
-
-def blocks(heading, language="sh"):
-    """Return the code blocks of a section of the page."""
-    section = PAGE.split(f"\n## {heading}\n")[1].split("\n## ")[0]
-    return re.findall(rf"^```{language}\n(.*?)^```$", section, re.DOTALL | re.MULTILINE)
+PAGE = "docs/designers.md"
 
 
 def script_of(workflow):
@@ -61,7 +55,7 @@ def test_from_an_empty_folder_to_a_published_model(shell, tmp_path):
     bare_repository(tmp_path / "github/team/my_model.git")
     work = tmp_path / "work"
     work.mkdir()
-    output = shell("\n".join(blocks("From an empty folder to a published model")), work)
+    output = shell("\n".join(blocks(PAGE, "From an empty folder to a published model")), work)
     assert "node server: no template makes use of name, type\n" in output
     assert "as it should be" in output
     node = (work / "mypkg/mypkg/example_node.py").read_text()
@@ -92,15 +86,15 @@ def lagging(own_collection, shell, tmp_path):
 
 
 def test_fleet_view(lagging, shell):
-    (script,) = blocks("Which packages lag behind")
+    (script,) = blocks(PAGE, "Which packages lag behind")
     output = shell(script, lagging.parent)
-    (example,) = blocks("Which packages lag behind", "text")
+    (example,) = blocks(PAGE, "Which packages lag behind", "text")
     assert output == example.replace("0.1.0", "1.0.0").replace("0.2.0", "1.1.0")
 
 
 def test_workflow_that_updates(lagging, shell, tmp_path):
     """It pushes a branch with the update; a second run in the updated package does nothing."""
-    (text,) = blocks("Which packages lag behind", "yaml")
+    (text,) = blocks(PAGE, "Which packages lag behind", "yaml")
     script = script_of(yaml.safe_load(text))
     git(lagging, "remote", "add", "origin", bare_repository(tmp_path / "github/org/arm.git"))
     shell(script, lagging)
@@ -112,7 +106,7 @@ def test_workflow_that_updates(lagging, shell, tmp_path):
 
 
 def test_workflow_that_updates_says_where_conflicts_are(lagging, shell, tmp_path):
-    (text,) = blocks("Which packages lag behind", "yaml")
+    (text,) = blocks(PAGE, "Which packages lag behind", "yaml")
     gitignore = lagging / ".gitignore"
     gitignore.write_text(gitignore.read_text() + "*.mine\n")
     commit(lagging)
