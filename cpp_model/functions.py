@@ -206,6 +206,11 @@ def cpp_comment(text: str) -> str:
     return re.sub(r"(\\|\?\?/)$", r"\1.", text, flags=re.MULTILINE)
 
 
+def logic_file(node: str, package: str) -> str:
+    """Return where the logic of a node stands."""
+    return f"src/{node}_impl.cpp"
+
+
 def cfg_name(node: dict[str, Any]) -> str:
     """Return what dynamic_reconfigure calls the parameters of a node; `<Node>Config` is taken."""
     return f"{node['class_name']}Dynamic"

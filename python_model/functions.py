@@ -29,6 +29,11 @@ def dependencies_from_interface(
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
 
 
+def logic_file(node: str, package: str) -> str:
+    """Return where the logic of a node stands."""
+    return f"{package}/{node}_impl.py"
+
+
 def cfg_name(node: dict[str, Any]) -> str:
     """Return what dynamic_reconfigure calls the parameters of a node."""
     return str(node["class_name"])

@@ -11,8 +11,10 @@ from support.repository import ROOT, git
 
 FILES = git(ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
 TEMPLATES = sorted(name for name in FILES if re.match(r"\w+_model/template/", name))
+PARTS = [name for name in FILES if re.search(r"\.jinja$|^shared/gitignore$", name)]
 MODELS = sorted(file.parent for file in ROOT.glob("*_model/dictionary.yaml"))
 LONGEST_PATH = 80
+LONGEST_FILE = 300
 
 
 @pytest.mark.parametrize("name", TEMPLATES)
@@ -20,6 +22,21 @@ def test_names_of_templates_are_plain(name):
     """Windows refuses some characters; a rule in a name is a rule nobody finds."""
     assert not re.search(r'[<>:"|?*\\\x00-\x1f]|\{%|[ .](/|$)', name)
     assert len(name) <= LONGEST_PATH
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_templates_are_short(name):
+    """A part has a name by which a reader finds it."""
+    assert len((ROOT / name).read_text().splitlines()) < LONGEST_FILE
+
+
+def test_every_part_is_included():
+    texts = "".join((ROOT / name).read_text() for name in PARTS)
+    texts += (ROOT / "copier.yml").read_text()
+    included = set(re.findall(r"""(?:include|from) ["'](shared/[^"']+)["']""", texts))
+    parts = {name for name in PARTS if name.startswith("shared/")}
+    assert included >= parts
+    assert all((ROOT / name).exists() for name in included)
 
 
 def helpers():
