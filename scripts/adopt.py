@@ -7,30 +7,37 @@ The original generator keeps a developer's code between two comments:
     # protected region user update begin #
     # protected region user update end #
 
-Each such region is put, line by line as it is, where this collection's package has a place for it.
-What has none is listed, and kept in NOT_PLACED.md. The original package is only read.
+Each such region is put, line by line as it is, where adopt.yaml says; that place is found by the
+structure of the file: a function, a class, a command. What has none is listed, and kept in
+NOT_PLACED.md. The original package is only read.
 """
 
 from __future__ import annotations
 
 import argparse
+import ast
 import re
 import shutil
 import sys
 import tempfile
-import xml.etree.ElementTree as ElementTree
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, NamedTuple
 
 import copier
 import yaml
 from copier.errors import CopierError
 
 ROOT = Path(__file__).resolve().parents[1]
+RULES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+MODELS = list(RULES["renamed"])
 KEPT = ".gen_maintain"
 REST = "NOT_PLACED.md"
+_NODE = re.compile(r"## (?:Node|Component):?\s+(\w+)|target_link_libraries\s*\(\s*(\w+)")
+_MARK = re.compile(
+    r"\s*[^\w\s]{1,5}\s*protected region\s+(?P<name>\S.*?)\s+(?P<end>begin|end)\s*[^\w\s]*\s*"
+)
 
 
 class AdoptError(Exception):
@@ -45,230 +52,12 @@ class Region:
     name: str
     first: int  # the line number of its first line
     lines: tuple[str, ...]
-    node: str = ""  # in a README: the node whose section it stands in
+    node: str = ""  # the node whose section of a README or target of CMake it stands in
 
     def __str__(self) -> str:
         last = self.first + len(self.lines) - 1
         span = f"{self.first}-{last}" if last > self.first else f"{self.first}"
         return f'{self.file}:{span} "{self.name}"'
-
-
-@dataclass(frozen=True)
-class Place:
-    """Where code goes in a file: at the line that the last of some patterns finds.
-
-    Each pattern is searched from the line on that the one before it found. In `file` and `steps`,
-    the words PACKAGE, NODE and NAME stand for what a region is about.
-    """
-
-    file: str
-    steps: tuple[str, ...]
-    where: Literal["after", "before", "instead", "end"] = "after"
-    gap: bool = False  # whether an empty line parts the code from what is there
-    unless: str = ""  # a pattern of code that would not work there
-    why: str = ""
-
-
-# For each model: a pattern of a file, a pattern of a region in it, and the place of its code.
-Places = Sequence[tuple[str, str, Place]]
-_NODE = "README.md", ("^## Node NODE$", "^Runs its logic")
-_BUILD: Places = (
-    (
-        r"README\.md",
-        "package descripi?t?ion",
-        Place("README.md", ("^Rounded: topics",), gap=True),
-    ),
-    (r"README\.md", r"(?P<node>\w+)", Place(*_NODE, gap=True)),
-    (
-        r"README\.md",
-        "(?P<kind>param|(direct )?(publisher|subscriber)|(service|action) (server|client))"
-        " (?P<name>.+)",
-        Place(*_NODE, gap=True),
-    ),
-    (
-        r"CMakeLists\.txt",
-        "additional user defined REQUIREMENTS",
-        Place("CMakeLists.txt", (r"^find_package\(catkin REQUIRED", r"\)$"), gap=True),
-    ),
-    (
-        r"CMakeLists\.txt",
-        "additional user defined BUILD STATEMENTS",
-        Place("CMakeLists.txt", (r"^find_package\(catkin", r"^install\("), "before", gap=True),
-    ),
-    (
-        r"CMakeLists\.txt",
-        "user Cmake macros",
-        Place("CMakeLists.txt", (r"^find_package\(catkin",), "end", gap=True),
-    ),
-    (
-        r"package\.xml",
-        "additional package statements",
-        Place(
-            "package.xml",
-            (r"<test_depend>",),
-            "before",
-            gap=True,
-            unless="<(run_depend|buildtool_depend|export)\\b",
-            why="package.xml has format 3 here, with exec_depend for run_depend and one export;"
-            " the spec's <depend> is another way to name a package",
-        ),
-    ),
-)
-_PYTHON = "PACKAGE/NODE_impl.py"
-_HEADER, _SOURCE = "include/PACKAGE/NODE_impl.hpp", "src/NODE_impl.cpp"
-_OF_PYTHON = r"src/\w+/(?P<node>\w+)_impl\.py"
-_OF_CPP = r"common/src/(?P<node>\w+)_common\.cpp"
-_CALLBACK = "user implementation of %s callback for (?P<name>.+)"
-PLACES: Mapping[str, Places] = {
-    "python_model": (
-        *(
-            (_OF_PYTHON, region, place)
-            for region, place in (
-                (
-                    "imports|user include package",
-                    Place(_PYTHON, (r"^from PACKAGE\.NODE_interface", r"^\)"), gap=True),
-                ),
-                (
-                    "user member variables",
-                    Place(_PYTHON, (r"def __init__\(", r"self\.passthrough = passthrough")),
-                ),
-                (
-                    "user configure",
-                    Place(_PYTHON, (r"def configure\(", "^ {8}return True$"), "instead"),
-                ),
-                ("user update", Place(_PYTHON, (r"def update\(", '"""'))),
-                (
-                    _CALLBACK % "direct subscriber",
-                    Place(_PYTHON, (r"def receive_NAME\(", '"""')),
-                ),
-                (_CALLBACK % "service", Place(_PYTHON, (r"def serve_NAME\(", '"""'))),
-                (
-                    _CALLBACK % "action",
-                    Place(_PYTHON, (r"def execute_NAME\(", r"goal\.succeed\(\)"), "instead"),
-                ),
-                ("user additional functions", Place(_PYTHON, ("^class ",), "end", gap=True)),
-            )
-        ),
-        *_BUILD,
-    ),
-    "cpp_model": (
-        *(
-            (_OF_CPP, region, place)
-            for region, place in (
-                ("user include files", Place(_HEADER, ('NODE_interface.hpp"$',), gap=True)),
-                ("user member variables", Place(_HEADER, ("^private:", "passthrough_;"))),
-                ("user constructor", Place(_SOURCE, ("Impl::", r"^\{"))),
-                ("user destructor", Place(_SOURCE, (r"Impl::cleanup\(", r"^\{"))),
-                ("user configure", Place(_SOURCE, (r"Impl::configure\(", r"^\{"))),
-                ("user update", Place(_SOURCE, (r"Impl::update\(", r"^\{"))),
-                (
-                    _CALLBACK % "direct subscriber",
-                    Place(_SOURCE, (r"Impl::receive_NAME\(", r"^\{")),
-                ),
-                (_CALLBACK % "service", Place(_SOURCE, (r"Impl::serve_NAME\(", r"^\{"))),
-                (
-                    _CALLBACK % "action",
-                    Place(_SOURCE, (r"Impl::execute_NAME\(", r"goal\.succeed\(\)"), "instead"),
-                ),
-                ("user additional functions", Place(_HEADER, (r"void cleanup\(",), gap=True)),
-            )
-        ),
-        *_BUILD,
-    ),
-}
-
-MODELS = [model for model in PLACES if (ROOT / model).is_dir()]
-
-# For each model: a pattern of regions, a pattern in their code, the old name and the new one.
-_ANY, _CALLS = "user ", "user implementation of %s "
-RENAMED: Mapping[str, Sequence[tuple[str, str, str, str]]] = {
-    "python_model": (
-        (_ANY, r"\brospy\.log", "rospy.loginfo(text)", "self.passthrough.log.info(text)"),
-        (_ANY, r"\brospy\.(Time|get_)", "rospy.Time.now()", "self.passthrough.stamp()"),
-        (_ANY, r"\brospy\b(?!\.(log|Time|get_))", "rospy", "nothing; it is ROS 1 alone"),
-        (_ANY, r"\.client_\w+\(", "client_NAME(request)", "client_NAME.call(request, timeout)"),
-        (_ANY, r"\.ac_\w+", "passthrough.ac_NAME", "passthrough.action_NAME"),
-        (_ANY, r"\.as_\w+", "passthrough.as_NAME", "goal, the callback's argument"),
-        (_ANY, r"\.sub_\w+", "passthrough.sub_NAME", "receive_NAME(message)"),
-        (
-            _ANY,
-            r"passthrough\.(?!(client|ac|as|sub|pub)_)\w+\.(lookup|send|wait|can|transform)",
-            "passthrough.NAME, of tf",
-            "passthrough.listener_NAME, passthrough.broadcaster_NAME",
-        ),
-        (_ANY, r"\w+Implementation\b", "class NODEImplementation", "class NODEImpl"),
-        (_ANY, r"\bdirect_topic_callback_", "direct_topic_callback_NAME", "receive_NAME"),
-        (_ANY, r"\.callback_", "callback_NAME", "serve_NAME, execute_NAME"),
-        (_CALLS % "service", r"\breq\b", "req", "request"),
-        (_CALLS % "service", r"\bresult\b", "result", "response"),
-        (_CALLS % "action", r"\bgoal\.", "goal.FIELD", "goal.request.FIELD"),
-        (_CALLS % "action", r"\bfeedback\b", "feedback", "goal.feedback"),
-        (_CALLS % "action", r"\bresult\b", "result", "goal.result"),
-        (_CALLS % "direct", r"\bmsg\b", "msg", "message"),
-    ),
-    "cpp_model": (
-        (
-            _ANY,
-            r"\bROS_(DEBUG|INFO|WARN|ERROR|FATAL)",
-            "ROS_INFO(...)",
-            "passthrough_.log.info(text)",
-        ),
-        (_ANY, r"\bros::", "ros::Time::now()", "passthrough_.now()"),
-        (
-            _ANY,
-            r"\bpassthrough\.client_",
-            "passthrough.client_NAME.call(service)",
-            "passthrough_.client_NAME->call(request, timeout)",
-        ),
-        (_ANY, r"\bpassthrough\.ac_", "passthrough.ac_NAME", "passthrough_.action_NAME"),
-        (
-            _ANY,
-            r"\bpassthrough\.(?!(client|ac)_)",
-            "passthrough.NAME",
-            "passthrough_.pub_NAME, listener_NAME, broadcaster_NAME",
-        ),
-        ("user destructor", r"\S", "the destructor", "cleanup()"),
-        (_ANY, r"\bdirectTopicCallback_", "directTopicCallback_NAME", "receive_NAME"),
-        (_ANY, r"\bcallback_", "callback_NAME", "serve_NAME, execute_NAME"),
-        (_CALLS % "service", r"\breq\b", "req", "request"),
-        (_CALLS % "service", r"\bres\b", "res", "response"),
-        (_CALLS % "service", r"\breturn\b", "return true", "return; serve_NAME is void"),
-        (_CALLS % "service", r"\bconfig\b", "config", "a copy that configure or update makes"),
-        (_CALLS % "action", r"\bgoal->", "goal->FIELD", "goal.request.FIELD"),
-        (_CALLS % "action", r"\bas_", "as_", "goal"),
-        (_CALLS % "direct", r"\bmsg\b", "msg->FIELD", "message.FIELD"),
-    ),
-}
-
-# For each model: where a kept file goes that stood in a folder this collection does not have.
-MOVED: Mapping[str, Sequence[tuple[str, str]]] = {
-    "python_model": (("^src/PACKAGE/", "PACKAGE/"),),
-    "cpp_model": (
-        (r"^common/(src|include)/(PACKAGE/)?(?=.*\.(h|hh|hpp|hxx|ipp)$)", "include/PACKAGE/"),
-        ("^common/src/", "src/"),
-    ),
-}
-
-# The files the original generator writes; of these, only the protected regions are a developer's.
-_WRITTEN = re.compile(
-    r"CMakeLists\.txt|package\.xml|setup\.py|README\.md|\.gen_maintain|cfg/\w+\.cfg"
-    r"|model/\w+\.ros_package|scripts/\w+|src/\w+/(__init__|\w+_(impl|ros))\.py"
-    r"|common/src/\w+_common\.cpp|ros/src/\w+_ros\.cpp|test/test_\w+\.test"
-)
-_MARK = re.compile(
-    r"\s*[^\w\s]{1,5}\s*protected region\s+(?P<name>\S.*?)\s+(?P<end>begin|end)\s*[^\w\s]*\s*"
-)
-_KINDS = {
-    "param": ("parameters", "dynParameters"),
-    "publisher": ("publishers",),
-    "subscriber": ("subscribers",),
-    "direct publisher": ("directPublishers",),
-    "direct subscriber": ("directSubscribers",),
-    "service server": ("serviceServers",),
-    "service client": ("serviceClients",),
-    "action server": ("actionServers",),
-    "action client": ("actionClients",),
-}
 
 
 @dataclass
@@ -288,12 +77,10 @@ class Report:
 def adopt(legacy: Path, new: Path, model: str = "", distro: str = "noetic") -> Report:
     """Make the package `new` from the original generator's package `legacy`.
 
-    Without `model`, the template that the spec names decides. Either the whole package is made
-    or nothing.
+    Without `model`, the logic's language decides. Either the whole package is made or nothing.
 
     Raises:
-        AdoptError: a folder or what is in it is not as it must be.
-        CopierError: the hook found a fault in the spec.
+        AdoptError: a folder, or the spec or a file in it, is not as it must be.
         OSError: a file cannot be read or written.
 
     """
@@ -304,14 +91,12 @@ def adopt(legacy: Path, new: Path, model: str = "", distro: str = "noetic") -> R
     if legacy.resolve() in new.resolve().parents:
         raise AdoptError(f"{new}: is inside {legacy}, which must stay as it is")
     spec = _find_spec(legacy)
-    template = _template(spec)
-    model = model or _choose_model(legacy, template)
+    model = model or _choose_model(legacy)
     new.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=new.parent, prefix=".adopt-") as temporary:
         folder = Path(temporary, "package")
         report = Report(model=model)
-        source = _with_frequency(spec, template, Path(temporary), report)
-        context = _render(source, spec, folder, model, distro)
+        context = _render(_with_frequency(spec, Path(temporary), report), folder, model, distro)
         report.package = str(context["name"])
         kept = _copy_kept(legacy, folder, report)
         regions = list(_regions(legacy, kept))
@@ -325,57 +110,44 @@ def adopt(legacy: Path, new: Path, model: str = "", distro: str = "noetic") -> R
 
 def _find_spec(legacy: Path) -> Path:
     """Return the spec, which the original keeps in `model/`."""
-    for pattern in ("model/*.ros_package", "*.ros_package"):
-        found = sorted(legacy.glob(pattern))
-        if len(found) == 1:
-            return found[0]
-        if found:
-            names = ", ".join(str(file.relative_to(legacy)) for file in found)
-            raise AdoptError(f"{legacy}: one spec is needed, found {names}")
-    raise AdoptError(f"{legacy}: has no model/*.ros_package, the spec of the original generator")
+    found = sorted(legacy.glob("model/*.ros_package")) or sorted(legacy.glob("*.ros_package"))
+    if not found:
+        raise AdoptError(
+            f"{legacy}: has no model/*.ros_package, the spec of the original generator"
+        )
+    if len(found) > 1:
+        names = ", ".join(str(file.relative_to(legacy)) for file in found)
+        raise AdoptError(f"{legacy}: one spec is needed, found {names}")
+    return found[0]
 
 
-def _template(spec: Path) -> str:
-    """Return the name of the original's template that a spec asks for, if it does."""
-    try:
-        return ElementTree.parse(spec).getroot().get("template", "")
-    except ElementTree.ParseError as error:
-        raise AdoptError(f"{spec}:{error.position[0]}: not well-formed XML: {error}") from None
-
-
-def _choose_model(legacy: Path, template: str) -> str:
-    is_python = template.startswith("python") or any(legacy.glob("src/*/*_impl.py"))
-    is_cpp = template.startswith("cpp") or any(legacy.glob("common/src/*_common.cpp"))
-    if is_python == is_cpp:
+def _choose_model(legacy: Path) -> str:
+    """Return the model for the language of the package's logic."""
+    logic = {"python_model": "src/*/*_impl.py", "cpp_model": "common/src/*_common.cpp"}
+    found = [model for model, pattern in logic.items() if any(legacy.glob(pattern))]
+    if len(found) != 1:
         raise AdoptError(f"{legacy}: say with --model which it is; allowed: {', '.join(MODELS)}")
-    model = "python_model" if is_python else "cpp_model"
-    if model not in MODELS:
-        raise AdoptError(f"{legacy}: needs {model}, which is not here: {', '.join(MODELS)}")
-    return model
+    return found[0]
 
 
-def _with_frequency(spec: Path, template: str, folder: Path, report: Report) -> Path:
+def _with_frequency(spec: Path, folder: Path, report: Report) -> Path:
     """Return the spec, or a copy with the frequencies that a service server had no need of."""
-    if not template.endswith("_service_server"):
-        return spec
+    old = spec.read_bytes()
     pattern = rb"<(node|component)\b(?![^>]*\bfrequency\s*=)"
-    xml, number = re.subn(pattern, rb'<\1 frequency="1"', spec.read_bytes())
-    if number:
-        report.notes.append(f'{template} has no update; its nodes got frequency="1"')
-    copy = folder / spec.name
-    copy.write_bytes(xml)
-    return copy
+    new = re.sub(pattern, rb'<\1 frequency="1"', old)
+    if new == old or not re.search(rb"template\s*=\s*.\w+_service_server", old):
+        return spec
+    report.notes.append('a service server has no update; its nodes got frequency="1"')
+    (folder / spec.name).write_bytes(new)
+    return folder / spec.name
 
 
-def _render(source: Path, spec: Path, folder: Path, model: str, distro: str) -> dict[str, Any]:
+def _render(spec: Path, folder: Path, model: str, distro: str) -> dict[str, Any]:
     """Make the new package by Copier, and return the context of its spec."""
-    data = {"model": model, "ros_distro": distro, "spec_file": str(source)}
+    data = {"model": model, "ros_distro": distro, "spec_file": str(spec)}
     try:
         copier.run_copy(str(ROOT), folder, data=data, defaults=True, unsafe=True, quiet=True)
-    except CopierError as error:
-        copy = rf"\S*{re.escape(source.parent.name)}/{re.escape(spec.name)}"
-        raise AdoptError(re.sub(copy, lambda _: str(spec), str(error))) from error
-    except ValueError as error:
+    except (CopierError, ValueError) as error:
         raise AdoptError(str(error)) from error
     answers = yaml.safe_load((folder / ".copier-answers.yml").read_text(encoding="utf-8"))
     return dict(answers["spec"])
@@ -396,12 +168,12 @@ def _copy_kept(legacy: Path, folder: Path, report: Report) -> set[str]:
     copied: set[str] = set()
     for name in _files(legacy, legacy):
         if name not in marked:
-            if not _WRITTEN.fullmatch(name):
+            if _matched(RULES["written"], name) is None:
                 report.left.append(f"{name}: neither written by the original nor in {KEPT}")
             continue
         target = _moved(name, report)
         if (folder / target).exists() or (folder / target).is_symlink():
-            if not _WRITTEN.fullmatch(name):
+            if _matched(RULES["written"], name) is None:
                 report.left.append(f"{name}: the model makes {target}")
             continue
         (folder / target).parent.mkdir(parents=True, exist_ok=True)
@@ -412,8 +184,8 @@ def _copy_kept(legacy: Path, folder: Path, report: Report) -> set[str]:
 
 
 def _moved(name: str, report: Report) -> str:
-    for pattern, folder in MOVED[report.model]:
-        pattern, folder = (text.replace("PACKAGE", report.package) for text in (pattern, folder))
+    for rule in RULES["moved"][report.model].items():
+        pattern, folder = (text.replace("<package>", report.package) for text in rule)
         if re.search(pattern, name):
             return re.sub(pattern, folder, name)
     return name
@@ -458,43 +230,44 @@ def _regions_of(name: str, lines: list[str], file: Path) -> Iterator[Region]:
     """
     region, start, node = "", 0, ""
     for number, line in enumerate(lines, 1):
-        if not region and (heading := re.match(r"## (?:Node|Component):?\s+(\w+)", line)):
-            node = heading[1]
+        if not region and (heading := _NODE.match(line)):
+            node = heading[1] or heading[2]
         mark = _MARK.fullmatch(line)
         if not mark:
             continue
         if mark["end"] == "begin" and not region:
             region, start = mark["name"], number
         elif mark["end"] == "end" and region == mark["name"]:
-            code = lines[start : number - 1]
-            empty = [not line.strip() for line in code]
-            if not all(empty):
-                first, last = empty.index(False), len(code) - empty[::-1].index(False)
-                yield Region(name, region, start + first + 1, tuple(code[first:last]), node)
-            region = ""
+            code = [n for n in range(start, number - 1) if lines[n].strip()]
+            if code:
+                text = tuple(lines[code[0] : code[-1] + 1])
+                yield Region(name, region, code[0] + 1, text, node)
+            region, start = "", 0
         else:
-            raise AdoptError(f"{file}:{number}: {_unbalanced(mark['name'], region, start)}")
+            found, what = (region, "end") if region else (mark["name"], "beginning")
+            raise AdoptError(f'{file}:{start or number}: protected region "{found}" has no {what}')
     if region:
         raise AdoptError(f'{file}:{start}: protected region "{region}" has no end')
 
 
-def _unbalanced(name: str, region: str, start: int) -> str:
-    if region:
-        return f'protected region "{region}" of line {start} has no end before this line'
-    return f'protected region "{name}" has no beginning'
-
-
 def _imports(legacy: Path, regions: list[Region]) -> Iterator[Region]:
     """Yield the imports that the original itself wrote into a file and that its regions use."""
-    for file in sorted(
-        {region.file for region in regions if re.fullmatch(_OF_PYTHON, region.file)}
-    ):
+    for file in sorted({region.file for region in regions if region.file.endswith("_impl.py")}):
         code = [line for region in regions if region.file == file for line in region.lines]
         words = set(re.findall(r"\w+", "\n".join(code)))
         for number, line in enumerate(_lines(legacy / file), 1):
             statement = re.fullmatch(r"(?:from [\w.]+ )?import ([\w, ]+)", line)
             if statement and line not in code and words & set(re.findall(r"\w+", statement[1])):
                 yield Region(file, "imports", number, (line,))
+
+
+class _Part(NamedTuple):
+    """Lines of a file, counted from 0 and up to before `last`; and what is inside of them."""
+
+    first: int
+    start: int
+    end: int
+    last: int
 
 
 @dataclass(frozen=True)
@@ -517,97 +290,190 @@ def _place(
         if region.file == "README.md" and _is_in_spec(region, context):
             report.placed.append(f"{region} in the spec")
             continue
-        place, names, why = _find_place(region, context, report.model)
-        file = _filled(place.file, names) if place else ""
-        if place and not (folder / file).is_file():
-            why = f"there is no {file}"
-        elif place:
-            edit = _edit(region, place, names, _lines(folder / file))
-            if edit:
-                edits.setdefault(file, []).append(edit)
-                continue
-            why = f"{file} has no place for it"
-        report.rest.append((region, why))
+        try:
+            file, edit = _edit(region, folder, context, report.model)
+        except NoPlaceError as why:
+            report.rest.append((region, str(why)))
+        else:
+            edits.setdefault(file, []).append(edit)
     for file, found in edits.items():
         _write(folder / file, file, found, report)
 
 
+class NoPlaceError(Exception):
+    """Why a region's code is not in a file of the new package."""
+
+
+def _edit(region: Region, folder: Path, context: dict[str, Any], model: str) -> tuple[str, _Edit]:
+    """Return the file that takes a region's code, and how."""
+    rule, about = rule_for(region)
+    place = rule["to"].get(model) or rule["to"].get("any")
+    is_code_of_it = not re.search(rule.get("not", "(?!)"), "\n".join(region.lines))
+    if not place or not is_code_of_it or context["ros"] not in rule.get("ros", [1, 2]):
+        raise NoPlaceError(rule.get("why", f"{model} has no place for it in ROS {context['ros']}"))
+    node, name = about.get("node") or region.node, about.get("name") or ""
+    if region.file == "README.md" and about:
+        node, name = _documented(region, about, context)
+    name = name.lstrip("~/").replace("/", "_")
+    for word, text in {"package": context["name"], "node": node, "name": name}.items():
+        place = place.replace(f"<{word}>", text)
+    part_name, _, file = place.rpartition(" in ")
+    where, wanted = re.split(" (?!of )", part_name, maxsplit=1)
+    if not (folder / file).is_file():
+        raise NoPlaceError(f"there is no {file}")
+    try:
+        part = _PARTS[Path(file).suffix](_lines(folder / file), wanted)
+    except NoPlaceError:
+        raise NoPlaceError(f"{file} has no place for it") from None
+    title = (f"`{name}`:", "") if region.file == "README.md" and name else ()
+    return file, {
+        "above": _Edit(part.first, part.first, region, title, ("",)),
+        "below": _Edit(part.last, part.last, region, ("", *title)),
+        "start of": _Edit(part.start, part.start, region),
+        "end of": _Edit(part.end, part.end, region),
+        "body of": _Edit(part.start, part.end, region),
+    }[where]
+
+
+def rule_for(region: Region) -> tuple[dict[str, Any], dict[str, str]]:
+    """Return the rule for a region, and what its file and its name say: node, kind, name.
+
+    Raises:
+        NoPlaceError: there is none.
+
+    """
+    for rule in RULES["regions"]:
+        file = _matched(rule["from"], region.file)
+        if file is not None and (name := _matched(rule["region"], region.name)) is not None:
+            return rule, file | name
+    raise NoPlaceError("no such region of such a file is known")
+
+
+def _matched(patterns: str | list[str], text: str) -> dict[str, str] | None:
+    """Return what the words in angle brackets of the pattern that fits stand for, if one does."""
+    for pattern in [patterns] if isinstance(patterns, str) else patterns:
+        groups = re.sub(r"<(\w+)>", r"(?P<\1>\\w+)", re.escape(pattern))
+        groups = groups.replace(r"<kind>\w+", f"<kind>{'|'.join(RULES['kinds'])}")
+        if match := re.fullmatch(groups.replace(r"<name>\w+", "<name>.+"), text):
+            return match.groupdict()
+    return None
+
+
 def _is_in_spec(region: Region, context: dict[str, Any]) -> bool:
     """Say whether a region of the README only repeats a description of the spec."""
-    descriptions = [context["description"]]
-    for node in context["nodes"]:
-        for items in node.values():
-            if isinstance(items, list):
-                descriptions += [item.get("description", "") for item in items]
-    return " ".join(region.lines).split() in [text.split() for text in descriptions]
-
-
-def _find_place(
-    region: Region, context: dict[str, Any], model: str
-) -> tuple[Place | None, dict[str, str], str]:
-    """Return a region's place and the names in it, or why it has none."""
-    for source, pattern, place in PLACES[model]:
-        of_file, of_name = re.fullmatch(source, region.file), re.fullmatch(pattern, region.name)
-        if not of_file or not of_name:
-            continue
-        if place.unless and re.search(place.unless, "\n".join(region.lines)):
-            return None, {}, place.why
-        about = of_file.groupdict() | of_name.groupdict()
-        node, name = about.get("node"), about.get("name")
-        if place.file == "README.md" and (node or name):
-            node, name = _documented(region, node, about.get("kind"), name, context)
-        names = {"PACKAGE": context["name"], "NODE": node or "", "NAME": _identifier(name or "")}
-        return place, names, ""
-    return None, {}, f"{model} knows no such region of such a file"
-
-
-def _identifier(name: str) -> str:
-    return name.lstrip("~/").replace("/", "_")
+    items = [
+        item
+        for node in context["nodes"]
+        for kind in node.values()
+        if isinstance(kind, list)
+        for item in kind
+    ]
+    texts = [item.get("description", "") for item in [context, *items]]
+    return " ".join(region.lines).split() in [text.split() for text in texts]
 
 
 def _documented(
-    region: Region, word: str | None, kind: str | None, name: str | None, context: dict[str, Any]
+    region: Region, about: Mapping[str, str], context: dict[str, Any]
 ) -> tuple[str, str]:
     """Return the node and the interface that a region of the README describes.
 
     A region with one word for its name is about a node, or in old packages about a subscriber.
     """
-    if word in [node["name"] for node in context["nodes"]]:
-        return str(word), ""
-    wanted = str(name or word)
-    keys = _KINDS[kind or "subscriber"]
-    nodes = [
-        node["name"]
-        for node in context["nodes"]
-        if any(item["name"] == wanted for key in keys for item in node[key])
-    ]
-    return (region.node if region.node in nodes else "?"), wanted
+    wanted = about.get("name") or about["node"]
+    if about.get("node") in [node["name"] for node in context["nodes"]]:
+        return wanted, ""
+    keys = RULES["kinds"][about.get("kind", "subscriber")]
+    for node in context["nodes"]:
+        names = [item["name"] for key in keys for item in node[key]]
+        if node["name"] == region.node and wanted in names:
+            return region.node, wanted
+    raise NoPlaceError(f"the spec has no {wanted} there")
 
 
-def _filled(text: str, names: Mapping[str, str]) -> str:
-    return re.sub("PACKAGE|NODE|NAME", lambda word: names[word[0]], text)
+def _python_part(lines: list[str], name: str) -> _Part:
+    """Find the imports, the class, or a function by its name."""
+    tree = ast.parse("\n".join(lines))
+    for node in reversed(tree.body if name == "imports" else list(ast.walk(tree))):
+        if name == "imports" and isinstance(node, ast.Import | ast.ImportFrom):
+            return _Part(
+                node.lineno - 1, node.lineno - 1, node.end_lineno or 0, node.end_lineno or 0
+            )
+        if isinstance(node, ast.ClassDef if name == "class" else ast.FunctionDef) and (
+            name in ("class", node.name)
+        ):
+            start, end = node.body[0].lineno - 1, node.body[-1].end_lineno or 0
+            if ast.get_docstring(node) is not None:
+                start = node.body[0].end_lineno or 0
+            return _Part(node.lineno - 1, start, end, end)
+    raise NoPlaceError
 
 
-def _edit(
-    region: Region, place: Place, names: Mapping[str, str], lines: list[str]
-) -> _Edit | None:
-    """Return the edit that places a region in the lines of a file, if there is a line for it."""
-    escaped = {word: re.escape(name) for word, name in names.items()}
-    at = 0
-    for step in place.steps:
-        pattern = _filled(step, escaped)
-        at = next((i for i in range(at, len(lines)) if re.search(pattern, lines[i])), len(lines))
-    if at == len(lines):
-        return None
-    gap = ("",) if place.gap else ()
-    title = (f"`{names['NAME']}`:", "") if place.file == "README.md" and names["NAME"] else ()
-    if place.where == "before":
-        return _Edit(at, at, region, title, gap)
-    if place.where == "instead":
-        return _Edit(at, at + 1, region, title)
-    if place.where == "end":
-        at = len(lines) - (lines[-1] == "") - 1
-    return _Edit(at + 1, at + 1, region, gap + title)
+def _cpp_part(lines: list[str], name: str) -> _Part:
+    """Find the includes, the members with an access specifier, or a function's definition."""
+    code = [re.sub("//.*", "", line).rstrip() for line in lines]
+    if name == "includes":
+        last = len(lines) - _search(code[::-1], "#include .*")[0]
+        return _Part(0, 0, last, last)
+    if name in ("public", "private"):
+        first, closing = _search(code, f"{name}:", r"\w+:|\};")
+        end = _trimmed(lines, closing)
+        return _Part(first, first + 1, end, end)
+    function = r"(\w+)::\1" if name == "constructor" else rf"\w+::{name}"
+    first, opening, closing = _search(code, rf"(?:\S.* )?{function}\(.*", r"\{", r"\}")
+    return _Part(first, opening + 1, closing, closing + 1)
+
+
+def _cmake_part(lines: list[str], name: str) -> _Part:
+    """Find a command by its beginning, or all there is."""
+    if name == "everything":
+        return _Part(0, 0, len(lines), _trimmed(lines, len(lines)))
+    (first,) = _search(lines, f"{re.escape(name)}.*")
+    (length,) = _search(lines[first:], r"[^#]*\)")
+    return _Part(first, first + 1, first + length, first + length + 1)
+
+
+def _xml_part(lines: list[str], name: str) -> _Part:
+    """Find the first element that begins so."""
+    (first,) = _search(lines, rf"\s*{name}.*")
+    return _Part(first, first, first + 1, first + 1)
+
+
+def _markdown_part(lines: list[str], name: str) -> _Part:
+    """Find the introduction, or a section's heading and first paragraph."""
+    if name == "introduction":
+        end = _trimmed(lines, _search(lines, "## .*")[0])
+        return _Part(0, 0, end, end)
+    word = name.removeprefix("section ")
+    first, start, end = _search(lines, rf"## \S.* {word}", r".*\S.*", r"\s*")
+    return _Part(first, start, end, end)
+
+
+_PARTS: Mapping[str, Callable[[list[str], str], _Part]] = {
+    ".py": _python_part,
+    ".hpp": _cpp_part,
+    ".cpp": _cpp_part,
+    ".txt": _cmake_part,
+    ".xml": _xml_part,
+    ".md": _markdown_part,
+}
+
+
+def _trimmed(lines: list[str], end: int) -> int:
+    """Return where the empty lines before line `end` begin."""
+    while end and not lines[end - 1].strip():
+        end -= 1
+    return end
+
+
+def _search(lines: list[str], *patterns: str) -> list[int]:
+    """Return the first line of each pattern, below that of the one before it."""
+    found: list[int] = []
+    for pattern in patterns:
+        below = range(found[-1] + 1 if found else 0, len(lines))
+        found += [number for number in below if re.fullmatch(pattern, lines[number])][:1]
+    if len(found) < len(patterns):
+        raise NoPlaceError
+    return found
 
 
 def _write(path: Path, file: str, edits: list[_Edit], report: Report) -> None:
@@ -625,7 +491,7 @@ def _write(path: Path, file: str, edits: list[_Edit], report: Report) -> None:
         written += [*edit.region.lines, *edit.below]
         done = max(done, edit.end)
         report.placed.append(f"{edit.region} in {file}:{first}")
-        for region, pattern, old, new in RENAMED[report.model]:
+        for region, pattern, old, new in RULES["renamed"][report.model]:
             if re.match(region, edit.region.name):
                 for number, line in enumerate(edit.region.lines, first):
                     if re.search(pattern, line):
@@ -656,7 +522,7 @@ def _told(report: Report, new: Path) -> Iterator[str]:
     if report.rest or report.left:
         yield f"            see {new / REST}"
     if report.look:
-        yield "\nThe code is as it was. What has another name now (docs/developers.md tells more):"
+        yield "\nThe code is as it was. What has another name now:"
         for change, places in report.look.items():
             yield f"  {change}: {', '.join(places)}"
     yield f"\n{new} is made with {report.model}. Read it, then commit it to git."
@@ -667,7 +533,9 @@ def main() -> int:
     parser = argparse.ArgumentParser(description="Adopt a package of the original generator.")
     parser.add_argument("legacy", type=Path, metavar="LEGACY_FOLDER", help="it is only read")
     parser.add_argument("new", type=Path, metavar="NEW_FOLDER", help="must not be there yet")
-    parser.add_argument("--model", default="", choices=MODELS, help="default: as the spec says")
+    parser.add_argument(
+        "--model", default="", choices=MODELS, help="default: that of its language"
+    )
     parser.add_argument("--ros-distro", default="noetic", help="default: noetic")
     arguments = parser.parse_args()
     try:

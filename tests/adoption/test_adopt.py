@@ -5,11 +5,16 @@ import re
 import shutil
 import subprocess
 import sys
+from collections import Counter
+from contextlib import suppress
 
 import pytest
+import yaml
 
+from scripts.adopt import NoPlaceError, Region, rule_for
 from support.repository import ROOT, commit, git
 
+RULES = yaml.safe_load((ROOT / "scripts/adopt.yaml").read_text(encoding="utf-8"))
 LEGACY = ROOT / "tests/adoption/legacy"
 needs_cpp = pytest.mark.skipif(not (ROOT / "cpp_model").exists(), reason="no cpp_model")
 
@@ -39,7 +44,7 @@ def adopt(collection, tmp_path):
         result = run(collection, folder, new, *options)
         assert result.returncode == 0, result.stderr
         assert contents(folder) == before, "the original was touched"
-        assert sorted(new.parent.iterdir()) == [new]
+        assert not list(new.parent.glob(".*"))
         return new, result.stdout
 
     return make
@@ -50,14 +55,14 @@ def contents(folder):
 
 
 def code_of_regions(folder):
-    """Yield the lines inside of protected regions, file by file."""
+    """Yield file, region and line of all that stands inside of protected regions."""
     for path in filter(lambda path: path.is_file(), folder.rglob("*")):
-        inside = False
+        region = ""
         for line in path.read_text(encoding="utf-8").splitlines():
-            if "protected region" in line:
-                inside = " begin " in line
-            elif inside and line.strip():
-                yield path.relative_to(folder), line
+            if mark := re.search(r"protected region (.*) (begin|end) ", line):
+                region = mark[1] if mark[2] == "begin" else ""
+            elif region and line.strip():
+                yield path.relative_to(folder), region, line
 
 
 def method(file, name):
@@ -67,17 +72,112 @@ def method(file, name):
     return ast.get_source_segment(source, found)
 
 
+packages = pytest.mark.parametrize("name", ["arm", pytest.param("arm_cpp", marks=needs_cpp)])
+
+
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
-@pytest.mark.parametrize("name", ["arm", pytest.param("arm_cpp", marks=needs_cpp)])
+@packages
 def test_no_line_is_lost(legacy, adopt, name, distro):
     folder = legacy(name)
-    new, _ = adopt(folder, "--ros-distro", distro)
-    written = b"\n".join(contents(new).values()).decode().splitlines()
+    new, said = adopt(folder, "--ros-distro", distro)
+    lines = Counter(line for _, _, line in code_of_regions(folder))
+    assert lines.total() > 15
     spec = (folder / f"model/{name}.ros_package").read_text()
-    lines = list(code_of_regions(folder))
-    assert len(lines) > 15
-    for file, line in lines:
-        assert line in written or f'"{line}"' in spec, f"{file}: {line}"
+    written = Counter(b"\n".join(contents(new).values()).decode().splitlines())
+    lost = lines - written
+    assert [line for line in lost if f'"{line}"' not in spec] == []
+    for file, region in {(file, region) for file, region, _ in code_of_regions(folder)}:
+        told = rf'^(placed      |NOT PLACED  ){re.escape(str(file))}:[\d-]+ "{re.escape(region)}"'
+        assert len(re.findall(told, said, re.MULTILINE)) == 1, f"{file}: {region}"
+
+
+@needs_cpp
+def test_every_rule_is_tried(legacy, adopt):
+    """Each row of adopt.yaml has a region in the packages here, in each language."""
+    tried = set()
+    for name, model in (("arm", "python_model"), ("arm_cpp", "cpp_model")):
+        _, said = adopt(legacy(name))
+        for file, region in re.findall(r'^(?:placed|NOT PLACED) +(\S+):\S+ "(.*?)"', said, re.M):
+            with suppress(NoPlaceError):
+                rule, _ = rule_for(Region(file, region, 1, ()))
+                tried |= {(str(rule["region"]), model), (str(rule["region"]), "any")}
+    for rule in RULES["regions"]:
+        for model in rule["to"] or ["any"]:
+            assert (str(rule["region"]), model) in tried
+
+
+def table():
+    """Return the table of docs/developers.md that the rules make."""
+    rows = ["| Protected region | Python | C++ |", "|---|---|---|"]
+    for rule in RULES["regions"]:
+        regions = [rule["region"]] if isinstance(rule["region"], str) else rule["region"]
+        cells = [", ".join(f"`{region}`" for region in regions if region != "imports")]
+        for model in ("python_model", "cpp_model"):
+            place = rule["to"].get(model) or rule["to"].get("any")
+            cell = re.sub(r"(\w+(?: of)?) (.*) in (.*)", r"\1 `\2` in `\3`", place or "")
+            cells.append(cell + (", in ROS 1" if place and "ros" in rule else ""))
+        if not rule["to"]:
+            cells[1:] = ["`NOT_PLACED.md`"] * 2
+        rows.append("| " + " | ".join(cells) + " |")
+    return "\n".join(re.sub(" +", " ", row) for row in rows)
+
+
+def test_docs_show_the_rules():
+    assert table() in (ROOT / "docs/developers.md").read_text(encoding="utf-8")
+
+
+def reworded(file, text, kept=()):
+    """Return a text whose comments, docstrings and prose all say something else.
+
+    The lines in `kept` stay as they are.
+    """
+    if ".py" in file:
+        text = re.sub(
+            r'""".*?"""', '"""\nOther words.\n\nMore of them.\n"""', text, flags=re.DOTALL
+        )
+    prose = {
+        "README": r"[A-Z].*",
+        ".py": r"\s*# .*",
+        "CMakeLists": r"\s*# .*",
+        ".cpp": r"\s*//.*",
+        ".hpp": r"\s*//.*",
+    }
+    patterns = [pattern for name, pattern in prose.items() if name in file]
+    lines = text.split("\n")
+    for number, line in enumerate(lines):
+        if line not in kept and any(re.fullmatch(pattern, line) for pattern in patterns):
+            indent = line[: len(line) - len(line.lstrip(" "))]
+            lines[number] = indent + line.strip()[:2].rstrip() * (patterns != [prose["README"]])
+            lines[number] += " Other words."
+    return "\n".join(lines)
+
+
+@packages
+def test_rules_need_no_wording(legacy, adopt, own_collection, name, tmp_path):
+    """Code finds its place whatever the comments, docstrings and texts of a template say."""
+    folder = legacy(name)
+    kept = {line for _, _, line in code_of_regions(folder)}
+    new, _ = adopt(folder)
+    changed = 0
+    for file in own_collection.glob("*/**/*.jinja"):
+        if file.relative_to(own_collection).parts[0] in ("shared", "python_model", "cpp_model"):
+            text = file.read_text(encoding="utf-8")
+            file.write_text(reworded(str(file.name), text), encoding="utf-8")
+            changed += text != file.read_text(encoding="utf-8")
+    assert changed > 20
+    commit(own_collection, "Reword", tag="2.0.0")
+    other = tmp_path / "other" / name
+    assert run(own_collection, folder, other).returncode == 0
+    both = [
+        {
+            path.relative_to(top).as_posix(): reworded(path.name, path.read_text("utf-8"), kept)
+            for path in contents(top)
+            if path.name != ".copier-answers.yml"
+        }
+        for top in (new, other)
+    ]
+    assert both[0] == both[1]
+    assert contents(new).values() != contents(other).values()
 
 
 def test_python_code_is_in_its_place(legacy, adopt):
@@ -127,6 +227,10 @@ def test_cpp_code_is_in_its_place(legacy, adopt):
         assert line in body
     assert (new / "include/arm_cpp/filter.hpp").exists()
     assert "<build_depend>eigen</build_depend>" in (new / "package.xml").read_text()
+    cmake = (new / "CMakeLists.txt").read_text()
+    assert re.search(r"target_link_libraries\(\S+_reach\n[^)]*\n  Eigen3::Eigen\n\)", cmake)
+    assert cmake.index("find_package(Eigen3") < cmake.index("catkin_package(")
+    assert cmake.index("add_definitions(") < cmake.index("install(")
 
 
 def test_build_files_and_readme_take_their_regions(legacy, adopt):
@@ -187,7 +291,9 @@ def test_new_names_are_told(legacy, adopt):
     for change, code in {
         "passthrough.as_NAME -> goal, the callback's argument": "as_learn",
         "msg -> message": "self.stopped(msg)",
-        "client_NAME(request) -> client_NAME.call(request, timeout)": "client_permit(",
+        "client_NAME(request) -> client_NAME.call(request, timeout), None without an answer": (
+            "client_permit("
+        ),
     }.items():
         places = re.search(rf"  {re.escape(change)}: (.*)", said)[1].split(", ")
         for place in places:
@@ -216,7 +322,7 @@ def test_a_service_server_needs_no_frequency(legacy, adopt):
     text = re.sub(r' frequency="[\d.]+"', "", spec.read_text())
     spec.write_text(text.replace("python_node_update", "python_service_server"))
     new, said = adopt(folder)
-    assert 'python_service_server has no update; its nodes got frequency="1"' in said
+    assert 'a service server has no update; its nodes got frequency="1"' in said
     assert (new / "arm.ros_package").read_text().count('frequency="1"') == 2
 
 
@@ -273,7 +379,7 @@ def _only_an_end(folder):
         (_bad_spec, '<publishr> is not known here; did you mean "publisher"?'),
         (_two_specs, "one spec is needed, found model/arm.ros_package, model/other.ros_package"),
         (_no_language, "say with --model which it is; allowed: "),
-        (_no_end, '"user update" of line 43 has no end before this line'),
+        (_no_end, ':43: protected region "user update" has no end'),
         (_only_an_end, '"user update" has no beginning'),
     ],
 )
