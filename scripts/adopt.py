@@ -96,7 +96,7 @@ def adopt(legacy: Path, new: Path, model: str = "", distro: str = "noetic") -> R
     with tempfile.TemporaryDirectory(dir=new.parent, prefix=".adopt-") as temporary:
         folder = Path(temporary, "package")
         report = Report(model=model)
-        context = _render(_with_frequency(spec, Path(temporary), report), folder, model, distro)
+        context = _render(spec, folder, model, distro)
         report.package = str(context["name"])
         kept = _copy_kept(legacy, folder, report)
         regions = list(_regions(legacy, kept))
@@ -128,18 +128,6 @@ def _choose_model(legacy: Path) -> str:
     if len(found) != 1:
         raise AdoptError(f"{legacy}: say with --model which it is; allowed: {', '.join(MODELS)}")
     return found[0]
-
-
-def _with_frequency(spec: Path, folder: Path, report: Report) -> Path:
-    """Return the spec, or a copy with the frequencies that a service server had no need of."""
-    old = spec.read_bytes()
-    pattern = rb"<(node|component)\b(?![^>]*\bfrequency\s*=)"
-    new = re.sub(pattern, rb'<\1 frequency="1"', old)
-    if new == old or not re.search(rb"template\s*=\s*.\w+_service_server", old):
-        return spec
-    report.notes.append('a service server has no update; its nodes got frequency="1"')
-    (folder / spec.name).write_bytes(new)
-    return folder / spec.name
 
 
 def _render(spec: Path, folder: Path, model: str, distro: str) -> dict[str, Any]:

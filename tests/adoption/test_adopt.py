@@ -316,14 +316,20 @@ def test_adopted_package_updates(legacy, adopt, update):
     assert "<<<<<<<" not in git(new, "diff")
 
 
-def test_a_service_server_needs_no_frequency(legacy, adopt):
-    folder = legacy()
-    spec = folder / "model/arm.ros_package"
-    text = re.sub(r' frequency="[\d.]+"', "", spec.read_text())
-    spec.write_text(text.replace("python_node_update", "python_service_server"))
-    new, said = adopt(folder)
-    assert 'a service server has no update; its nodes got frequency="1"' in said
-    assert (new / "arm.ros_package").read_text().count('frequency="1"') == 2
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize("name", ["tool", pytest.param("tool_cpp", marks=needs_cpp)])
+def test_a_service_server_gets_no_loop(legacy, adopt, name, distro):
+    folder = legacy(name)
+    new, said = adopt(folder, "--ros-distro", distro)
+    spec = f"{name}.ros_package"
+    assert (new / spec).read_bytes() == (folder / "model" / spec).read_bytes()
+    logic = "".join(path.read_text() for path in new.rglob("hold_impl.*"))
+    assert "update" not in logic
+    assert "HoldData" not in logic
+    assert said.count("placed      ") == 4
+    for _, _, line in code_of_regions(folder):
+        assert logic.count(line) == 1
+    assert not (new / "NOT_PLACED.md").exists()
 
 
 def test_windows_and_latin_1_files_are_read(legacy, adopt):
