@@ -96,7 +96,8 @@ def adopt(legacy: Path, new: Path, model: str = "", distro: str = "noetic") -> R
     with tempfile.TemporaryDirectory(dir=new.parent, prefix=".adopt-") as temporary:
         folder = Path(temporary, "package")
         report = Report(model=model)
-        context = _render(spec, folder, model, distro)
+        source = _without_dynamic(spec, Path(temporary).resolve(), report)
+        context = _render(source, spec, folder, model, distro)
         report.package = str(context["name"])
         kept = _copy_kept(legacy, folder, report)
         regions = list(_regions(legacy, kept))
@@ -130,13 +131,27 @@ def _choose_model(legacy: Path) -> str:
     return found[0]
 
 
-def _render(spec: Path, folder: Path, model: str, distro: str) -> dict[str, Any]:
+def _without_dynamic(spec: Path, folder: Path, report: Report) -> Path:
+    """Return the spec, or of a service server a copy whose parameters are static.
+
+    It has no update here, which alone gets a dynamic parameter that is set.
+    """
+    old = spec.read_bytes()
+    new, number = re.subn(rb"(</?)dynParameter\b", rb"\1parameter", old)
+    if not number or not re.search(rb"template\s*=\s*.\w+_service_server\b", old):
+        return spec
+    report.notes.append("without update, nothing gets a dynParameter: it is a parameter now")
+    (folder / spec.name).write_bytes(new)
+    return folder / spec.name
+
+
+def _render(source: Path, spec: Path, folder: Path, model: str, distro: str) -> dict[str, Any]:
     """Make the new package by Copier, and return the context of its spec."""
-    data = {"model": model, "ros_distro": distro, "spec_file": str(spec)}
+    data = {"model": model, "ros_distro": distro, "spec_file": str(source)}
     try:
         copier.run_copy(str(ROOT), folder, data=data, defaults=True, unsafe=True, quiet=True)
     except (CopierError, ValueError) as error:
-        raise AdoptError(str(error)) from error
+        raise AdoptError(str(error).replace(str(source), str(spec))) from error
     answers = yaml.safe_load((folder / ".copier-answers.yml").read_text(encoding="utf-8"))
     return dict(answers["spec"])
 

@@ -332,6 +332,18 @@ def test_a_service_server_gets_no_loop(legacy, adopt, name, distro):
     assert not (new / "NOT_PLACED.md").exists()
 
 
+def test_a_service_server_has_static_parameters(legacy, adopt, collection, tmp_path):
+    folder = legacy("tool")
+    spec = folder / "model/tool.ros_package"
+    spec.write_text(spec.read_text().replace("<parameter ", "<dynParameter "))
+    new, said = adopt(folder)
+    assert "it is a parameter now" in said
+    made = (new / "tool.ros_package").read_text()
+    assert made == spec.read_text().replace("<dynParameter ", "<parameter ")
+    spec.write_text(spec.read_text().replace('"double"', '"triple"'))
+    assert run(collection, folder, tmp_path / "bad").stderr.startswith(f"{spec}:7: ")
+
+
 def test_windows_and_latin_1_files_are_read(legacy, adopt):
     folder = legacy()
     impl = folder / "src/arm/reach_impl.py"
