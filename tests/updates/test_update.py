@@ -30,10 +30,10 @@ SPEC = """<package name="arm" author="Ada" author_email="ada@example.org" descri
 </package>
 """
 EDITS = {
-    '"""Turn the latest inputs into outputs, once in every cycle."""': (
+    '"""Compute the outputs of one cycle from the latest inputs."""': (
         "data.out_pose.data = config.gain * data.in_goal.data"
     ),
-    '"""Handle a message at once."""': "self.passthrough.log.info('stop')",
+    '"""Handle a message when it arrives."""': "self.passthrough.log.info('stop')",
 }
 
 
@@ -168,7 +168,9 @@ def test_reordering_needs_no_hand(arm, update_with):
     speed = '    <publisher name="speed" type="std_msgs::Int8" description="x"/>\n'
     said = update_with((pose, ""), ("    <dynParameter", speed + pose + "    <dynParameter"))
     assert "CONFLICT" not in said
-    assert EDITS['"""Handle a message at once."""'] in (arm / "arm/reach_impl.py").read_text()
+    assert (
+        EDITS['"""Handle a message when it arrives."""'] in (arm / "arm/reach_impl.py").read_text()
+    )
 
 
 def tree(package):
