@@ -1,5 +1,7 @@
 """A model that is nothing like ours: a second component tag, other words, functions of its own."""
 
+import shutil
+
 import copier
 import pytest
 
@@ -57,9 +59,7 @@ def model(tmp_path):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)
     for name in ("hooks", "extensions"):
-        for file in (ROOT / name).glob("*.*"):
-            (folder / name).mkdir(exist_ok=True)
-            (folder / name / file.name).write_bytes(file.read_bytes())
+        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
     commit(folder, tag="1.0.0")
     return folder
 
