@@ -6,28 +6,7 @@ import re
 import sys
 from typing import Any
 
-from jinja2 import Environment
-from jinja2.ext import Extension
-
 WIDTH = 99
-
-
-class PythonExtension(Extension):
-    """Register the filters of this file."""
-
-    def __init__(self, environment: Environment) -> None:
-        super().__init__(environment)
-        environment.filters |= {
-            "cfg_value": cfg_value,
-            "python_type": python_type,
-            "python_module": python_module,
-            "python_value": python_value,
-            "python_text": python_text,
-            "ros1_action": ros1_action,
-            "rospy_name": rospy_name,
-            "ros1_module": ros1_module,
-            "sort_imports": sort_imports,
-        }
 
 
 def python_type(type_: str) -> str:

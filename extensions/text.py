@@ -8,27 +8,7 @@ import unicodedata
 from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
-from jinja2 import Environment
-from jinja2.ext import Extension
 from packaging.licenses import InvalidLicenseExpression, canonicalize_license_expression
-
-
-class TextExtension(Extension):
-    """Register the filters of this file."""
-
-    def __init__(self, environment: Environment) -> None:
-        super().__init__(environment)
-        environment.filters |= {
-            "one_line": one_line,
-            "wrap": wrap,
-            "xml": xml_text,
-            "xml_attribute": quoteattr,
-            "markdown": markdown,
-            "mermaid": mermaid,
-            "yaml": yaml_value,
-            "plain": plain,
-        }
-        environment.tests["spdx"] = is_spdx
 
 
 def one_line(text: str) -> str:
@@ -55,9 +35,14 @@ def _columns(text: str) -> int:
     return sum(2 if unicodedata.east_asian_width(letter) in "WF" else 1 for letter in text)
 
 
-def xml_text(text: str) -> str:
+def xml(text: str) -> str:
     """Return the text for the inside of an XML element."""
     return escape(text)
+
+
+def xml_attribute(text: str) -> str:
+    """Return the text as the value of an XML attribute, in quotes."""
+    return quoteattr(text)
 
 
 def markdown(text: str) -> str:
@@ -71,10 +56,10 @@ def mermaid(text: str) -> str:
     return '"' + label.replace("<", "#lt;").replace(">", "#gt;") + '"'
 
 
-def yaml_value(value: Any) -> str:
+def yaml(value: Any) -> str:
     """Return a value as YAML, which is JSON but for floats: 1e+22 needs a dot there."""
     if isinstance(value, list):
-        return f"[{', '.join(yaml_value(item) for item in value)}]"
+        return f"[{', '.join(yaml(item) for item in value)}]"
     text = json.dumps(value, ensure_ascii=False)
     return re.sub(r"^(-?\d+)e", r"\1.0e", text) if isinstance(value, float) else text
 

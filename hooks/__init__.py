@@ -4,3 +4,7 @@ Nothing here knows Copier, and nothing here names a tag or an attribute: those s
 the dictionary of a model. Every fault a user can cause is a `SpecError`, whose text is
 all the user needs to see.
 """
+
+from . import changes, faults, model, names, package, ros
+
+__all__ = ["changes", "faults", "model", "names", "package", "ros"]

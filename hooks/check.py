@@ -4,208 +4,168 @@ from __future__ import annotations
 
 import operator
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 from .dictionary import DEPEND, NAME_BEFORE, PACKAGE, WAS, Attribute, Component, Dictionary
 from .faults import SpecError, allowed
-from .formats import FORMATS, as_class_name, as_identifier, dependency, literal
+from .formats import FORMATS, comparable, dependency, literal
+from .names import class_name
 from .parse import Element
 
 Values = dict[str, Any]
 
 
 @dataclass(frozen=True)
-class Used:
-    """An interface of the spec, kept to say whom a later fault is about."""
+class PlacedInterface:
+    """An interface of the spec, and where it stands, for messages."""
 
     kind: str
     values: Values
     place: str
 
 
-def check(
-    tag: str, element: Element, dictionary: Dictionary, file: str
-) -> tuple[Values, list[str], list[Used]]:
-    """Return the values of the spec, what it depends on, and its interfaces one by one.
+@dataclass
+class CheckedSpec:
+    """The values of the package, what it says it depends on, and its interfaces one by one."""
+
+    package: Values = field(default_factory=dict)
+    depends: list[str] = field(default_factory=list)
+    interfaces: list[PlacedInterface] = field(default_factory=list)
+
+
+def check(root: Element, dictionary: Dictionary, file: str) -> CheckedSpec:
+    """Check the whole spec; `file` is its name in messages.
 
     Raises:
         SpecError: one line for every fault found, in the order of the file.
 
     """
     checker = _Checker(dictionary, file)
-    package = checker.package(tag, element)
+    checker.check_package(root)
     if checker.faults:
-        raise SpecError(
-            "\n".join(text for _, text in sorted(checker.faults, key=lambda fault: fault[0]))
-        )
-    return package, checker.depends, checker.used
+        faults = sorted(checker.faults, key=lambda fault: fault[0])
+        raise SpecError("\n".join(text for _, text in faults))
+    return checker.spec
 
 
 class _Checker:
     def __init__(self, dictionary: Dictionary, file: str) -> None:
         self.dictionary = dictionary
         self.file = file
+        self.spec = CheckedSpec()
         self.faults: list[tuple[int, str]] = []
-        self.depends: list[str] = []
-        self.used: list[Used] = []
-        self.seen: dict[tuple[Any, ...], Element] = {}
+        self.owners: dict[tuple[Any, ...], Element] = {}
 
-    def package(self, tag: str, element: Element) -> Values:
-        if tag != PACKAGE:
-            self.fault(element, f"<{tag}>", f"a spec starts with <{PACKAGE}>, not <{tag}>")
-            return {}
+    def check_package(self, element: Element) -> None:
+        if element.tag != PACKAGE:
+            self.fault(element, f"a spec starts with <{PACKAGE}>, not <{element.tag}>")
+            return
         components = self.dictionary.components
-        values = self.attributes(tag, element, self.dictionary.package, ())
+        values = self.values(element, self.dictionary.package)
         values |= {component.key: [] for component in components.values()}
-        for child_tag, child in element.children:
-            name = self.dictionary.aliases.get(child_tag, child_tag)
-            if name == DEPEND:
-                self.depend(child)
-            elif name in components:
-                component = components[name]
-                values[component.key].append(self.component(child_tag, child, component))
+        for child in element.children:
+            tag = self.dictionary.aliases.get(child.tag, child.tag)
+            if tag == DEPEND:
+                self.check_depend(child)
+            elif tag in components:
+                values[components[tag].key].append(self.component(child, components[tag]))
             else:
-                self.unknown_tag(child_tag, child, [*components, DEPEND])
+                self.unknown_tag(child, [*components, DEPEND])
         if not any(values[component.key] for component in components.values()):
             tags = " or ".join(f"<{name}>" for name in components)
-            self.fault(element, self.label(tag, element), f"has no {tags}; it needs one at least")
-        return values
+            self.fault(element, f"has no {tags}; it needs one at least")
+        self.spec.package = values
 
-    def component(self, tag: str, element: Element, component: Component) -> Values:
+    def component(self, element: Element, component: Component) -> Values:
         values: Values = {"tag": component.tag}
-        given = self.attributes(tag, element, component.attributes, (component.tag,))
-        values |= {**given, "class_name": as_class_name(str(next(iter(given.values()), "")))}
+        given = self.values(element, component.attributes, (component.tag,))
+        values |= {**given, "class_name": class_name(str(next(iter(given.values()), "")))}
         values |= {interface.key: [] for interface in component.interfaces.values()}
-        for kind, child in element.children:
-            if kind not in component.interfaces:
-                self.unknown_tag(kind, child, list(component.interfaces))
+        for child in element.children:
+            if child.tag not in component.interfaces:
+                self.unknown_tag(child, list(component.interfaces))
                 continue
-            interface = component.interfaces[kind]
-            found = self.attributes(kind, child, interface.attributes, (element.index, kind))
-            needed = interface.requires
+            kind = component.interfaces[child.tag]
+            found = self.values(child, kind.attributes, (element, kind.kind))
+            needed = kind.requires
             if needed and needed not in element.attributes and given.get(needed) is None:
-                what = f'its <{tag}> at line {element.line} must have the attribute "{needed}"'
-                what += _doc(component.attributes[needed])
-                self.fault(child, self.label(kind, child), what)
-            for nested_tag, nested in child.children:
-                self.unknown_tag(nested_tag, nested, [])
-            values[interface.key].append(found)
-            self.used.append(
-                Used(kind, found, f"{self.file}:{child.line}: {self.label(kind, child)}")
-            )
+                what = f"its <{element.tag}> at line {element.line} must have the attribute"
+                self.fault(child, f'{what} "{needed}"{_doc(component.attributes[needed])}')
+            for nested in child.children:
+                self.unknown_tag(nested, [])
+            values[kind.key].append(found)
+            self.spec.interfaces.append(PlacedInterface(kind.kind, found, self.place(child)))
         return values
 
-    def depend(self, element: Element) -> None:
-        label = f"<{DEPEND}>"
+    def check_depend(self, element: Element) -> None:
         if element.attributes or element.children:
-            self.fault(
-                element, label, f"takes a package name alone: <{DEPEND}>std_msgs</{DEPEND}>"
-            )
+            self.fault(element, f"takes a package name alone: <{DEPEND}>std_msgs</{DEPEND}>")
         try:
-            self.depends.append(dependency(element.text))
+            self.spec.depends.append(dependency(element.text))
         except ValueError as error:
-            self.fault(element, label, str(error))
+            self.fault(element, str(error))
 
-    def attributes(
-        self, tag: str, element: Element, known: Mapping[str, Attribute], scope: tuple[Any, ...]
+    def values(
+        self, element: Element, known: Mapping[str, Attribute], scope: tuple[Any, ...] = ()
     ) -> Values:
-        """Check the attributes of one element; `scope` is where its values must be unique."""
-        label = self.label(tag, element)
+        """Return the values of one element; `scope` is where those that name it are unique."""
         if element.text:
-            self.fault(element, label, f'text is not allowed here: "{element.text[:40]}"')
-        if tag != PACKAGE:
+            self.fault(element, f'text is not allowed here: "{element.text[:40]}"')
+        if scope:
             known = {**known, WAS: NAME_BEFORE}
         for name in element.attributes:
             if name not in known:
-                self.fault(element, label, f'unknown attribute "{name}"; {allowed(name, known)}')
+                self.fault(element, f'unknown attribute "{name}"; {allowed(name, known)}')
         values: Values = {}
         for name, attribute in known.items():
-            if attribute.ignored:
-                continue
             given = element.attributes.get(name)
-            if given is None and name == WAS:
+            if attribute.ignored or (given is None and name == WAS):
                 continue
-            if given is None:
-                if not attribute.optional:
-                    self.fault(element, label, f'attribute "{name}" is missing{_doc(attribute)}')
-                values[name] = attribute.default
-                continue
-            try:
-                values[name] = _value(attribute, given, values)
-            except ValueError as error:
-                self.fault(element, label, f"{name}: {error}")
-                values[name] = None
-                continue
-            if attribute.unique:
-                self.unique(element, label, attribute, values[name], scope)
-        self.limits(element, label, known, values)
+            values[name] = attribute.default if given is None else None
+            if given is None and not attribute.optional:
+                self.fault(element, f'attribute "{name}" is missing{_doc(attribute)}')
+            elif given is not None:
+                try:
+                    values[name] = _value(attribute, given, values)
+                    if attribute.unique and scope:
+                        self.check_unique(element, attribute, values[name], scope)
+                except ValueError as error:
+                    self.fault(element, f"{name}: {error}")
+        for name, attribute in known.items():
+            if values.get(name) is not None:
+                for fault in (*_misplaced(attribute, values), *_out_of_bounds(attribute, values)):
+                    self.fault(element, fault)
         return values
 
-    def unique(
-        self,
-        element: Element,
-        label: str,
-        attribute: Attribute,
-        value: str,
-        scope: tuple[Any, ...],
+    def check_unique(
+        self, element: Element, attribute: Attribute, value: str, scope: tuple[Any, ...]
     ) -> None:
-        word = as_identifier(value)
-        if attribute.format == "component_name":
-            word = word.replace("_", "").lower()
         group = attribute.unique if isinstance(attribute.unique, str) else scope[-1]
-        first = self.seen.setdefault((*scope[:-1], group, word), element)
+        key = (*scope[:-1], group, comparable(attribute.format, value))
+        first = self.owners.setdefault(key, element)
         if first is not element:
-            what = f'"{value}" is already taken at line {first.line}'
-            self.fault(element, label, f"{attribute.name}: {what}; each must have its own")
+            raise ValueError(
+                f'"{value}" is already taken at line {first.line}; each must have its own'
+            )
 
-    def limits(
-        self, element: Element, label: str, known: Mapping[str, Attribute], values: Values
-    ) -> None:
-        """Check what a number may be, once all the values of the element are known."""
-        for name, attribute in known.items():
-            value = values.get(name)
-            if value is None:
-                continue
-            for other, choices in attribute.when.items():
-                if values.get(other) not in (None, *choices):
-                    what = f'has no meaning where {other} is "{values[other]}"'
-                    self.fault(element, label, f'attribute "{name}" {what}; drop it')
-            if isinstance(value, bool) or not isinstance(value, int | float):
-                continue
-            limits = [
-                ("above", attribute.above, operator.gt),
-                ("at least", attribute.minimum, operator.ge),
-                ("at most", attribute.maximum, operator.le),
-            ]
-            for word, limit, holds in limits:
-                bound = values.get(limit) if isinstance(limit, str) else limit
-                if bound is not None and not holds(value, bound):
-                    self.fault(element, label, f"{name}: {value} must be {word} {bound}")
-
-    def unknown_tag(self, tag: str, element: Element, known: list[str]) -> None:
-        homes = [
-            PACKAGE if tag in {DEPEND, *self.dictionary.components} else component.tag
-            for component in self.dictionary.components.values()
-            if tag in {DEPEND, *self.dictionary.components, *component.interfaces}
-        ]
+    def unknown_tag(self, element: Element, known: list[str]) -> None:
+        tag, components = element.tag, self.dictionary.components
+        homes = [name for name, component in components.items() if tag in component.interfaces]
+        homes = [PACKAGE] if tag in {DEPEND, *components} else homes
         where = f"it belongs inside <{homes[0]}>" if homes else allowed(tag, known)
-        self.fault(element, self.label(tag, element), f"<{tag}> is not known here; {where}")
+        self.fault(element, f"<{tag}> is not known here; {where}")
 
-    def fault(self, element: Element, label: str, message: str) -> None:
-        self.faults.append((element.line, f"{self.file}:{element.line}: {label}: {message}"))
+    def fault(self, element: Element, message: str) -> None:
+        self.faults.append((element.line, f"{self.place(element)}: {message}"))
 
-    @staticmethod
-    def label(tag: str, element: Element) -> str:
-        """Show an element by its first attribute, as the user wrote it."""
-        shown = "".join(
-            f' {name}="{value}"' for name, value in list(element.attributes.items())[:1]
-        )
-        return f"<{tag}{shown}>"
+    def place(self, element: Element) -> str:
+        return f"{self.file}:{element.line}: {element.label}"
 
 
 def _value(attribute: Attribute, text: str, values: Values) -> Any:
+    """Return the value that a text gives; `values` are those of the attributes before it."""
     if attribute.choices:
         for word, others in attribute.choices.items():
             if text.strip() in (word, *others):
@@ -222,6 +182,29 @@ def _value(attribute: Attribute, text: str, values: Values) -> Any:
     if value in attribute.reserved:
         raise ValueError(f'"{value}" is reserved; choose another')
     return value
+
+
+def _misplaced(attribute: Attribute, values: Values) -> Iterator[str]:
+    """Say that an attribute has no meaning beside the values of others."""
+    for other, choices in attribute.when.items():
+        if values.get(other) not in (None, *choices):
+            what = f'has no meaning where {other} is "{values[other]}"'
+            yield f'attribute "{attribute.name}" {what}; drop it'
+
+
+def _out_of_bounds(attribute: Attribute, values: Values) -> Iterator[str]:
+    """Say what a number must be; a bound may be the value of another attribute."""
+    value = values[attribute.name]
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return
+    for word, limit, holds in (
+        ("above", attribute.above, operator.gt),
+        ("at least", attribute.minimum, operator.ge),
+        ("at most", attribute.maximum, operator.le),
+    ):
+        bound = values.get(limit) if isinstance(limit, str) else limit
+        if bound is not None and not holds(value, bound):
+            yield f"{attribute.name}: {value} must be {word} {bound}"
 
 
 def _doc(attribute: Attribute) -> str:

@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any
 
-from .check import Used, Values
+from .check import CheckedSpec, Values
 from .faults import SpecError
 from .ros import DISTROS, translate_dependency
 
 Functions = dict[str, Callable[..., Any]]
 
 
-def complete(
-    package: Values,
-    depends: Iterable[str],
-    used: Iterable[Used],
-    functions: Functions,
-    distro: str,
-) -> Values:
+def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
     """Return the context: the checked values, and what follows from them.
 
     `ros` is the generation (1 or 2), `kinds` the interface kinds in use, `depends` the packages
@@ -28,38 +22,26 @@ def complete(
         SpecError: a function of the model failed.
 
     """
-    used = list(used)
     generation = DISTROS[distro]
-    found: set[str] = set()
-    notes: list[str] = []
-    for depend in depends:
-        name, note = translate_dependency(depend, generation)
-        found |= {name} if name else set()
-        if note and note not in notes:
-            notes.append(note)
-    if "dependencies_from_template" in functions:
-        found |= _call(functions, "dependencies_from_template", "the package", distro)
-    if "dependencies_from_interface" in functions:
-        for interface in used:
-            found |= _call(
-                functions,
-                "dependencies_from_interface",
-                interface.place,
-                interface.kind,
-                interface.values,
-                distro,
-            )
-    own_name = next(iter(package.values()))
+    translated = [translate_dependency(name, generation) for name in spec.depends]
+    found = {name for name, _ in translated if name}
+    found |= _call(functions, "dependencies_from_template", "the package", distro)
+    for item in spec.interfaces:
+        arguments = (item.kind, item.values, distro)
+        found |= _call(functions, "dependencies_from_interface", item.place, *arguments)
+    own_name = next(iter(spec.package.values()))
     return {
-        **package,
+        **spec.package,
         "ros": generation,
-        "kinds": sorted({interface.kind for interface in used}),
+        "kinds": sorted({item.kind for item in spec.interfaces}),
         "depends": sorted(found - {own_name}),
-        "notes": notes,
+        "notes": list(dict.fromkeys(note for _, note in translated if note)),
     }
 
 
 def _call(functions: Functions, name: str, place: str, *arguments: Any) -> set[str]:
+    if name not in functions:
+        return set()
     try:
         result = functions[name](*arguments)
     except SpecError as error:

@@ -6,7 +6,7 @@ mapping, which says more than a name. docs/designers describes it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
@@ -87,11 +87,10 @@ class Dictionary:
     package: Mapping[str, Attribute]
     components: Mapping[str, Component]
     aliases: Mapping[str, str]
-    starter: list[str]
+    skeleton: list[str]
 
 
-_KEYS = {"package_attributes", "aliases", "starter", "definitions", "include"}
-_ATTRIBUTE_KEYS = {item.name for item in fields(Attribute)}
+_KEYS = {"package_attributes", "aliases", "skeleton", "definitions", "include"}
 
 
 def load(file: Path, root: Path) -> Dictionary:
@@ -103,32 +102,37 @@ def load(file: Path, root: Path) -> Dictionary:
     """
     content = _read(file)
     while isinstance(content.get("include"), str):
-        included = root / content.pop("include")
-        content = {**_read(included), **content}
+        content = {**_read(root / content.pop("include")), **content}
     tags = [key.removesuffix("_interface") for key in content if key.endswith("_interface")]
-    known = {f"{tag}{end}" for tag in tags for end in ("_attributes", "_interface")} | _KEYS
-    for key in content:
-        if key not in known:
-            known |= {"<component>_attributes", "<component>_interface"}
-            raise SpecError(f'{file}: unknown key "{key}"; {allowed(key, sorted(known))}')
-    components = {
-        tag: Component(
-            tag,
-            _attributes(file, tag, content.get(f"{tag}_attributes") or ["name"]),
-            {
-                kind: _interface(file, kind, item)
-                for kind, item in (content[f"{tag}_interface"] or {}).items()
-            },
-        )
-        for tag in tags
-    }
+    own = {f"{tag}_{part}" for tag in tags for part in ("attributes", "interface")}
+    forms = {"<component>_attributes", "<component>_interface"}
+    _check_keys(str(file), content, _KEYS | own, own | _KEYS | forms)
     dictionary = Dictionary(
-        _attributes(file, PACKAGE, content.get("package_attributes") or ["name"]),
-        components,
+        _attributes(f"{file}: {PACKAGE}", content.get("package_attributes") or ["name"]),
+        {
+            tag: Component(
+                tag,
+                _attributes(f"{file}: {tag}", content.get(f"{tag}_attributes") or ["name"]),
+                {
+                    kind: _interface(f"{file}: {kind}", kind, item)
+                    for kind, item in (content[f"{tag}_interface"] or {}).items()
+                },
+            )
+            for tag in tags
+        },
         content.get("aliases") or {},
-        content.get("starter") or [],
+        content.get("skeleton") or [],
     )
-    _check_keys(file, dictionary)
+    components = dictionary.components.values()
+    _check_hidden(file, PACKAGE, dictionary.package, {c.key for c in components} | RESERVED_KEYS)
+    for component in components:
+        keys = {interface.key for interface in component.interfaces.values()} | COMPONENT_KEYS
+        _check_hidden(file, component.tag, component.attributes, keys)
+        for kind in component.interfaces.values():
+            if kind.requires and kind.requires not in component.attributes:
+                hint = f"<{component.tag}>; {allowed(kind.requires, component.attributes)}"
+                word = f'requires "{kind.requires}", which is no attribute of'
+                raise SpecError(f"{file}: {kind.kind}: {word} {hint}")
     return dictionary
 
 
@@ -144,68 +148,54 @@ def _read(file: Path) -> dict[str, Any]:
     return content
 
 
-def _interface(file: Path, kind: str, item: Any) -> Interface:
+def _interface(place: str, kind: str, item: Any) -> Interface:
     """Read an interface kind, which is a list of attributes or a mapping that has one."""
-    if isinstance(item, list):
-        item = {"attributes": item}
+    item = {"attributes": item} if isinstance(item, list) else item
     if not isinstance(item, dict) or not set(item) <= {"attributes", "doc", "requires"}:
-        raise SpecError(
-            f"{file}: {kind}: must be a list of attributes, or attributes, doc and requires"
-        )
+        raise SpecError(f"{place}: must be a list of attributes, or attributes, doc and requires")
     return Interface(
-        kind, **{**item, "attributes": _attributes(file, kind, item.get("attributes", []))}
+        kind, **{**item, "attributes": _attributes(place, item.get("attributes", []))}
     )
 
 
-def _attributes(file: Path, owner: str, items: Any) -> dict[str, Attribute]:
+def _attributes(place: str, items: Any) -> dict[str, Attribute]:
     if not isinstance(items, list):
-        raise SpecError(f"{file}: {owner}: the attributes must be a list")
+        raise SpecError(f"{place}: the attributes must be a list")
     attributes: dict[str, Attribute] = {}
     for item in items:
-        if isinstance(item, str):
-            item = {item: {}}
+        item = {item: {}} if isinstance(item, str) else item
         if not isinstance(item, dict):
-            raise SpecError(f"{file}: {owner}: {item!r} must be a name or a mapping")
+            raise SpecError(f"{place}: {item!r} must be a name or a mapping")
         for name, options in item.items():
-            attributes[name] = _attribute(f"{file}: {owner} {name}", name, options or {})
+            attributes[name] = _attribute(f"{place} {name}", name, dict(options or {}))
     return attributes
 
 
 def _attribute(place: str, name: str, options: dict[str, Any]) -> Attribute:
-    for key in options:
-        if key not in _ATTRIBUTE_KEYS - {"name"}:
-            options_known = sorted(_ATTRIBUTE_KEYS - {"name"})
-            raise SpecError(f'{place}: unknown key "{key}"; {allowed(key, options_known)}')
-    known_formats = [*FORMATS, "literal"]
-    if options.get("format", "text") not in known_formats:
+    _check_keys(place, options, {item.name for item in fields(Attribute)} - {"name"})
+    formats = [*FORMATS, "literal"]
+    if options.get("format", "text") not in formats:
         word = str(options["format"])
-        raise SpecError(f'{place}: unknown format "{word}"; {allowed(word, known_formats)}')
-    options = dict(options)
+        raise SpecError(f'{place}: unknown format "{word}"; {allowed(word, formats)}')
     if "choices" in options:
         choices = options["choices"]
-        if isinstance(choices, list):
-            choices = dict.fromkeys(choices, ())
+        choices = dict.fromkeys(choices) if isinstance(choices, list) else choices
         options["choices"] = {str(word): [*(others or ())] for word, others in choices.items()}
-    options.setdefault("optional", "default" in options)
-    return Attribute(name, **options)
+    return Attribute(name, **{"optional": "default" in options, **options})
 
 
-def _check_keys(file: Path, dictionary: Dictionary) -> None:
+def _check_keys(
+    place: str, mapping: Mapping[str, Any], known: set[str], told: set[str] | None = None
+) -> None:
+    for key in mapping:
+        if key not in known:
+            hint = allowed(str(key), sorted(told or known))
+            raise SpecError(f'{place}: unknown key "{key}"; {hint}')
+
+
+def _check_hidden(
+    file: Path, owner: str, attributes: Mapping[str, Attribute], keys: Set[str]
+) -> None:
     """Refuse an attribute that would hide a key the context needs."""
-    component_keys = {component.key for component in dictionary.components.values()}
-    owners: list[tuple[str, Mapping[str, Attribute], set[str]]] = [
-        (PACKAGE, dictionary.package, component_keys | RESERVED_KEYS)
-    ]
-    for component in dictionary.components.values():
-        keys = {interface.key for interface in component.interfaces.values()} | COMPONENT_KEYS
-        owners.append((component.tag, component.attributes, keys))
-        for interface in component.interfaces.values():
-            if interface.requires and interface.requires not in component.attributes:
-                word = interface.requires
-                raise SpecError(
-                    f'{file}: {interface.kind}: requires "{word}", which is no attribute of'
-                    f" <{component.tag}>; {allowed(word, component.attributes)}"
-                )
-    for owner, attributes, keys in owners:
-        for name in keys & set(attributes):
-            raise SpecError(f'{file}: {owner}: the context needs the key "{name}"; rename it')
+    for name in keys & set(attributes):
+        raise SpecError(f'{file}: {owner}: the context needs the key "{name}"; rename it')

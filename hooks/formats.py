@@ -15,104 +15,78 @@ from typing import Any
 import yaml
 from packaging.licenses import InvalidLicenseExpression, canonicalize_license_expression
 
-CPP_KEYWORDS = frozenset(
-    """
-    alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t
-    char32_t class co_await co_return co_yield compl concept const const_cast consteval constexpr
-    constinit continue decltype default delete do double dynamic_cast else enum explicit export
-    extern false final float for friend goto if inline int long mutable namespace new noexcept not
-    not_eq nullptr operator or or_eq override private protected public register reinterpret_cast
-    requires return short signed sizeof static static_assert static_cast struct switch template
-    this thread_local throw true try typedef typeid typename union unsigned using virtual void
-    volatile wchar_t while xor xor_eq
-    """.split()
-)
-"""The keywords of C++20 and its two identifiers with special meaning."""
+from .data import load_data
+from .names import identifier as identifier_of
+
+_KEYWORDS = {
+    "Python": set(keyword.kwlist),
+    "C++": set(load_data("keywords.yaml")["C++"].split()),
+}
+_LICENSES = {name: spdx for spdx, names in load_data("licenses.yaml").items() for name in names}
 
 
-def text(value: str) -> str:
-    """Any text, without the blanks at its ends."""
-    return value.strip()
+def _match(pattern: str, value: str, complaint: str) -> re.Match[str]:
+    match = re.fullmatch(pattern, value, re.ASCII)
+    if not match:
+        raise ValueError(f'"{value}" is {complaint}')
+    return match
 
 
-def raw(value: str) -> str:
-    """Any text, as it stands."""
-    return value
+def _matching(pattern: str, complaint: str) -> Callable[[str], str]:
+    return lambda value: _match(pattern, value, complaint)[0]
 
 
-def _no_keyword(word: str) -> None:
-    languages = [
-        name
-        for name, found in (
-            ("Python", keyword.iskeyword(word)),
-            ("C++", word in CPP_KEYWORDS),
-        )
-        if found
-    ]
-    if languages:
-        raise ValueError(f'"{word}" is a keyword of {" and ".join(languages)}; choose another')
+def _no_keyword(word: str) -> str:
+    found = [language for language, keywords in _KEYWORDS.items() if word in keywords]
+    if found:
+        raise ValueError(f'"{word}" is a keyword of {" and ".join(found)}; choose another')
+    return word
 
 
 def identifier(value: str) -> str:
     """A letter, then letters, digits and single underscores; no keyword."""
-    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*_?", value):
-        raise ValueError(
-            f'"{value}" is not a valid name; allowed: a letter, then letters, digits and'
-            " single underscores"
-        )
-    _no_keyword(value)
-    return value
-
-
-def component_name(value: str) -> str:
-    """An identifier that names files and classes, so two must differ by more than case and _."""
-    return identifier(value)
+    complaint = "not a valid name; allowed: a letter, then letters, digits and single underscores"
+    return _no_keyword(_match(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*_?", value, complaint)[0])
 
 
 def package_name(value: str) -> str:
-    """A package name of REP 144: two or more of a-z, 0-9 and _, a letter first."""
-    if not re.fullmatch(r"[a-z][a-z0-9]*(_[a-z0-9]+)*", value) or len(value) < 2:
-        raise ValueError(
-            f'"{value}" is not a package name of REP 144; allowed: two or more of a-z, 0-9 and'
-            " single underscores, a letter first"
-        )
-    _no_keyword(value)
-    return value
+    """A package name of REP 144."""
+    complaint = "not a package name of REP 144; allowed: two or more of a-z, 0-9 and single"
+    complaint += " underscores, a letter first"
+    return _no_keyword(_match(r"(?=..)[a-z][a-z0-9]*(_[a-z0-9]+)*", value, complaint)[0])
 
 
-def dependency(value: str) -> str:
-    """The name of another package or a rosdep key."""
-    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_.+-]*", value):
-        raise ValueError(
-            f'"{value}" is not a package name; allowed: letters, digits and "_", a letter first'
-        )
-    return value
+dependency = _matching(
+    r"[A-Za-z][A-Za-z0-9_.+-]*",
+    'not a package name; allowed: letters, digits and "_", a letter first',
+)
+email = _matching(  # catkin_pkg's own expression
+    r"[-a-zA-Z0-9_%+.]+@[-a-zA-Z0-9.]+\.[a-zA-Z]{2,}",
+    "not a mail address; allowed: name@host.domain",
+)
 
 
 def ros_name(value: str) -> str:
     """A name in the ROS graph: relative, absolute (/a/b) or private (~/a, or ROS 1's ~a)."""
-    prefix, name = re.fullmatch(r"(~/?|/)?(.*)", value, re.DOTALL).groups(default="")  # type: ignore[union-attr]
-    if not re.fullmatch(r"[A-Za-z]\w*(/[A-Za-z]\w*)*", name, re.ASCII) or "__" in name:
-        raise ValueError(
-            f'"{value}" is not a valid ROS name; allowed: letters, digits, single underscores'
-            ' and "/" between words that start with a letter, after "/" or "~/" if at all'
-        )
+    complaint = (
+        "not a valid ROS name; allowed: letters, digits, single underscores"
+        ' and "/" between words that start with a letter, after "/" or "~/" if at all'
+    )
+    word = r"[A-Za-z]\w*"
+    prefix, name = _match(rf"(?!.*__)(~/?|/|)({word}(?:/{word})*)", value, complaint).groups()
     _no_keyword(name.replace("/", "_"))
     return ("~/" if prefix.startswith("~") else prefix) + name
 
 
-def _interface_type(folder: str, example: str) -> Callable[[str], str]:
+def _type(folder: str, example: str) -> Callable[[str], str]:
+    """Return the format of a type in a folder of a package; it gives `package/folder/Type`."""
+    forms = f"package::Type, package/Type, package/{folder}/Type, such as {example}"
+
     def parse(value: str) -> str:
-        word = r"[A-Za-z]\w*"
-        match = re.fullmatch(rf"({word})(::|/)(?:{folder}\2)?({word})", value, re.ASCII)
-        if not match:
-            raise ValueError(
-                f'"{value}" is not a type; allowed: package::Type, package/Type,'
-                f" package/{folder}/Type, such as {example}"
-            )
+        pattern = rf"([A-Za-z]\w*)(::|/)(?:{folder}\2)?([A-Za-z]\w*)"
+        match = _match(pattern, value, f"not a type; allowed: {forms}")
         return f"{match[1]}/{folder}/{match[3]}"
 
-    parse.__doc__ = f"A type of a package's {folder} folder, such as {example}."
     return parse
 
 
@@ -129,62 +103,20 @@ def number(value: str) -> float:
 
 def boolean(value: str) -> bool:
     """True or false, in one of the usual spellings."""
-    spellings = {
-        **dict.fromkeys(("true", "1", "yes", "on"), True),
-        **dict.fromkeys(("false", "0", "no", "off"), False),
-    }
-    try:
-        return spellings[value.strip().lower()]
-    except KeyError:
-        raise ValueError(f'"{value}" is not a bool; allowed: {", ".join(spellings)}') from None
+    spellings = ["true", "1", "yes", "on", "false", "0", "no", "off"]
+    word = value.strip().lower()
+    if word not in spellings:
+        raise ValueError(f'"{value}" is not a bool; allowed: {", ".join(spellings)}')
+    return spellings.index(word) < 4
 
 
 def integer(value: str) -> int:
     """A whole number of 64 bits."""
-    if not re.fullmatch(r"\s*[+-]?[0-9]+\s*", value, re.ASCII):
-        raise ValueError(f'"{value}" is not an int; allowed: a whole number, such as -3')
-    if not -(2**63) <= int(value) < 2**63:
+    complaint = "not an int; allowed: a whole number, such as -3"
+    result = int(_match(r"\s*[+-]?[0-9]+\s*", value, complaint)[0])
+    if not -(2**63) <= result < 2**63:
         raise ValueError(f'"{value}" does not fit 64 bits; allowed: {-(2**63)} to {2**63 - 1}')
-    return int(value)
-
-
-def email(value: str) -> str:
-    """A mail address as package.xml accepts it (catkin_pkg's own expression)."""
-    if not re.fullmatch(r"[-a-zA-Z0-9_%+.]+@[-a-zA-Z0-9.]+\.[a-zA-Z]{2,}", value, re.ASCII):
-        raise ValueError(f'"{value}" is not a mail address; allowed: name@host.domain')
-    return value
-
-
-_LICENSES = {
-    "apache": "Apache-2.0",
-    "apache 2": "Apache-2.0",
-    "apache 2.0": "Apache-2.0",
-    "apache license 2.0": "Apache-2.0",
-    "apache license, version 2.0": "Apache-2.0",
-    "boost software license 1.0": "BSL-1.0",
-    "bsd": "BSD-3-Clause",
-    "bsd license": "BSD-3-Clause",
-    "gnu.org/licenses/agpl": "AGPL-3.0-only",
-    "gnu.org/licenses/agpl-3.0": "AGPL-3.0-only",
-    "gnu.org/licenses/gpl": "GPL-3.0-only",
-    "gnu.org/licenses/gpl-3.0": "GPL-3.0-only",
-    "gnu.org/licenses/lgpl": "LGPL-3.0-only",
-    "gnu.org/licenses/lgpl-3.0": "LGPL-3.0-only",
-    "gnu.org/licenses/old-licenses/gpl-2.0": "GPL-2.0-only",
-    "gnu.org/licenses/old-licenses/lgpl-2.1": "LGPL-2.1-only",
-    "gpl": "GPL-3.0-only",
-    "gplv2": "GPL-2.0-only",
-    "gplv3": "GPL-3.0-only",
-    "lgpl": "LGPL-3.0-only",
-    "lgplv2.1": "LGPL-2.1-only",
-    "lgplv3": "LGPL-3.0-only",
-    "mit license": "MIT",
-    "mozilla public license 2.0": "MPL-2.0",
-    "opensource.org/licenses/mit": "MIT",
-    "opensource.org/licenses/bsd-3-clause": "BSD-3-Clause",
-    "apache.org/licenses/license-2.0": "Apache-2.0",
-    "public domain": "Unlicense",
-}
+    return result
 
 
 def license_name(value: str) -> str:
@@ -194,25 +126,25 @@ def license_name(value: str) -> str:
         return str(canonicalize_license_expression(name))
     except InvalidLicenseExpression:
         key = re.sub(r"^https?://(www\.)?|(\.(txt|html|en\.html))?$", "", name.lower())
-        return _LICENSES.get(key, name)
+        return str(_LICENSES.get(key, name))
 
 
 FORMATS: dict[str, Callable[[str], Any]] = {
-    "text": text,
-    "raw": raw,
+    "text": str.strip,
+    "raw": str,
     "identifier": identifier,
-    "component_name": component_name,
+    "component_name": identifier,
     "package_name": package_name,
     "dependency": dependency,
     "ros_name": ros_name,
-    "message_type": _interface_type("msg", "std_msgs/String"),
-    "service_type": _interface_type("srv", "std_srvs/Trigger"),
-    "action_type": _interface_type("action", "test_msgs/Fibonacci"),
+    "message_type": _type("msg", "std_msgs/String"),
+    "service_type": _type("srv", "std_srvs/Trigger"),
+    "action_type": _type("action", "test_msgs/Fibonacci"),
     "number": number,
     "bool": boolean,
     "int": integer,
     "double": number,
-    "string": raw,
+    "string": str,
     "email": email,
     "license": license_name,
 }
@@ -242,11 +174,12 @@ def literal(value: str, type_name: str) -> Any:
     return [FORMATS[element_type](item) for item in items]
 
 
-def as_identifier(name: str) -> str:
-    """Return a ROS name as one word for use inside an identifier: `~/a/b` gives `a_b`."""
-    return name.lstrip("~/").replace("/", "_")
+_COMPARED: dict[str, Callable[[str], str]] = {
+    # It names files and classes, and some file systems take `a` and `A` for the same.
+    "component_name": lambda name: name.replace("_", "").lower(),
+}
 
 
-def as_class_name(name: str) -> str:
-    """Return the name of a class for a name: `contact_evaluate` gives `ContactEvaluate`."""
-    return "".join(word[0].upper() + word[1:] for word in re.split(r"[_/~]+", name) if word)
+def comparable(format_name: str, value: str) -> str:
+    """Return that in which two values of a format differ where each must be unique."""
+    return _COMPARED.get(format_name, identifier_of)(value)

@@ -16,7 +16,7 @@ from .complete import Functions, complete
 from .dictionary import Dictionary, load
 from .faults import SpecError
 from .parse import parse
-from .starter import starter
+from .skeleton import skeleton
 
 
 class Model:
@@ -39,9 +39,8 @@ class Model:
             SpecError: the spec is not well-formed, or the dictionary does not allow it.
 
         """
-        tag, element = parse(xml, file)
-        package, depends, used = check(tag, element, self.dictionary, file)
-        context = complete(package, depends, used, self.functions, distro)
+        spec = check(parse(xml, file), self.dictionary, file)
+        context = complete(spec, self.functions, distro)
         context["notes"] += contradictions(context, self.dictionary)
         return context
 
@@ -49,9 +48,9 @@ class Model:
         """Return the name of the package: the value of its first attribute."""
         return str(context[next(iter(self.dictionary.package))])
 
-    def starter(self, sources: Mapping[str, str]) -> str:
-        """Return the XML a package starts with; see `hooks.starter`."""
-        return starter(self.dictionary, sources)
+    def skeleton(self, sources: Mapping[str, str]) -> str:
+        """Return the XML a package starts with; see `hooks.skeleton`."""
+        return skeleton(self.dictionary, sources)
 
 
 def load_functions(file: Path) -> Functions:
@@ -67,11 +66,17 @@ def load_functions(file: Path) -> Functions:
         exec(compile(file.read_text(encoding="utf-8"), str(file), "exec"), module.__dict__)
     except Exception as error:
         raise SpecError(f"{_place(file, error)}: {type(error).__name__}: {error}") from error
+    return public_functions(module)
+
+
+def public_functions(module: ModuleType) -> Functions:
+    """Return the public functions that a module itself defines, each with faults that name it."""
+    file = str(module.__file__)
     return {
-        name: _reporting(file, value)
+        name: _reporting(Path(file), value)
         for name, value in vars(module).items()
         if inspect.isfunction(value)
-        and value.__code__.co_filename == str(file)
+        and value.__code__.co_filename == file
         and not name.startswith("_")
     }
 

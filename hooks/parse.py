@@ -2,86 +2,68 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterator
-from typing import Any
+from dataclasses import dataclass, field
 from xml.parsers import expat
-
-import xmltodict
 
 from .faults import SpecError
 
 
-class Element(dict[str, Any]):
-    """An XML element as xmltodict gives it, and where it starts in the file."""
+@dataclass(eq=False)
+class Element:
+    """An XML element, and the line it starts on."""
 
-    def __init__(self, content: Any = (), line: int = 0, index: int = 0) -> None:
-        super().__init__(content)
-        self.line = line
-        self.index = index
-
-    def __bool__(self) -> bool:
-        """Be true without content too: xmltodict drops what is false."""
-        return self.line > 0
-
-    @property
-    def attributes(self) -> dict[str, str]:
-        """The XML attributes in the order of the file."""
-        return {key[1:]: value for key, value in self.items() if key.startswith("@")}
+    tag: str
+    attributes: dict[str, str]
+    line: int
+    children: list[Element] = field(default_factory=list)
+    texts: list[str] = field(default_factory=list)
 
     @property
     def text(self) -> str:
         """The text between the tags, stripped."""
-        return str(self.get("#text", ""))
+        return "".join(self.texts).strip()
 
     @property
-    def children(self) -> list[tuple[str, Element]]:
-        """The elements inside, each with its tag, in the order of the file."""
-        children = [(tag, child) for tag, found in self._tags() for child in found]
-        return sorted(children, key=lambda child: child[1].index)
-
-    def _tags(self) -> Iterator[tuple[str, list[Element]]]:
-        return ((tag, found) for tag, found in self.items() if tag[0] not in "@#")
+    def label(self) -> str:
+        """The element as the user wrote it, with its first attribute alone."""
+        shown = [f' {name}="{value}"' for name, value in self.attributes.items()]
+        return f"<{self.tag}{''.join(shown[:1])}>"
 
 
-class _Expat:
-    """Stand in for the expat module, to keep the parser that xmltodict makes."""
-
-    def __init__(self) -> None:
-        self.parser: Any = None
-
-    def ParserCreate(self, *arguments: Any) -> Any:  # noqa: N802 (expat's own name)
-        self.parser = expat.ParserCreate(*arguments)
-        return self.parser
-
-    def element(self, content: Any = ()) -> Element:
-        if self.parser is None:  # xmltodict's own, made before it reads
-            return Element(content)
-        return Element(content, self.parser.CurrentLineNumber, self.parser.CurrentByteIndex)
-
-
-def parse(xml: bytes, file: str | os.PathLike[str]) -> tuple[str, Element]:
-    """Return the tag and the content of the outermost element.
+def parse(xml: bytes, file: str) -> Element:
+    """Return the outermost element.
 
     Raises:
-        SpecError: the text is not well-formed XML, or it declares entities.
+        SpecError: the text is not well-formed XML in UTF-8, or it declares entities.
 
     """
-    source = _Expat()
+    root = Element("", {}, 0)
+    path = [root]
+    parser = expat.ParserCreate()
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        path.append(Element(tag, attributes, parser.CurrentLineNumber))
+        path[-2].children.append(path[-1])
+
+    def entity(*_: object) -> None:
+        line = parser.CurrentLineNumber
+        raise SpecError(f"{file}:{line}: entities are disabled; write the text itself")
+
+    parser.StartElementHandler = start
+    parser.EndElementHandler = lambda tag: path.pop()
+    parser.CharacterDataHandler = lambda text: path[-1].texts.append(text)
+    parser.EntityDeclHandler = entity
     try:
-        document = xmltodict.parse(
-            xml,
-            expat=source,
-            dict_constructor=source.element,  # type: ignore[arg-type]
-            force_list=lambda path, key, value: key[0] not in "@#",
-        )
+        xml.decode("utf-8-sig")
+        parser.Parse(xml, True)
+    except UnicodeDecodeError:
+        raise SpecError(f"{file}:1: not UTF-8 text; save the spec as UTF-8") from None
     except expat.ExpatError as error:
         reason = expat.ErrorString(error.code)
         raise SpecError(
             f"{file}:{error.lineno}: not well-formed XML: {reason} (column {error.offset + 1})"
         ) from None
     except ValueError as error:
-        line = source.parser.CurrentLineNumber
+        line = parser.CurrentLineNumber
         raise SpecError(f"{file}:{line}: {error}; write the text itself") from None
-    ((tag, (content,)),) = document.items()
-    return tag, content
+    return root.children[0]

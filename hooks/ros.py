@@ -2,54 +2,19 @@
 
 from __future__ import annotations
 
-DISTROS = {"noetic": 1, "humble": 2, "jazzy": 2, "kilted": 2, "lyrical": 2, "rolling": 2}
-"""The ROS distributions that can be chosen, each with its generation (REP 3, REP 2000)."""
+from collections.abc import Mapping
 
-DEFAULT_DISTRO = "lyrical"
+from .data import load_data
 
-# A package of one generation and what stands for it in the other; None: nothing is needed.
-_SUCCESSORS: dict[int, dict[str, str | None]] = {
-    1: {
-        "actionlib": None,
-        "actionlib_msgs": "action_msgs",
-        "catkin": None,
-        "cv_bridge": "cv_bridge",
-        "dynamic_reconfigure": None,
-        "genmsg": None,
-        "message_generation": "rosidl_default_generators",
-        "message_runtime": "rosidl_default_runtime",
-        "nodelet": "rclcpp_components",
-        "rosconsole": None,
-        "roscpp": "rclcpp",
-        "roslaunch": "launch_ros",
-        "roslib": "ament_index_python",
-        "rospy": "rclpy",
-        "rostest": "launch_testing_ros",
-        "tf": "tf2_ros",
-        "tf_conversions": "tf2_geometry_msgs",
-        "tf2_ros": "tf2_ros",
-    },
-    2: {
-        "action_msgs": "actionlib_msgs",
-        "ament_cmake": None,
-        "ament_index_cpp": "roslib",
-        "ament_index_python": "roslib",
-        "ament_python": None,
-        "launch": "roslaunch",
-        "launch_ros": "roslaunch",
-        "launch_testing_ros": "rostest",
-        "lifecycle_msgs": None,
-        "rcl_interfaces": None,
-        "rclcpp": "roscpp",
-        "rclcpp_action": "actionlib",
-        "rclcpp_components": "nodelet",
-        "rclcpp_lifecycle": "roscpp",
-        "rclpy": "rospy",
-        "rosidl_default_generators": "message_generation",
-        "rosidl_default_runtime": "message_runtime",
-        "tf2_ros_py": "tf2_ros",
-    },
-}
+_ROS = load_data("ros.yaml")
+DISTROS: dict[str, int] = _ROS["distros"]
+"""The ROS distributions that can be chosen, each with its generation."""
+
+
+def default_distro(environment: Mapping[str, str]) -> str:
+    """Return the distribution that ROS_DISTRO names where it is one of ours."""
+    distro = environment.get("ROS_DISTRO", "")
+    return distro if distro in DISTROS else str(_ROS["default_distro"])
 
 
 def translate_dependency(package: str, generation: int) -> tuple[str | None, str | None]:
@@ -57,10 +22,9 @@ def translate_dependency(package: str, generation: int) -> tuple[str | None, str
 
     A package that is not known to belong to the other generation keeps its name.
     """
-    successors = _SUCCESSORS[3 - generation]
-    if package not in successors or successors[package] == package:
+    successor = _ROS["successors"][3 - generation].get(package, package)
+    if successor == package:
         return package, None
-    successor = successors[package]
     meaning = f"became {successor}" if successor else "was left out"
     return (
         successor,

@@ -91,5 +91,5 @@ def test_what_is_imported_is_declared():
             elif isinstance(node, ast.ImportFrom) and not node.level:
                 imported.add(node.module.split(".")[0])
     found = {DISTRIBUTIONS.get(name, name) for name in imported - sys.stdlib_module_names}
-    assert {"copier", "packaging", "xmltodict"} <= found
+    assert {"copier", "packaging", "pyyaml"} <= found
     assert found <= dependencies().keys()

@@ -1,4 +1,4 @@
-"""The hook by itself: parse, check, complete, starter."""
+"""The hook by itself: parse, check, complete, skeleton."""
 
 import re
 import string
@@ -251,8 +251,8 @@ def test_kinds_bring_their_dependencies(model):
 SOURCES = {"folder": "pkg", "user": 'A "b" <c>', "email": "a@example.org", "year": "2026"}
 
 
-def test_starter_is_valid_and_shows_every_kind(model):
-    xml = model.starter(SOURCES)
+def test_skeleton_is_valid_and_shows_every_kind(model):
+    xml = model.skeleton(SOURCES)
     spec = context(model, xml)
     (node,) = spec["nodes"]
     assert spec["author"] == SOURCES["user"]
@@ -289,9 +289,9 @@ def test_any_value_survives(text):
 
 
 def test_lines_and_order_are_kept():
-    tag, element = parse(b"<a>\n<b/>\n<c\n/>\n<b x='1'/></a>", "f")
-    assert tag == "a"
-    assert [(name, child.line) for name, child in element.children] == [
+    element = parse(b"<a>\n<b/>\n<c\n/>\n<b x='1'/></a>", "f")
+    assert element.tag == "a"
+    assert [(child.tag, child.line) for child in element.children] == [
         ("b", 2),
         ("c", 3),
         ("b", 5),

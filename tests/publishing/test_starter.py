@@ -134,7 +134,7 @@ def test_life_of_a_model(team, github, tmp_path):
     assert 'info("working")' in (package / "mypkg/example_node.py").read_text()
 
     collection, publish_starter, _ = github
-    change(collection / "hooks/ros.py", 'DISTRO = "lyrical"', 'DISTRO = "rolling"')
+    change(collection / "hooks/ros.yaml", "distro: lyrical", "distro: rolling")
     change(collection / "tests/models/test_models.py", "EDIT = ", "# Newer\nEDIT = ")
     example = collection / "starter_model/template/template"
     (example / "new.txt").write_text("new\n")
@@ -145,7 +145,7 @@ def test_life_of_a_model(team, github, tmp_path):
     before = {name: git(model, "rev-parse", f"HEAD:{name}") for name in ("template", "README.md")}
     run("update", "--defaults", cwd=model)
     commit(model)
-    assert 'DEFAULT_DISTRO = "rolling"' in (model / "hooks/ros.py").read_text()
+    assert "default_distro: rolling" in (model / "hooks/ros.yaml").read_text()
     assert "# Newer" in (model / "tests/test_models.py").read_text()
     assert before == {name: git(model, "rev-parse", f"HEAD:{name}") for name in before}
     assert "shout" in functions.read_text()

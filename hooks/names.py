@@ -1,23 +1,8 @@
-"""Filters that turn the names of a spec into names in code."""
+"""The names of a spec as names in code: for the hook, and filters for the templates."""
 
 from __future__ import annotations
 
-from jinja2 import Environment
-from jinja2.ext import Extension
-
-
-class NamesExtension(Extension):
-    """Register the filters of this file."""
-
-    def __init__(self, environment: Environment) -> None:
-        super().__init__(environment)
-        environment.filters |= {
-            "identifier": identifier,
-            "graph_id": graph_id,
-            "ros_type": ros_type,
-            "type_package": type_package,
-            "type_name": type_name,
-        }
+import re
 
 
 def identifier(name: str) -> str:
@@ -43,3 +28,8 @@ def type_package(type_: str) -> str:
 def type_name(type_: str) -> str:
     """Return the last part of a ROS type: `std_msgs/msg/String` gives `String`."""
     return type_.split("/")[-1]
+
+
+def class_name(name: str) -> str:
+    """Return the name of a class for a name: `contact_evaluate` gives `ContactEvaluate`."""
+    return "".join(word[0].upper() + word[1:] for word in re.split(r"[_/~]+", name) if word)

@@ -7,12 +7,12 @@ from collections.abc import Iterable, Mapping
 from string import Template
 from xml.sax.saxutils import quoteattr
 
-from .dictionary import DEPEND, PACKAGE, Attribute, Component, Dictionary, Interface
+from .dictionary import DEPEND, PACKAGE, Attribute, Component, Dictionary
 
 _WIDTH = 96
 
 
-def starter(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
+def skeleton(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
     """Return the XML of a small spec that works, with the rest of the kinds as comments.
 
     `$word` in an example of the dictionary stands for the value that `sources` has for the word.
@@ -34,26 +34,22 @@ def starter(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
 
 
 def _component(component: Component, dictionary: Dictionary) -> list[str]:
-    kinds = component.interfaces.values()
     lines = [
         *_comment(component.tag, "  ", component.attributes.values()),
         *_tag(component.tag, component.attributes.values(), "  ", ">"),
     ]
-    for kind in kinds:
-        if kind.kind in dictionary.starter:
-            lines += [*_describe(kind), *_tag(kind.kind, kind.attributes.values(), "    ", "/>")]
-    others = [kind for kind in kinds if kind.kind not in dictionary.starter]
+    others: list[str] = []
+    for kind in component.interfaces.values():
+        attributes = kind.attributes.values()
+        title = f"{kind.kind}: {kind.doc}" if kind.doc else kind.kind
+        comment = _comment(title, "    ", attributes)
+        if kind.kind in dictionary.skeleton:
+            lines += [*comment, *_tag(kind.kind, attributes, "    ", "/>")]
+        else:
+            others += ["", *comment, *_tag(kind.kind, attributes, "    <!-- ", "/> -->")]
     if others:
         lines += ["", *_comment("The other interface kinds, to uncomment where needed.", "    ")]
-    for kind in others:
-        example = _tag(kind.kind, kind.attributes.values(), "    <!-- ", "/> -->")
-        lines += ["", *_describe(kind), *example]
-    return [*lines, f"  </{component.tag}>"]
-
-
-def _describe(kind: Interface) -> list[str]:
-    title = f"{kind.kind}: {kind.doc}" if kind.doc else kind.kind
-    return _comment(title, "    ", kind.attributes.values())
+    return [*lines, *others, f"  </{component.tag}>"]
 
 
 def _comment(title: str, indent: str, attributes: Iterable[Attribute] = ()) -> list[str]:
