@@ -1,5 +1,5 @@
 # The two commands of the README; each sets up what it needs, once.
-.PHONY: demo test bench lab debian clean
+.PHONY: demo test bench lab accept debian clean
 
 PYTHON ?= python3
 TOOLS := .venv/tools
@@ -20,6 +20,10 @@ test: $(TOOLS)/ready $(ROS2)/ready debian
 	$(TOOLS)/bin/ruff format --check .
 	$(TOOLS)/bin/mypy
 	ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH= $(TOOLS)/bin/pytest
+
+# The packages that examples/ shows: rendered anew, for the diff to be reviewed.
+accept: $(TOOLS)/ready
+	$(TOOLS)/bin/python scripts/accept.py
 
 bench: $(TOOLS)/ready $(ROS2)/ready
 	$(TOOLS)/bin/python benchmarks/render.py

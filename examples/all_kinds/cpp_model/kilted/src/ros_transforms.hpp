@@ -1,0 +1,87 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef ROS_TRANSFORMS_HPP_
+#define ROS_TRANSFORMS_HPP_
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "geometry_msgs/msg/transform_stamped.hpp"
+#include "rclcpp_lifecycle/lifecycle_node.hpp"
+#include "tf2/exceptions.h"
+#include "tf2/time.h"
+#include "tf2_ros/buffer.h"
+#include "tf2_ros/transform_broadcaster.h"
+#include "tf2_ros/transform_listener.h"
+
+#include "all_kinds/transforms.hpp"
+
+namespace all_kinds
+{
+
+/// Reads coordinate transforms, in a thread of its own.
+class RosTransformListener : public TransformListener<geometry_msgs::msg::TransformStamped>
+{
+public:
+  explicit RosTransformListener(rclcpp_lifecycle::LifecycleNode & node)
+  : buffer_(node.get_clock()),
+    listener_(buffer_, &node)
+  {
+  }
+
+protected:
+  std::optional<geometry_msgs::msg::TransformStamped> wait_for_transform(
+    const std::string & target,
+    const std::string & source,
+    Seconds timeout) override
+  {
+    const auto start = std::chrono::steady_clock::now();
+    while (true) {
+      try {
+        return buffer_.lookupTransform(target, source, tf2::TimePointZero);
+      } catch (const tf2::TransformException &) {
+        if (std::chrono::steady_clock::now() - start >= timeout) {
+          return std::nullopt;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+    }
+  }
+
+private:
+  tf2_ros::Buffer buffer_;
+  tf2_ros::TransformListener listener_;
+};
+
+/// Sends coordinate transforms.
+class RosTransformBroadcaster : public TransformBroadcaster<geometry_msgs::msg::TransformStamped>
+{
+public:
+  explicit RosTransformBroadcaster(rclcpp_lifecycle::LifecycleNode & node)
+  : clock_(node.get_clock()),
+    broadcaster_(node)
+  {
+  }
+
+  void send(const geometry_msgs::msg::TransformStamped & transform) override
+  {
+    broadcaster_.sendTransform(transform);
+  }
+
+protected:
+  void set_stamp(geometry_msgs::msg::TransformStamped & transform) override
+  {
+    transform.header.stamp = clock_->now();
+  }
+
+private:
+  rclcpp::Clock::SharedPtr clock_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+};
+
+}  // namespace all_kinds
+
+#endif  // ROS_TRANSFORMS_HPP_

@@ -1,0 +1,28 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+// Tests of the logic of observer, without ROS.
+
+#include "gtest/gtest.h"
+
+#include "all_kinds/observer_impl.hpp"
+
+/// The logic by itself; what it may use of ROS does nothing.
+class TestObserverImpl : public ::testing::Test
+{
+protected:
+  all_kinds::ObserverConfig config;
+  all_kinds::ObserverData data;
+  all_kinds::ObserverPassthrough passthrough;
+  all_kinds::ObserverImpl impl{passthrough};
+};
+
+TEST_F(TestObserverImpl, AcceptsItsDefaultParameters) {
+  EXPECT_TRUE(impl.configure(config));
+}
+
+TEST_F(TestObserverImpl, WorksWithoutAnyMessageReceived) {
+  ASSERT_TRUE(impl.configure(config));
+  impl.update(data, config);
+  impl.cleanup();
+}

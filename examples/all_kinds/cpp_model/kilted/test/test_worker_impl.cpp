@@ -1,0 +1,28 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+// Tests of the logic of worker, without ROS.
+
+#include "gtest/gtest.h"
+
+#include "all_kinds/worker_impl.hpp"
+
+/// The logic by itself; what it may use of ROS does nothing.
+class TestWorkerImpl : public ::testing::Test
+{
+protected:
+  all_kinds::WorkerConfig config;
+  all_kinds::WorkerData data;
+  all_kinds::WorkerPassthrough passthrough;
+  all_kinds::WorkerImpl impl{passthrough};
+};
+
+TEST_F(TestWorkerImpl, AcceptsItsDefaultParameters) {
+  EXPECT_TRUE(impl.configure(config));
+}
+
+TEST_F(TestWorkerImpl, WorksWithoutAnyMessageReceived) {
+  ASSERT_TRUE(impl.configure(config));
+  impl.update(data, config);
+  impl.cleanup();
+}

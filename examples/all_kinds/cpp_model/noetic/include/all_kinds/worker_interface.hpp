@@ -1,0 +1,149 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+// What the logic of worker sees of ROS.
+// Generated from all_kinds.ros_package; change the interface there.
+
+#ifndef ALL_KINDS__WORKER_INTERFACE_HPP_
+#define ALL_KINDS__WORKER_INTERFACE_HPP_
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "all_kinds/action_client.hpp"
+#include "all_kinds/goal.hpp"
+#include "all_kinds/logger.hpp"
+#include "all_kinds/publisher.hpp"
+#include "all_kinds/service_client.hpp"
+#include "all_kinds/time.hpp"
+#include "all_kinds/transforms.hpp"
+#include "geometry_msgs/TransformStamped.h"
+#include "geometry_msgs/Twist.h"
+#include "std_msgs/Empty.h"
+#include "std_msgs/Int64.h"
+#include "std_msgs/String.h"
+#include "std_srvs/Empty.h"
+#include "std_srvs/SetBool.h"
+#include "std_srvs/Trigger.h"
+#include "test_msgs/FibonacciAction.h"
+
+namespace all_kinds
+{
+
+/// The types of its messages, by names that are the same in every ROS.
+namespace worker_types
+{
+
+using InSpeed = geometry_msgs::Twist;
+using InCounter = std_msgs::Int64;
+using OutCounter = std_msgs::Int64;
+using OutStatus = std_msgs::String;
+using PubEcho = std_msgs::String;
+using PubEmpty = std_msgs::Empty;
+using SayMessage = std_msgs::String;
+using ClientPermit = std_srvs::Trigger;
+using ResetService = std_srvs::Empty;
+using EnableService = std_srvs::SetBool;
+struct ActionDelegate
+{
+  using Type = test_msgs::FibonacciAction;
+  using Goal = test_msgs::FibonacciGoal;
+  using Feedback = test_msgs::FibonacciFeedback;
+  using Result = test_msgs::FibonacciResult;
+};
+struct ComputeAction
+{
+  using Type = test_msgs::FibonacciAction;
+  using Goal = test_msgs::FibonacciGoal;
+  using Feedback = test_msgs::FibonacciFeedback;
+  using Result = test_msgs::FibonacciResult;
+};
+using Transform = geometry_msgs::TransformStamped;
+
+}  // namespace worker_types
+
+/// The parameters, as they are at one moment.
+struct WorkerConfig
+{
+  /// What stands before a status, e.g. "a" < 'b' and so on
+  std::string prefix = "it's \"said\" <so> & für immer";
+
+  /// Weights of the inputs
+  std::vector<double> weights = {0.5, 1.0, 2000.0};
+
+  /// Gain of the output
+  double gain = 1.5;
+
+  /// How far to count in a cycle
+  std::int64_t step = 1;
+
+  /// Whether to say more
+  bool verbose = false;
+
+  /// Name in the status
+  std::string label = "worker";
+};
+
+/// The messages of one cycle.
+///
+/// in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
+/// out_<topic>: the message to send; out_<topic>_active: whether to send it in this cycle.
+struct WorkerData
+{
+  /// Wanted speed
+  worker_types::InSpeed in_speed;
+  bool in_speed_updated = false;
+
+  /// Its own counter, heard again
+  worker_types::InCounter in_counter;
+  bool in_counter_updated = false;
+
+  /// Cycles since the start
+  worker_types::OutCounter out_counter;
+  bool out_counter_active = true;
+
+  /// What the worker does
+  worker_types::OutStatus out_status;
+  bool out_status_active = true;
+};
+
+/// What the logic may use at any time, from any of its methods.
+struct WorkerPassthrough
+{
+  /// Writes to the log of ROS: log.debug(text), info, warning, error.
+  Logger log;
+
+  /// Returns the time of ROS, which can be assigned to the stamp of a message.
+  std::function<Time()> now = [] {return Time();};
+
+  /// What was said, said again
+  std::shared_ptr<Publisher<worker_types::PubEcho>> pub_echo =
+    std::make_shared<Publisher<worker_types::PubEcho>>();
+
+  /// Nothing, as a message
+  std::shared_ptr<Publisher<worker_types::PubEmpty>> pub_empty =
+    std::make_shared<Publisher<worker_types::PubEmpty>>();
+
+  /// Asks whether it may work
+  std::shared_ptr<ServiceClient<worker_types::ClientPermit>> client_permit =
+    std::make_shared<ServiceClient<worker_types::ClientPermit>>();
+
+  /// Lets another compute
+  std::shared_ptr<ActionClient<worker_types::ActionDelegate>> action_delegate =
+    std::make_shared<ActionClient<worker_types::ActionDelegate>>();
+
+  /// Finds the worker
+  std::shared_ptr<TransformListener<worker_types::Transform>> listener_frames =
+    std::make_shared<TransformListener<worker_types::Transform>>();
+
+  /// Says where the worker is
+  std::shared_ptr<TransformBroadcaster<worker_types::Transform>> broadcaster_pose =
+    std::make_shared<TransformBroadcaster<worker_types::Transform>>();
+};
+
+}  // namespace all_kinds
+
+#endif  // ALL_KINDS__WORKER_INTERFACE_HPP_

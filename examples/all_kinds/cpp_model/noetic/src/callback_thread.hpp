@@ -1,0 +1,37 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef CALLBACK_THREAD_HPP_
+#define CALLBACK_THREAD_HPP_
+
+#include "ros/callback_queue.h"
+#include "ros/node_handle.h"
+#include "ros/spinner.h"
+
+namespace all_kinds
+{
+
+/// A thread for one callback, so that one that blocks stops no other.
+class CallbackThread
+{
+public:
+  explicit CallbackThread(const ros::NodeHandle & node)
+  : node_(node),
+    spinner_(1, &queue_)
+  {
+    node_.setCallbackQueue(&queue_);
+    spinner_.start();
+  }
+
+  /// Return a handle whose callbacks run in this thread.
+  ros::NodeHandle & node() {return node_;}
+
+private:
+  ros::CallbackQueue queue_;
+  ros::NodeHandle node_;
+  ros::AsyncSpinner spinner_;
+};
+
+}  // namespace all_kinds
+
+#endif  // CALLBACK_THREAD_HPP_

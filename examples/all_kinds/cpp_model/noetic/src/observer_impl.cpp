@@ -1,0 +1,34 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+// The logic of observer. This file is yours.
+
+#include "all_kinds/observer_impl.hpp"
+
+namespace all_kinds
+{
+
+ObserverImpl::ObserverImpl(
+  const ObserverPassthrough & passthrough)
+: passthrough_(passthrough)
+{
+}
+
+bool ObserverImpl::configure(
+  [[maybe_unused]] const ObserverConfig & config)
+{
+  return true;
+}
+
+void ObserverImpl::update(
+  [[maybe_unused]] ObserverData & data,
+  [[maybe_unused]] const ObserverConfig & config)
+{
+}
+
+// End of life
+void ObserverImpl::cleanup()
+{
+}
+
+}  // namespace all_kinds

@@ -1,0 +1,61 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+// The logic of worker. This file is yours.
+
+#include "all_kinds/worker_impl.hpp"
+
+namespace all_kinds
+{
+
+WorkerImpl::WorkerImpl(
+  const WorkerPassthrough & passthrough)
+: passthrough_(passthrough)
+{
+}
+
+bool WorkerImpl::configure(
+  [[maybe_unused]] const WorkerConfig & config)
+{
+  return true;
+}
+
+void WorkerImpl::update(
+  [[maybe_unused]] WorkerData & data,
+  [[maybe_unused]] const WorkerConfig & config)
+{
+}
+
+// Topic say
+void WorkerImpl::receive_say(
+  [[maybe_unused]] const worker_types::SayMessage & message)
+{
+}
+
+// Service reset
+void WorkerImpl::serve_reset(
+  [[maybe_unused]] const worker_types::ResetService::Request & request,
+  [[maybe_unused]] worker_types::ResetService::Response & response)
+{
+}
+
+// Service enable
+void WorkerImpl::serve_enable(
+  [[maybe_unused]] const worker_types::EnableService::Request & request,
+  [[maybe_unused]] worker_types::EnableService::Response & response)
+{
+}
+
+// Action compute
+void WorkerImpl::execute_compute(
+  Goal<worker_types::ComputeAction> & goal)
+{
+  goal.succeed();
+}
+
+// End of life
+void WorkerImpl::cleanup()
+{
+}
+
+}  // namespace all_kinds

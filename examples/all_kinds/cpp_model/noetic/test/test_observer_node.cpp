@@ -1,0 +1,23 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+// Tests of the node observer, which rostest starts.
+
+#include "gtest/gtest.h"
+#include "ros/init.h"
+#include "ros/service.h"
+
+constexpr char SERVICE[] = "/observer/get_loggers";
+constexpr int TIMEOUT = 10000;  // milliseconds
+
+/// The node answers: it offers the services that every node has.
+TEST(TestObserverNode, Starts) {
+  EXPECT_TRUE(ros::service::waitForService(SERVICE, TIMEOUT));
+}
+
+int main(int argc, char ** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "test_observer_node");
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,9 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""Read by catkin_python_setup(); not for use by hand."""
+
+from catkin_pkg.python_setup import generate_distutils_setup
+from setuptools import setup
+
+setup(**generate_distutils_setup(packages=['all_kinds'], package_dir={'': '.'}))

@@ -1,0 +1,39 @@
+#!/usr/bin/env python3
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""Tests of the node worker, which nodes.test starts, and of its logic."""
+
+import time
+import unittest
+
+import rosnode
+import rostest
+from test_worker_impl import TestWorkerImpl  # noqa: F401 (rostest runs it too)
+
+NODE = '/worker'
+TIMEOUT = 10.0  # seconds
+
+
+class TestWorkerNode(unittest.TestCase):
+    """The node in ROS, without the nodes it talks to."""
+
+    def test_starts(self):
+        """The node answers."""
+        end = time.monotonic() + TIMEOUT
+        while not self.is_alive() and time.monotonic() < end:
+            time.sleep(0.1)
+        self.assertTrue(self.is_alive())
+
+    @staticmethod
+    def is_alive():
+        """Return whether the node answers."""
+        return NODE in rosnode.get_node_names() and rosnode.rosnode_ping(NODE, max_count=1)
+
+
+if __name__ == '__main__':
+    rostest.rosrun(
+        'all_kinds',
+        'worker',
+        'test_worker_node',
+    )

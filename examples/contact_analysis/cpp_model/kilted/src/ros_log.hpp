@@ -1,0 +1,41 @@
+// Copyright 2019 My Company
+// SPDX-License-Identifier: GPL-3.0-only
+
+#ifndef ROS_LOG_HPP_
+#define ROS_LOG_HPP_
+
+#include <string>
+
+#include "rclcpp/logger.hpp"
+#include "rclcpp/logging.hpp"
+
+#include "contact_analysis/logger.hpp"
+
+namespace contact_analysis
+{
+
+/// Return what writes to the log of a node.
+inline Logger make_logger(const rclcpp::Logger & logger)
+{
+  return Logger(
+    [logger](Logger::Level level, const std::string & text) {
+      switch (level) {
+        case Logger::Level::debug:
+          RCLCPP_DEBUG(logger, "%s", text.c_str());
+          break;
+        case Logger::Level::info:
+          RCLCPP_INFO(logger, "%s", text.c_str());
+          break;
+        case Logger::Level::warning:
+          RCLCPP_WARN(logger, "%s", text.c_str());
+          break;
+        case Logger::Level::error:
+          RCLCPP_ERROR(logger, "%s", text.c_str());
+          break;
+      }
+    });
+}
+
+}  // namespace contact_analysis
+
+#endif  // ROS_LOG_HPP_

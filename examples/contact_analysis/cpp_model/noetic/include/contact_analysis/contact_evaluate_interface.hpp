@@ -1,0 +1,89 @@
+// Copyright 2019 My Company
+// SPDX-License-Identifier: GPL-3.0-only
+
+// What the logic of contact_evaluate sees of ROS.
+// Generated from contact_analysis.ros_package; change the interface there.
+
+#ifndef CONTACT_ANALYSIS__CONTACT_EVALUATE_INTERFACE_HPP_
+#define CONTACT_ANALYSIS__CONTACT_EVALUATE_INTERFACE_HPP_
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "contact_analysis/goal.hpp"
+#include "contact_analysis/logger.hpp"
+#include "contact_analysis/publisher.hpp"
+#include "contact_analysis/time.hpp"
+#include "contact_msgs/EvaluateContactAction.h"
+#include "contact_msgs/LearnContactAction.h"
+#include "contact_msgs/PointArray.h"
+#include "contact_msgs/SetString.h"
+#include "geometry_msgs/Point.h"
+
+namespace contact_analysis
+{
+
+/// The types of its messages, by names that are the same in every ROS.
+namespace contact_evaluate_types
+{
+
+using InCop = geometry_msgs::Point;
+using PubPlotLearnCop = contact_msgs::PointArray;
+using LoadService = contact_msgs::SetString;
+using StoreService = contact_msgs::SetString;
+struct LearnAction
+{
+  using Type = contact_msgs::LearnContactAction;
+  using Goal = contact_msgs::LearnContactGoal;
+  using Feedback = contact_msgs::LearnContactFeedback;
+  using Result = contact_msgs::LearnContactResult;
+};
+struct EvaluateAction
+{
+  using Type = contact_msgs::EvaluateContactAction;
+  using Goal = contact_msgs::EvaluateContactGoal;
+  using Feedback = contact_msgs::EvaluateContactFeedback;
+  using Result = contact_msgs::EvaluateContactResult;
+};
+
+}  // namespace contact_evaluate_types
+
+/// The parameters, as they are at one moment.
+struct ContactEvaluateConfig
+{
+  /// number of samples accumulated for learning
+  std::int64_t samples = 200;
+
+  /// Whether cop sampled should be published
+  bool pub_sample = true;
+};
+
+/// The messages of one cycle.
+///
+/// in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
+/// out_<topic>: the message to send; out_<topic>_active: whether to send it in this cycle.
+struct ContactEvaluateData
+{
+  /// Center of Pressure measured
+  contact_evaluate_types::InCop in_cop;
+  bool in_cop_updated = false;
+};
+
+/// What the logic may use at any time, from any of its methods.
+struct ContactEvaluatePassthrough
+{
+  /// Writes to the log of ROS: log.debug(text), info, warning, error.
+  Logger log;
+
+  /// Returns the time of ROS, which can be assigned to the stamp of a message.
+  std::function<Time()> now = [] {return Time();};
+
+  /// Cops defining the latest contact
+  std::shared_ptr<Publisher<contact_evaluate_types::PubPlotLearnCop>> pub_plot_learn_cop =
+    std::make_shared<Publisher<contact_evaluate_types::PubPlotLearnCop>>();
+};
+
+}  // namespace contact_analysis
+
+#endif  // CONTACT_ANALYSIS__CONTACT_EVALUATE_INTERFACE_HPP_

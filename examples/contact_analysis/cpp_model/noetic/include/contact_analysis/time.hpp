@@ -1,0 +1,52 @@
+// Copyright 2019 My Company
+// SPDX-License-Identifier: GPL-3.0-only
+
+#ifndef CONTACT_ANALYSIS__TIME_HPP_
+#define CONTACT_ANALYSIS__TIME_HPP_
+
+#include <cstdint>
+
+namespace contact_analysis
+{
+
+/// A time of ROS, real or simulated; it can be assigned to the stamp of a message.
+class Time
+{
+public:
+  Time() = default;
+
+  explicit Time(std::int64_t nanoseconds)
+  : nanoseconds_(nanoseconds)
+  {
+  }
+
+  std::int64_t nanoseconds() const {return nanoseconds_;}
+  double seconds() const {return static_cast<double>(nanoseconds_) * 1e-9;}
+
+  /// Return the time as messages of ROS 2 carry it.
+  template<typename Stamp, decltype(Stamp::nanosec) * = nullptr>
+  operator Stamp() const
+  {
+    Stamp stamp;
+    stamp.sec = static_cast<decltype(stamp.sec)>(nanoseconds_ / 1000000000);
+    stamp.nanosec = static_cast<decltype(stamp.nanosec)>(nanoseconds_ % 1000000000);
+    return stamp;
+  }
+
+  /// Return the time as messages of ROS 1 carry it.
+  template<typename Stamp, decltype(Stamp::nsec) * = nullptr>
+  operator Stamp() const
+  {
+    Stamp stamp;
+    stamp.sec = static_cast<decltype(stamp.sec)>(nanoseconds_ / 1000000000);
+    stamp.nsec = static_cast<decltype(stamp.nsec)>(nanoseconds_ % 1000000000);
+    return stamp;
+  }
+
+private:
+  std::int64_t nanoseconds_ = 0;
+};
+
+}  // namespace contact_analysis
+
+#endif  // CONTACT_ANALYSIS__TIME_HPP_

@@ -1,0 +1,28 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+// The logic of idler. This file is yours.
+
+#include "serving/idler_impl.hpp"
+
+namespace serving
+{
+
+IdlerImpl::IdlerImpl(
+  const IdlerPassthrough & passthrough)
+: passthrough_(passthrough)
+{
+}
+
+bool IdlerImpl::configure(
+  [[maybe_unused]] const IdlerConfig & config)
+{
+  return true;
+}
+
+// End of life
+void IdlerImpl::cleanup()
+{
+}
+
+}  // namespace serving

@@ -1,0 +1,26 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+// Tests of the logic of clerk, without ROS.
+
+#include "gtest/gtest.h"
+
+#include "serving/clerk_impl.hpp"
+
+/// The logic by itself; what it may use of ROS does nothing.
+class TestClerkImpl : public ::testing::Test
+{
+protected:
+  serving::ClerkConfig config;
+  serving::ClerkPassthrough passthrough;
+  serving::ClerkImpl impl{passthrough};
+};
+
+TEST_F(TestClerkImpl, AcceptsItsDefaultParameters) {
+  EXPECT_TRUE(impl.configure(config));
+}
+
+TEST_F(TestClerkImpl, CleansUpAfterItself) {
+  ASSERT_TRUE(impl.configure(config));
+  impl.cleanup();
+}

@@ -1,0 +1,26 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+// Tests of the logic of idler, without ROS.
+
+#include "gtest/gtest.h"
+
+#include "serving/idler_impl.hpp"
+
+/// The logic by itself; what it may use of ROS does nothing.
+class TestIdlerImpl : public ::testing::Test
+{
+protected:
+  serving::IdlerConfig config;
+  serving::IdlerPassthrough passthrough;
+  serving::IdlerImpl impl{passthrough};
+};
+
+TEST_F(TestIdlerImpl, AcceptsItsDefaultParameters) {
+  EXPECT_TRUE(impl.configure(config));
+}
+
+TEST_F(TestIdlerImpl, CleansUpAfterItself) {
+  ASSERT_TRUE(impl.configure(config));
+  impl.cleanup();
+}

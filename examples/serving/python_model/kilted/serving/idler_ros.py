@@ -1,0 +1,128 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""
+The node idler: its life-cycle and its connections to ROS.
+
+Generated from serving.ros_package; the logic is in idler_impl.py.
+"""
+
+from contextlib import ExitStack
+from threading import Thread
+import traceback
+
+from rcl_interfaces.msg import ParameterDescriptor
+import rclpy
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
+from serving.idler_impl import IdlerImpl
+from serving.idler_interface import (
+    IdlerConfig,
+    IdlerPassthrough,
+)
+
+
+class IdlerNode(LifecycleNode):
+    """
+    A managed node that calls its logic back while it is active.
+
+    What sends is connected when the node is configured, what receives when it is activated.
+    """
+
+    def __init__(self, **options) -> None:
+        """Declare the parameters; the rest is done when the node is configured."""
+        super().__init__('idler', **options)
+        self.declare_parameter(
+            'autostart',
+            True,
+            ParameterDescriptor(
+                description='Whether the node configures and activates itself.',
+                read_only=True,
+            ),
+        )
+        self._config = self._read_config()
+        self._configured = ExitStack()
+        self._active = ExitStack()
+
+    def start(self) -> None:
+        """Configure and activate the node, unless its parameter autostart forbids it."""
+        if not self.get_parameter('autostart').value:
+            return
+        if self.trigger_configure() == TransitionCallbackReturn.SUCCESS:
+            self.trigger_activate()
+
+    def on_configure(self, state) -> TransitionCallbackReturn:
+        """Connect what sends, then let the logic prepare itself."""
+        try:
+            self._connect_senders()
+            if self._impl.configure(self._config):
+                self._configured.callback(self._impl.cleanup)
+                return super().on_configure(state)
+            self.get_logger().error('The logic refuses its configuration.')
+        except Exception:
+            self.get_logger().error(traceback.format_exc())
+        self.release()
+        return TransitionCallbackReturn.FAILURE
+
+    def on_activate(self, state) -> TransitionCallbackReturn:
+        """Connect what receives."""
+        result = super().on_activate(state)
+        self._connect_receivers()
+        return result
+
+    def on_deactivate(self, state) -> TransitionCallbackReturn:
+        """Disconnect what receives."""
+        self._active.close()
+        return super().on_deactivate(state)
+
+    def on_cleanup(self, state) -> TransitionCallbackReturn:
+        """Let go of all that configuring made."""
+        self.release()
+        return super().on_cleanup(state)
+
+    def on_shutdown(self, state) -> TransitionCallbackReturn:
+        """End in good order, from whatever state."""
+        self.release()
+        return super().on_shutdown(state)
+
+    def release(self) -> None:
+        """Disconnect from ROS, and let the logic clean up."""
+        self._active.close()
+        try:
+            self._configured.close()
+        except Exception:
+            self.get_logger().error(traceback.format_exc())
+
+    def _read_config(self) -> IdlerConfig:
+        """Return the parameters as they are now."""
+        return IdlerConfig()
+
+    def _connect_senders(self) -> None:
+        """Make all that the logic can use, then the logic."""
+        self._impl = IdlerImpl(
+            IdlerPassthrough(
+                log=self.get_logger(),
+                now=lambda: self.get_clock().now().nanoseconds * 1e-9,
+                stamp=lambda: self.get_clock().now().to_msg(),
+            ),
+        )
+
+    def _connect_receivers(self) -> None:
+        """Make all that calls the logic, each from a thread of its own."""
+
+
+def main(args=None) -> None:
+    """Run the node until ROS shuts down."""
+    rclpy.init(args=args)
+    node = IdlerNode()
+    executor = SingleThreadedExecutor()
+    executor.add_node(node)
+    Thread(target=node.start, daemon=True).start()
+    try:
+        executor.spin()
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        node.release()
+        node.destroy_node()
+        rclpy.try_shutdown()

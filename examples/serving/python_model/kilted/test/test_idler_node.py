@@ -1,0 +1,26 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""Tests of the node idler: it starts, serves and stops."""
+
+import unittest
+
+import rclpy
+from rclpy.lifecycle import TransitionCallbackReturn
+from serving.idler_ros import IdlerNode
+
+
+class TestIdlerNode(unittest.TestCase):
+    """The node in ROS, without the nodes it talks to."""
+
+    def test_life_cycle(self):
+        """Every transition succeeds."""
+        context = rclpy.Context()
+        rclpy.init(context=context)
+        node = IdlerNode(context=context)
+        self.assertEqual(node.trigger_configure(), TransitionCallbackReturn.SUCCESS)
+        self.assertEqual(node.trigger_activate(), TransitionCallbackReturn.SUCCESS)
+        self.assertEqual(node.trigger_deactivate(), TransitionCallbackReturn.SUCCESS)
+        self.assertEqual(node.trigger_cleanup(), TransitionCallbackReturn.SUCCESS)
+        node.destroy_node()
+        rclpy.shutdown(context=context)

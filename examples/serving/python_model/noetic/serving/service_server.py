@@ -1,0 +1,18 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""Services whose callbacks get the response to fill in."""
+
+import rospy
+
+
+class ServiceServer:
+    """A server that hands its callback the request and an empty response."""
+
+    def __init__(self, name, service_type, serve):
+        """Serve with serve(request, response), which returns the response."""
+        self._service = rospy.Service(
+            name,
+            service_type,
+            lambda request: serve(request, service_type._response_class()),
+        )

@@ -1,0 +1,111 @@
+"""Render the packages of examples/ anew, to see what a change of a template does to them.
+
+    python scripts/accept.py            # writes examples/<spec>/<model>/<ROS>
+    python scripts/accept.py --check    # changes nothing; shows what would change, and fails
+
+A package is made as from the published model, but for the version, which its answers leave out.
+"""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+import re
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+import copier
+
+ROOT = Path(__file__).parents[1]
+EXAMPLES = ROOT / "examples"
+MODELS = ("python_model", "cpp_model")
+DISTROS = ("noetic", "kilted")
+
+
+def render(target: Path) -> None:
+    """Make every package of the examples below `target`."""
+    with tempfile.TemporaryDirectory() as folder:
+        for model in MODELS:
+            source = Path(folder) / model
+            shutil.copytree(ROOT / model, source)
+            for shared in ("hooks", "extensions", "shared"):
+                shutil.copytree(ROOT / shared, source / shared)
+            for spec in sorted(EXAMPLES.glob("*.ros_package")):
+                for distro in DISTROS:
+                    make(source, spec, distro, target / spec.stem / model / distro)
+
+
+def make(source: Path, spec: Path, distro: str, package: Path) -> None:
+    """Make one package, whose answers tell nothing of this machine."""
+    copier.run_copy(
+        str(source),
+        package,
+        data={"spec_file": str(spec), "ros_distro": distro},
+        defaults=True,
+        unsafe=True,
+        quiet=True,
+    )
+    answers = package / ".copier-answers.yml"
+    text = answers.read_text(encoding="utf-8")
+    address = f"_src_path: gh:org/{source.name}"
+    answers.write_text(re.sub(r"^_src_path: .*$", address, text, flags=re.M), encoding="utf-8")
+
+
+def accept(made: Path) -> None:
+    """Put the packages below `made` in the place of those in examples/."""
+    for old in EXAMPLES.iterdir():
+        if old.is_dir():
+            shutil.rmtree(old)
+    shutil.copytree(made, EXAMPLES, dirs_exist_ok=True)
+
+
+def differences(made: Path) -> list[str]:
+    """Return the lines of a diff from examples/ to the packages below `made`."""
+    lines: list[str] = []
+    old, new = files(EXAMPLES), files(made)
+    for name in sorted({*old, *new}):
+        before, after = old.get(name), new.get(name)
+        if before != after:
+            lines += difflib.unified_diff(
+                before[1].splitlines() if before else [],
+                after[1].splitlines() if after else [],
+                f"examples/{name}" if before else "/dev/null",
+                f"made anew/{name}" if after else "/dev/null",
+                lineterm="",
+            )
+            if before and after and before[0] != after[0]:
+                lines.append(f"{name}: executable before: {before[0]}, after: {after[0]}")
+    return lines
+
+
+def files(folder: Path) -> dict[str, tuple[bool, str]]:
+    """Return the files of packages, each with whether it is executable and its text."""
+    return {
+        str(path.relative_to(folder)): (bool(path.stat().st_mode & 0o100), path.read_text("utf-8"))
+        for package in folder.iterdir()
+        if package.is_dir()
+        for path in package.rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts and ".ruff_cache" not in path.parts
+    }
+
+
+def main() -> int:
+    """Accept or check, as the command line says."""
+    parser = argparse.ArgumentParser(description="Render the packages of examples/ anew.")
+    parser.add_argument("--check", action="store_true", help="show what would change, and fail")
+    check = parser.parse_args().check
+    with tempfile.TemporaryDirectory() as folder:
+        made = Path(folder)
+        render(made)
+        lines = differences(made)
+        if not check:
+            accept(made)
+    print("\n".join(lines[:2000]))
+    print(f"{len(lines)} lines of differences" if lines else "examples/ is current")
+    return 1 if check and lines else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
