@@ -11,21 +11,21 @@
 namespace all_kinds
 {
 
-/// The latest message of a topic, from its arrival to the next cycle; copies share it.
+/// Holds the latest message of a topic until the next cycle; copies share it.
 template<typename Message>
 class Inbox
 {
 public:
   using Pointer = std::unique_ptr<Message>;
 
-  /// Keep a message in place of the one before.
+  /// Store a message, replacing the previous one.
   void put(Pointer message) const
   {
     const std::lock_guard<std::mutex> lock(slot_->mutex);
     slot_->message = std::move(message);
   }
 
-  /// Move the message to where the logic reads it; return whether there was one.
+  /// Move the message into the data of the cycle; return whether there was one.
   bool take(Message & destination) const
   {
     Pointer message;

@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The logic of observer. This file is yours.
+// The logic of observer. Edit this file.
 
 #include "all_kinds/observer_impl.hpp"
 

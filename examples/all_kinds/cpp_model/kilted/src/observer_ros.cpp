@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The node observer: its life-cycle and its connections to ROS.
+// The node observer: its life-cycle and its ROS interfaces.
 // Generated from all_kinds.ros_package.
 // The logic is in observer_impl.cpp.
 
@@ -31,11 +31,11 @@ constexpr int QUEUE = 10;  // messages kept for a topic, unless its QoS is overr
 
 /// A managed node that runs its logic at a fixed frequency while it is active.
 ///
-/// What sends is connected when the node is configured, what receives when it is activated.
+/// Publishers and clients exist from configure on, subscriptions and servers while it is active.
 class ObserverNode : public rclcpp_lifecycle::LifecycleNode
 {
 public:
-  /// Declare the parameters; the rest is done when the node is configured.
+  /// Declare the parameters; everything else is created in configure.
   explicit ObserverNode(const rclcpp::NodeOptions & options)
   : LifecycleNode("observer", options)
   {
@@ -53,7 +53,7 @@ public:
   ObserverNode(const ObserverNode &) = delete;
   ObserverNode & operator=(const ObserverNode &) = delete;
 
-  /// End in good order, from whatever state.
+  /// Shut down from any state.
   ~ObserverNode() override
   {
     const bool finalized =
@@ -64,7 +64,7 @@ public:
     release();
   }
 
-  /// Connect what sends, then let the logic prepare itself.
+  /// Create publishers and clients, then configure the logic.
   CallbackReturn on_configure(const rclcpp_lifecycle::State &) override
   {
     try {
@@ -73,7 +73,7 @@ public:
       if (configured_) {
         return CallbackReturn::SUCCESS;
       }
-      RCLCPP_ERROR(get_logger(), "The logic refuses its configuration.");
+      RCLCPP_ERROR(get_logger(), "The logic rejected its configuration.");
     } catch (const std::exception & error) {
       RCLCPP_ERROR(get_logger(), "Cannot configure: %s", error.what());
     }
@@ -89,14 +89,14 @@ public:
     return result;
   }
 
-  /// Stop the loop, and disconnect what receives, once the callbacks that run have ended.
+  /// Stop the loop and destroy subscriptions and servers, once running callbacks have returned.
   CallbackReturn on_deactivate(const rclcpp_lifecycle::State & state) override
   {
     disconnect_receivers();
     return LifecycleNode::on_deactivate(state);
   }
 
-  /// Let go of all that configuring made.
+  /// Release everything created in configure.
   CallbackReturn on_cleanup(const rclcpp_lifecycle::State &) override
   {
     release();
@@ -138,7 +138,7 @@ private:
       read_only("How many to keep"));
   }
 
-  /// Return the parameters as they are now.
+  /// Return the current parameters.
   ObserverConfig read_config() const
   {
     ObserverConfig config;
@@ -148,7 +148,7 @@ private:
 
   std::shared_ptr<const ObserverConfig> current_config() {return config_;}
 
-  /// Make all that the logic can use, then the logic.
+  /// Create publishers and clients, then the logic.
   void connect_senders()
   {
     ObserverPassthrough passthrough;
@@ -160,7 +160,7 @@ private:
     impl_ = std::make_unique<ObserverImpl>(passthrough);
   }
 
-  /// Make all that calls the logic, each in a thread of its own, and the loop.
+  /// Create subscriptions, servers and the update loop.
   void connect_receivers()
   {
     subscribe(
@@ -174,14 +174,14 @@ private:
       });
   }
 
-  /// Let no callback of the logic run any more.
+  /// Stop all callbacks of the logic.
   void disconnect_receivers()
   {
     loop_.reset();
     subscriptions_.clear();
   }
 
-  /// Disconnect from ROS, and let the logic clean up.
+  /// Destroy all connections to ROS and clean up the logic.
   void release()
   {
     disconnect_receivers();
@@ -196,14 +196,14 @@ private:
     impl_.reset();
   }
 
-  /// Run one cycle: the latest messages in, the logic, the active outputs out.
+  /// Run one cycle: take the latest messages, call update, publish the active outputs.
   void update()
   {
     data_.in_status_updated = in_status_.take(data_.in_status);
     impl_->update(data_, *current_config());
   }
 
-  /// Return the options of a subscription, whose QoS parameters can override.
+  /// Return subscription options that allow QoS overrides.
   static rclcpp::SubscriptionOptions overridable()
   {
     rclcpp::SubscriptionOptions options;
@@ -211,7 +211,7 @@ private:
     return options;
   }
 
-  /// Subscribe to a topic whose latest message goes into the next cycle.
+  /// Subscribe to a topic whose latest message is an input of the next cycle.
   template<typename Message>
   void subscribe(
     const std::string & topic,

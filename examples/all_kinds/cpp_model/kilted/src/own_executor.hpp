@@ -11,13 +11,13 @@
 namespace all_kinds
 {
 
-/// Make a group of callbacks that the executor of the node leaves alone.
+/// Create a callback group that is not added to the node's executor.
 inline rclcpp::CallbackGroup::SharedPtr make_own_group(rclcpp_lifecycle::LifecycleNode & node)
 {
   return node.create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive, false);
 }
 
-/// Return the options of an executor that ends with the context of a node.
+/// Return executor options with the context of a node.
 inline rclcpp::ExecutorOptions make_executor_options(rclcpp_lifecycle::LifecycleNode & node)
 {
   rclcpp::ExecutorOptions options;

@@ -18,7 +18,7 @@
 namespace all_kinds
 {
 
-/// Sends goals to an action server, and looks after them without waiting.
+/// Sends goals to an action server and tracks them without blocking.
 template<typename Action>
 class RosActionClient : public ActionClient<Action>
 {

@@ -14,7 +14,7 @@
 namespace all_kinds
 {
 
-/// Return what writes to the log of a node.
+/// Return a logger that writes to the node's log.
 inline Logger make_logger(const rclcpp::Logger & logger)
 {
   return Logger(

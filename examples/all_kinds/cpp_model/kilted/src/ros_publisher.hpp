@@ -13,7 +13,7 @@
 namespace all_kinds
 {
 
-/// Sends messages to a topic while the node is active.
+/// Publishes messages while the node is active.
 template<typename Message>
 class RosPublisher : public Publisher<Message>
 {

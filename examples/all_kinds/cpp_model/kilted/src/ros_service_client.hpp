@@ -23,7 +23,7 @@
 namespace all_kinds
 {
 
-/// Calls a service, from whatever thread: the response comes in through an executor of its own.
+/// Calls a service from any thread: an executor of its own receives the response.
 template<typename Service>
 class RosServiceClient : public ServiceClient<Service>
 {
@@ -66,7 +66,7 @@ protected:
 private:
   using Clock = std::chrono::steady_clock;
 
-  /// Return the time left, never less than none: that would mean to wait without limit.
+  /// Return the remaining time, never negative: that would mean no timeout.
   static std::chrono::nanoseconds until(Clock::time_point end)
   {
     return std::max<std::chrono::nanoseconds>(end - Clock::now(), std::chrono::nanoseconds(0));

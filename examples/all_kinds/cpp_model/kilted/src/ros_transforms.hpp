@@ -22,7 +22,7 @@
 namespace all_kinds
 {
 
-/// Reads coordinate transforms, in a thread of its own.
+/// Looks up transforms from tf; its subscription spins in its own thread.
 class RosTransformListener : public TransformListener<geometry_msgs::msg::TransformStamped>
 {
 public:
@@ -56,7 +56,7 @@ private:
   tf2_ros::TransformListener listener_;
 };
 
-/// Sends coordinate transforms.
+/// Publishes transforms to tf.
 class RosTransformBroadcaster : public TransformBroadcaster<geometry_msgs::msg::TransformStamped>
 {
 public:

@@ -13,7 +13,7 @@
 namespace all_kinds
 {
 
-/// What is known of a goal that was sent; any thread may tell and ask.
+/// The state of a sent goal; thread-safe.
 template<typename Action>
 class SentGoal
 {

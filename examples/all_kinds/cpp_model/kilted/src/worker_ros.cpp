@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The node worker: its life-cycle and its connections to ROS.
+// The node worker: its life-cycle and its ROS interfaces.
 // Generated from all_kinds.ros_package.
 // The logic is in worker_impl.cpp.
 
@@ -42,11 +42,11 @@ constexpr int QUEUE = 10;  // messages kept for a topic, unless its QoS is overr
 
 /// A managed node that runs its logic at a fixed frequency while it is active.
 ///
-/// What sends is connected when the node is configured, what receives when it is activated.
+/// Publishers and clients exist from configure on, subscriptions and servers while it is active.
 class WorkerNode : public rclcpp_lifecycle::LifecycleNode
 {
 public:
-  /// Declare the parameters; the rest is done when the node is configured.
+  /// Declare the parameters; everything else is created in configure.
   explicit WorkerNode(const rclcpp::NodeOptions & options)
   : LifecycleNode("worker", options)
   {
@@ -71,7 +71,7 @@ public:
   WorkerNode(const WorkerNode &) = delete;
   WorkerNode & operator=(const WorkerNode &) = delete;
 
-  /// End in good order, from whatever state.
+  /// Shut down from any state.
   ~WorkerNode() override
   {
     const bool finalized =
@@ -82,7 +82,7 @@ public:
     release();
   }
 
-  /// Connect what sends, then let the logic prepare itself.
+  /// Create publishers and clients, then configure the logic.
   CallbackReturn on_configure(const rclcpp_lifecycle::State &) override
   {
     try {
@@ -91,7 +91,7 @@ public:
       if (configured_) {
         return CallbackReturn::SUCCESS;
       }
-      RCLCPP_ERROR(get_logger(), "The logic refuses its configuration.");
+      RCLCPP_ERROR(get_logger(), "The logic rejected its configuration.");
     } catch (const std::exception & error) {
       RCLCPP_ERROR(get_logger(), "Cannot configure: %s", error.what());
     }
@@ -107,14 +107,14 @@ public:
     return result;
   }
 
-  /// Stop the loop, and disconnect what receives, once the callbacks that run have ended.
+  /// Stop the loop and destroy subscriptions and servers, once running callbacks have returned.
   CallbackReturn on_deactivate(const rclcpp_lifecycle::State & state) override
   {
     disconnect_receivers();
     return LifecycleNode::on_deactivate(state);
   }
 
-  /// Let go of all that configuring made.
+  /// Release everything created in configure.
   CallbackReturn on_cleanup(const rclcpp_lifecycle::State &) override
   {
     release();
@@ -185,7 +185,7 @@ private:
       changeable("Name in the status"));
   }
 
-  /// Return the parameters as they are now.
+  /// Return the current parameters.
   WorkerConfig read_config() const
   {
     WorkerConfig config;
@@ -210,7 +210,7 @@ private:
     return config_;
   }
 
-  /// Make all that the logic can use, then the logic.
+  /// Create publishers and clients, then the logic.
   void connect_senders()
   {
     WorkerPassthrough passthrough;
@@ -245,7 +245,7 @@ private:
     impl_ = std::make_unique<WorkerImpl>(passthrough);
   }
 
-  /// Make all that calls the logic, each in a thread of its own, and the loop.
+  /// Create subscriptions, servers and the update loop.
   void connect_receivers()
   {
     subscribe(
@@ -279,7 +279,7 @@ private:
       });
   }
 
-  /// Let no callback of the logic run any more.
+  /// Stop all callbacks of the logic.
   void disconnect_receivers()
   {
     loop_.reset();
@@ -291,7 +291,7 @@ private:
     report_timer_.reset();
   }
 
-  /// Disconnect from ROS, and let the logic clean up.
+  /// Destroy all connections to ROS and clean up the logic.
   void release()
   {
     disconnect_receivers();
@@ -309,7 +309,7 @@ private:
     servers_.clear();
   }
 
-  /// Run one cycle: the latest messages in, the logic, the active outputs out.
+  /// Run one cycle: take the latest messages, call update, publish the active outputs.
   void update()
   {
     data_.in_speed_updated = in_speed_.take(data_.in_speed);
@@ -325,7 +325,7 @@ private:
     }
   }
 
-  /// Keep a client, to know whether its server is there.
+  /// Register a client for the check of missing servers.
   template<typename Client>
   std::shared_ptr<Client> watch(const std::string & name, const std::shared_ptr<Client> & client)
   {
@@ -333,7 +333,7 @@ private:
     return client;
   }
 
-  /// Say which servers the logic may be waiting for.
+  /// Warn about servers that are not available.
   void report_missing_servers()
   {
     std::string missing;
@@ -348,7 +348,7 @@ private:
     }
   }
 
-  /// Return a publisher, whose QoS parameters can override.
+  /// Create a publisher that allows QoS overrides.
   template<typename Message>
   Sender<Message> advertise(const std::string & topic)
   {
@@ -363,7 +363,7 @@ private:
     return std::make_shared<RosPublisher<Message>>(advertise<Message>(topic));
   }
 
-  /// Return the options of a subscription, whose QoS parameters can override.
+  /// Return subscription options that allow QoS overrides.
   static rclcpp::SubscriptionOptions overridable()
   {
     rclcpp::SubscriptionOptions options;
@@ -371,7 +371,7 @@ private:
     return options;
   }
 
-  /// Subscribe to a topic whose latest message goes into the next cycle.
+  /// Subscribe to a topic whose latest message is an input of the next cycle.
   template<typename Message>
   void subscribe(
     const std::string & topic,
@@ -387,7 +387,7 @@ private:
         overridable()));
   }
 
-  /// Subscribe to a topic whose messages the logic handles at once.
+  /// Subscribe to a topic whose messages go directly to a callback of the logic.
   template<typename Message>
   void subscribe_direct(
     const std::string & topic,
@@ -407,7 +407,7 @@ private:
     threads_.push_back(std::make_unique<CallbackThread>(*this, connect));
   }
 
-  /// Offer a service.
+  /// Create a service server.
   template<typename Service>
   void serve(
     const std::string & name,
@@ -431,7 +431,7 @@ private:
     threads_.push_back(std::make_unique<CallbackThread>(*this, connect));
   }
 
-  /// Offer an action, whose goals are accepted while the node is active.
+  /// Create an action server that accepts goals while the node is active.
   template<typename Action>
   void serve_action(
     const std::string & name,

@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The node observer: its life-cycle and its connections to ROS.
+// The node observer: its life-cycle and its ROS interfaces.
 // Generated from all_kinds.ros_package.
 // The logic is in observer_impl.cpp.
 
@@ -24,11 +24,11 @@ namespace all_kinds
 constexpr double FREQUENCY = 12.5;  // Hz
 constexpr std::uint32_t QUEUE = 10;  // messages kept for a topic
 
-/// A node that runs its logic at a fixed frequency from its start to its end.
+/// A node that runs its logic at a fixed frequency until shutdown.
 class ObserverNode
 {
 public:
-  /// Read the parameters, connect what sends, and make the logic.
+  /// Read the parameters, create publishers and clients, and construct the logic.
   ObserverNode()
   {
     read_parameters();
@@ -38,7 +38,7 @@ public:
   ObserverNode(const ObserverNode &) = delete;
   ObserverNode & operator=(const ObserverNode &) = delete;
 
-  /// Disconnect what receives, then let the logic clean up.
+  /// Destroy subscriptions and servers, then clean up the logic.
   ~ObserverNode()
   {
     spinner_.stop();
@@ -48,11 +48,11 @@ public:
     }
   }
 
-  /// Configure the logic, connect what receives, and run the loop until ROS ends.
+  /// Configure the logic, connect its callbacks, and run the update loop until shutdown.
   bool run()
   {
     if (!impl_->configure(*config_)) {
-      ROS_FATAL("The logic refuses its configuration.");
+      ROS_FATAL("The logic rejected its configuration.");
       return false;
     }
     configured_ = true;
@@ -74,7 +74,7 @@ private:
     config_ = std::make_shared<ObserverConfig>(config);
   }
 
-  /// Make all that the logic can use, then the logic.
+  /// Create publishers and clients, then the logic.
   void connect_senders()
   {
     ObserverPassthrough passthrough;
@@ -85,7 +85,7 @@ private:
     impl_ = std::make_unique<ObserverImpl>(passthrough);
   }
 
-  /// Make all that calls the logic, what may block each in a thread of its own.
+  /// Create subscriptions and servers; callbacks that may block get their own thread.
   void connect_receivers()
   {
     subscribe(
@@ -94,14 +94,14 @@ private:
       in_status_);
   }
 
-  /// Run one cycle: the latest messages in, the logic, the active outputs out.
+  /// Run one cycle: take the latest messages, call update, publish the active outputs.
   void update()
   {
     data_.in_status_updated = in_status_.take(data_.in_status);
     impl_->update(data_, *config_);
   }
 
-  /// Subscribe to a topic whose latest message goes into the next cycle.
+  /// Subscribe to a topic whose latest message is an input of the next cycle.
   template<typename Message>
   void subscribe(
     ros::NodeHandle & node,

@@ -42,7 +42,7 @@ bool get_parameter(const ros::NodeHandle & node, const std::string & name, Value
   return node.getParam(name, value);
 }
 
-/// Read a parameter of a node; where there is none, the value stays as it is.
+/// Read a parameter of a node; without one, keep the value.
 template<typename Value>
 void read_parameter(const ros::NodeHandle & node, const std::string & name, Value & value)
 {

@@ -11,7 +11,7 @@
 namespace all_kinds
 {
 
-/// Sends messages to a topic.
+/// Publishes messages to a topic.
 template<typename Message>
 class RosPublisher : public Publisher<Message>
 {

@@ -20,7 +20,7 @@
 namespace all_kinds
 {
 
-/// Calls a service, with a time limit that roscpp does not have.
+/// Calls a service with a timeout, which roscpp does not offer.
 template<typename Service>
 class RosServiceClient : public ServiceClient<Service>
 {
@@ -40,7 +40,7 @@ protected:
   std::optional<Response> wait_for_response(const Request & request, Seconds timeout) override
   {
     const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
-    // A thread that is left behind where the server does not answer in time.
+    // This thread outlives a call that times out.
     std::packaged_task<std::optional<Response>()> task(
       [name = name_, request, end] {return call_until(end, name, request);});
     auto response = task.get_future();

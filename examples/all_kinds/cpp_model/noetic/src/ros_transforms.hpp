@@ -21,7 +21,7 @@
 namespace all_kinds
 {
 
-/// Reads coordinate transforms, in a thread of its own.
+/// Looks up transforms from tf; its subscription spins in its own thread.
 class RosTransformListener : public TransformListener<geometry_msgs::TransformStamped>
 {
 protected:
@@ -48,7 +48,7 @@ private:
   tf2_ros::TransformListener listener_{buffer_};
 };
 
-/// Sends coordinate transforms.
+/// Publishes transforms to tf.
 class RosTransformBroadcaster : public TransformBroadcaster<geometry_msgs::TransformStamped>
 {
 public:

@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The logic of worker. This file is yours.
+// The logic of worker. Edit this file.
 
 #include "all_kinds/worker_impl.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The node worker: its life-cycle and its connections to ROS.
+// The node worker: its life-cycle and its ROS interfaces.
 // Generated from all_kinds.ros_package.
 // The logic is in worker_impl.cpp.
 
@@ -36,11 +36,11 @@ namespace all_kinds
 constexpr double FREQUENCY = 20.0;  // Hz
 constexpr std::uint32_t QUEUE = 10;  // messages kept for a topic
 
-/// A node that runs its logic at a fixed frequency from its start to its end.
+/// A node that runs its logic at a fixed frequency until shutdown.
 class WorkerNode
 {
 public:
-  /// Read the parameters, connect what sends, and make the logic.
+  /// Read the parameters, create publishers and clients, and construct the logic.
   WorkerNode()
   {
     read_parameters();
@@ -50,7 +50,7 @@ public:
   WorkerNode(const WorkerNode &) = delete;
   WorkerNode & operator=(const WorkerNode &) = delete;
 
-  /// Disconnect what receives, then let the logic clean up.
+  /// Destroy subscriptions and servers, then clean up the logic.
   ~WorkerNode()
   {
     spinner_.stop();
@@ -63,11 +63,11 @@ public:
     }
   }
 
-  /// Configure the logic, connect what receives, and run the loop until ROS ends.
+  /// Configure the logic, connect its callbacks, and run the update loop until shutdown.
   bool run()
   {
     if (!impl_->configure(*config_)) {
-      ROS_FATAL("The logic refuses its configuration.");
+      ROS_FATAL("The logic rejected its configuration.");
       return false;
     }
     configured_ = true;
@@ -94,7 +94,7 @@ private:
     config_ = std::make_shared<WorkerConfig>(config);
   }
 
-  /// Make all that the logic can use, then the logic.
+  /// Create publishers and clients, then the logic.
   void connect_senders()
   {
     WorkerPassthrough passthrough;
@@ -130,7 +130,7 @@ private:
     impl_ = std::make_unique<WorkerImpl>(passthrough);
   }
 
-  /// Make all that calls the logic, what may block each in a thread of its own.
+  /// Create subscriptions and servers; callbacks that may block get their own thread.
   void connect_receivers()
   {
     reconfigure_server_ =
@@ -170,7 +170,7 @@ private:
       });
   }
 
-  /// Run one cycle: the latest messages in, the logic, the active outputs out.
+  /// Run one cycle: take the latest messages, call update, publish the active outputs.
   void update()
   {
     data_.in_speed_updated = in_speed_.take(data_.in_speed);
@@ -186,7 +186,7 @@ private:
     }
   }
 
-  /// Give the logic the dynamic parameters that have changed.
+  /// Update the configuration with the changed parameters.
   void reconfigure(const WorkerDynamicConfig & values)
   {
     const auto config = std::make_shared<WorkerConfig>(*current_config());
@@ -204,7 +204,7 @@ private:
     return config_;
   }
 
-  /// Keep a client, to know whether its server is there.
+  /// Register a client for the check of missing servers.
   template<typename Client>
   std::shared_ptr<Client> watch(const std::string & name, const std::shared_ptr<Client> & client)
   {
@@ -212,7 +212,7 @@ private:
     return client;
   }
 
-  /// Say which servers the logic may be waiting for.
+  /// Warn about servers that are not available.
   void report_missing_servers()
   {
     std::string missing;
@@ -232,7 +232,7 @@ private:
     return std::make_shared<RosPublisher<Message>>(node.advertise<Message>(topic, QUEUE));
   }
 
-  /// Subscribe to a topic whose latest message goes into the next cycle.
+  /// Subscribe to a topic whose latest message is an input of the next cycle.
   template<typename Message>
   void subscribe(
     ros::NodeHandle & node,
@@ -248,7 +248,7 @@ private:
         }));
   }
 
-  /// Subscribe to a topic whose messages the logic handles at once.
+  /// Subscribe to a topic whose messages go directly to a callback of the logic.
   template<typename Message>
   void subscribe_direct(
     const ros::NodeHandle & node,
@@ -265,7 +265,7 @@ private:
         }));
   }
 
-  /// Offer a service.
+  /// Create a service server.
   template<typename Service>
   void serve(
     const ros::NodeHandle & node,
@@ -286,7 +286,7 @@ private:
         }));
   }
 
-  /// Offer an action.
+  /// Create an action server.
   template<typename Action>
   void serve_action(
     const ros::NodeHandle & node,

@@ -7,7 +7,7 @@
 
 #include "all_kinds/observer_impl.hpp"
 
-/// The logic by itself; what it may use of ROS does nothing.
+/// The logic alone; publishers and clients do nothing.
 class TestObserverImpl : public ::testing::Test
 {
 protected:

@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Goals sent to action servers, and looked after without waiting."""
+"""A non-blocking action client."""
 
 from action_msgs.msg import GoalStatus
 from rclpy.action import ActionClient as RosActionClient
@@ -16,7 +16,7 @@ STATES = {
 
 class ActionClient:
     """
-    A client of an action with one goal at a time; no method of it waits.
+    An action client with one goal at a time; no method blocks.
 
     state: idle, pending, active, rejected, succeeded, aborted, canceled or lost.
     feedback: the latest feedback message, or None.
@@ -24,7 +24,7 @@ class ActionClient:
     """
 
     def __init__(self, node, action_type, name) -> None:
-        """Connect a node to an action."""
+        """Create the client."""
         self.Goal = action_type.Goal
         self.state = 'idle'
         self.feedback = None
@@ -39,7 +39,7 @@ class ActionClient:
         )
 
     def forget(self) -> None:
-        """Cancel the goal, and be as if there had been none."""
+        """Cancel the goal and reset the state."""
         self.cancel()
         self.state = 'idle'
         self.feedback = None
@@ -48,11 +48,11 @@ class ActionClient:
         self._handle = None
 
     def is_ready(self) -> bool:
-        """Return whether a server is there."""
+        """Return whether a server is available."""
         return self._client.server_is_ready()
 
     def send_goal(self, goal) -> bool:
-        """Send a goal in place of the one before; return False if there is no server."""
+        """Send a goal, replacing the previous one; return False if no server is available."""
         self.feedback = None
         self.result = None
         self._handle = None

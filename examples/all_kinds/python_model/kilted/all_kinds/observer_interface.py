@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-What the logic of observer sees of ROS.
+The interface between ROS and the logic of observer.
 
 Generated from all_kinds.ros_package; change the interface there.
 """
@@ -15,7 +15,7 @@ import std_msgs.msg
 
 @dataclass(frozen=True)
 class ObserverConfig:
-    """The parameters, as they are at one moment."""
+    """A snapshot of the node's parameters."""
 
     # How many to keep
     limit: int = 100
@@ -23,14 +23,14 @@ class ObserverConfig:
 
 class ObserverData:
     """
-    The messages of one cycle.
+    The input and output messages of one cycle.
 
     in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
-    out_<topic>: the message to send; out_<topic>_active: whether to send it in this cycle.
+    out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
     """
 
     def __init__(self) -> None:
-        """Start with empty messages."""
+        """Create empty messages."""
         # What the worker does
         self.in_status = std_msgs.msg.String()
         self.in_status_updated = False
@@ -38,13 +38,13 @@ class ObserverData:
 
 @dataclass
 class ObserverPassthrough:
-    """What the logic may use at any time, from any of its methods."""
+    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
 
-    # Writes to the log of ROS: log.debug(text), info, warning, error.
+    # The node's logger: log.debug(text), log.info, log.warning, log.error.
     log: Any
 
-    # Returns the time of ROS in seconds.
+    # Returns the ROS time in seconds.
     now: Callable[[], float]
 
-    # Returns the time of ROS as messages carry it.
+    # Returns the ROS time as a stamp for messages.
     stamp: Callable[[], Any]

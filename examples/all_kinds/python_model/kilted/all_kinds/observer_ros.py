@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node observer: its life-cycle and its connections to ROS.
+The node observer: its life-cycle and its ROS interfaces.
 
 Generated from all_kinds.ros_package; the logic is in observer_impl.py.
 """
@@ -34,11 +34,11 @@ class ObserverNode(LifecycleNode):
     """
     A managed node that runs its logic at a fixed frequency while it is active.
 
-    What sends is connected when the node is configured, what receives when it is activated.
+    Publishers and clients exist from configure on, subscriptions and servers while it is active.
     """
 
     def __init__(self, **options) -> None:
-        """Declare the parameters; the rest is done when the node is configured."""
+        """Declare the parameters; everything else is created in configure."""
         super().__init__('observer', **options)
         self.declare_parameter(
             'autostart',
@@ -63,48 +63,48 @@ class ObserverNode(LifecycleNode):
         self._received_lock = Lock()
 
     def start(self) -> None:
-        """Configure and activate the node, unless its parameter autostart forbids it."""
+        """Configure and activate the node if autostart is true."""
         if not self.get_parameter('autostart').value:
             return
         if self.trigger_configure() == TransitionCallbackReturn.SUCCESS:
             self.trigger_activate()
 
     def on_configure(self, state) -> TransitionCallbackReturn:
-        """Connect what sends, then let the logic prepare itself."""
+        """Create publishers and clients, then configure the logic."""
         try:
             self._connect_senders()
             if self._impl.configure(self._config):
                 self._configured.callback(self._impl.cleanup)
                 return super().on_configure(state)
-            self.get_logger().error('The logic refuses its configuration.')
+            self.get_logger().error('The logic rejected its configuration.')
         except Exception:
             self.get_logger().error(traceback.format_exc())
         self.release()
         return TransitionCallbackReturn.FAILURE
 
     def on_activate(self, state) -> TransitionCallbackReturn:
-        """Connect what receives, and start the loop."""
+        """Create subscriptions and servers, and start the update loop."""
         result = super().on_activate(state)
         self._connect_receivers()
         return result
 
     def on_deactivate(self, state) -> TransitionCallbackReturn:
-        """Stop the loop, and disconnect what receives."""
+        """Stop the update loop and destroy subscriptions and servers."""
         self._active.close()
         return super().on_deactivate(state)
 
     def on_cleanup(self, state) -> TransitionCallbackReturn:
-        """Let go of all that configuring made."""
+        """Release everything created in configure."""
         self.release()
         return super().on_cleanup(state)
 
     def on_shutdown(self, state) -> TransitionCallbackReturn:
-        """End in good order, from whatever state."""
+        """Shut down from any state."""
         self.release()
         return super().on_shutdown(state)
 
     def release(self) -> None:
-        """Disconnect from ROS, and let the logic clean up."""
+        """Destroy all connections to ROS and clean up the logic."""
         self._active.close()
         try:
             self._configured.close()
@@ -112,13 +112,13 @@ class ObserverNode(LifecycleNode):
             self.get_logger().error(traceback.format_exc())
 
     def _read_config(self) -> ObserverConfig:
-        """Return the parameters as they are now."""
+        """Return the current parameters."""
         return ObserverConfig(
             limit=self.get_parameter('limit').value,
         )
 
     def _connect_senders(self) -> None:
-        """Make all that the logic can use, then the logic."""
+        """Create publishers and clients, then the logic."""
         self._data = ObserverData()
         self._impl = ObserverImpl(
             ObserverPassthrough(
@@ -129,7 +129,7 @@ class ObserverNode(LifecycleNode):
         )
 
     def _connect_receivers(self) -> None:
-        """Make all that calls the logic, each from a thread of its own, and the loop."""
+        """Create subscriptions, servers and the update loop."""
         self._subscribe(
             std_msgs.msg.String,
             '/status',
@@ -142,7 +142,7 @@ class ObserverNode(LifecycleNode):
         loop.start()
 
     def _loop(self, stop) -> None:
-        """Run a cycle in every period until told to stop; skip those that come too late."""
+        """Run update at FREQUENCY until stopped; skip missed cycles."""
         clock = self.get_clock()
         period = Duration(seconds=1.0 / FREQUENCY)
         due = clock.now()
@@ -157,7 +157,7 @@ class ObserverNode(LifecycleNode):
             clock.sleep_until(due, self.context)
 
     def _update(self) -> None:
-        """Run one cycle: the latest messages in, the logic, the active outputs out."""
+        """Run one cycle: take the latest messages, call update, publish the active outputs."""
         data = self._data
         with self._received_lock:
             received, self._received = self._received, {}
@@ -166,12 +166,12 @@ class ObserverNode(LifecycleNode):
         self._impl.update(data, self._config)
 
     def _receive_status(self, message) -> None:
-        """Keep a message for the next cycle."""
+        """Store the message for the next cycle."""
         with self._received_lock:
             self._received['status'] = message
 
     def _subscribe(self, message_type, topic, callback) -> None:
-        """Subscribe to a topic, whose QoS parameters can override."""
+        """Create a subscription that allows QoS overrides."""
         subscription = self.create_subscription(
             message_type,
             topic,
@@ -184,12 +184,12 @@ class ObserverNode(LifecycleNode):
 
 
 def fail(error) -> None:
-    """End the node with an error of its loop."""
+    """Re-raise an exception of the update loop in the executor."""
     raise error
 
 
 def main(args=None) -> None:
-    """Run the node until ROS shuts down."""
+    """Spin the node until ROS shuts down."""
     rclpy.init(args=args)
     node = ObserverNode()
     executor = SingleThreadedExecutor()

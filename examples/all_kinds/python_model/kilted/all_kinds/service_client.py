@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Calls of services that end in time."""
+"""Service calls with a timeout."""
 
 from threading import Event
 from time import monotonic
@@ -11,16 +11,16 @@ class ServiceClient:
     """A client of a service, for use in any callback."""
 
     def __init__(self, client) -> None:
-        """Wrap a client of rclpy."""
+        """Wrap an rclpy client."""
         self._client = client
         self.Request = client.srv_type.Request
 
     def is_ready(self) -> bool:
-        """Return whether a server is there."""
+        """Return whether a server is available."""
         return self._client.service_is_ready()
 
     def call(self, request, timeout: float = 1.0):
-        """Return the response, or None if there is none within `timeout` seconds."""
+        """Return the response, or None if none arrives within `timeout` seconds."""
         end = monotonic() + timeout
         if not self.is_ready() and not self._client.wait_for_service(timeout):
             return None

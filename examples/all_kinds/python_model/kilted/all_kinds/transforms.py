@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Coordinate transforms, read and sent."""
+"""A tf listener and a tf broadcaster."""
 
 from time import monotonic, sleep
 
@@ -11,15 +11,15 @@ import tf2_ros
 
 
 class TransformListener:
-    """Reads the coordinate transforms that any node sends."""
+    """Looks up transforms from tf."""
 
     def __init__(self, node) -> None:
-        """Listen to tf with a node."""
+        """Subscribe to tf."""
         self._buffer = tf2_ros.Buffer(node=node)
         self._listener = tf2_ros.TransformListener(self._buffer, node)
 
     def close(self) -> None:
-        """Stop listening."""
+        """Unsubscribe."""
         self._listener.unregister()
 
     def lookup(self, target, source, timeout: float = 0.0):
@@ -40,16 +40,16 @@ class TransformListener:
 
 
 class TransformBroadcaster:
-    """Sends coordinate transforms."""
+    """Publishes transforms to tf."""
 
     def __init__(self, node) -> None:
-        """Send to tf with a node."""
+        """Create the broadcaster."""
         self._clock = node.get_clock()
         self._broadcaster = tf2_ros.TransformBroadcaster(node)
 
     def broadcast(self, parent, child, translation, rotation) -> None:
         """
-        Send where the frame `child` is in the frame `parent` now.
+        Publish the pose of frame `child` in frame `parent`, stamped with the current time.
 
         translation: x, y, z in metres; rotation: x, y, z, w of a unit quaternion.
         """
@@ -64,5 +64,5 @@ class TransformBroadcaster:
         self.send(transform)
 
     def send(self, transform) -> None:
-        """Send a transform (geometry_msgs.msg.TransformStamped) as it is."""
+        """Publish a transform (geometry_msgs.msg.TransformStamped) as given."""
         self._broadcaster.sendTransform(transform)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-What the logic of worker sees of ROS.
+The interface between ROS and the logic of worker.
 
 Generated from all_kinds.ros_package; change the interface there.
 """
@@ -19,7 +19,7 @@ import std_msgs.msg
 
 @dataclass(frozen=True)
 class WorkerConfig:
-    """The parameters, as they are at one moment."""
+    """A snapshot of the node's parameters."""
 
     # What stands before a status, e.g. "a" < 'b' and so on
     prefix: str = 'it\'s "said" <so> & für immer'
@@ -42,14 +42,14 @@ class WorkerConfig:
 
 class WorkerData:
     """
-    The messages of one cycle.
+    The input and output messages of one cycle.
 
     in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
-    out_<topic>: the message to send; out_<topic>_active: whether to send it in this cycle.
+    out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
     """
 
     def __init__(self) -> None:
-        """Start with empty messages."""
+        """Create empty messages."""
         # Wanted speed
         self.in_speed = geometry_msgs.msg.Twist()
         self.in_speed_updated = False
@@ -66,15 +66,15 @@ class WorkerData:
 
 @dataclass
 class WorkerPassthrough:
-    """What the logic may use at any time, from any of its methods."""
+    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
 
-    # Writes to the log of ROS: log.debug(text), info, warning, error.
+    # The node's logger: log.debug(text), log.info, log.warning, log.error.
     log: Any
 
-    # Returns the time of ROS in seconds.
+    # Returns the ROS time in seconds.
     now: Callable[[], float]
 
-    # Returns the time of ROS as messages carry it.
+    # Returns the ROS time as a stamp for messages.
     stamp: Callable[[], Any]
 
     # What was said, said again

@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Tests of the logic of worker, without ROS's graph."""
+"""Tests of the logic of worker, without a ROS graph."""
 
 import unittest
 from unittest.mock import MagicMock
@@ -14,21 +14,21 @@ from all_kinds.worker_interface import (
 
 
 class TestWorkerImpl(unittest.TestCase):
-    """The logic by itself; the rest of ROS is played by a mock."""
+    """The logic alone; the passthrough is a mock."""
 
     def setUp(self):
-        """Make the logic and what it works on."""
+        """Create the logic with its configuration and data."""
         self.passthrough = MagicMock()
         self.config = WorkerConfig()
         self.data = WorkerData()
         self.impl = WorkerImpl(self.passthrough)
 
     def test_configure(self):
-        """The logic accepts its default parameters."""
+        """The logic accepts the default parameters."""
         self.assertTrue(self.impl.configure(self.config))
 
     def test_update(self):
-        """A cycle without any message received works."""
+        """A cycle without any received message succeeds."""
         self.impl.configure(self.config)
         self.impl.update(self.data, self.config)
         self.impl.cleanup()

@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Goals sent to action servers, and looked after without waiting."""
+"""A non-blocking action client."""
 
 from actionlib import GoalStatus, SimpleActionClient
 import rospy
@@ -17,7 +17,7 @@ STATES = {
 
 class ActionClient:
     """
-    A client of an action with one goal at a time; no method of it waits.
+    An action client with one goal at a time; no method blocks.
 
     state: idle, pending, active, rejected, succeeded, aborted, canceled or lost.
     feedback: the latest feedback message, or None.
@@ -25,7 +25,7 @@ class ActionClient:
     """
 
     def __init__(self, name, action_type):
-        """Connect to an action."""
+        """Create the client."""
         self.Goal = type(action_type().action_goal.goal)
         self.state = 'idle'
         self.feedback = None
@@ -34,11 +34,11 @@ class ActionClient:
         self._client = SimpleActionClient(name, action_type)
 
     def is_ready(self):
-        """Return whether a server is there."""
+        """Return whether a server is available."""
         return self._client.wait_for_server(rospy.Duration(0.001))
 
     def send_goal(self, goal):
-        """Send a goal in place of the one before; return False if there is no server."""
+        """Send a goal, replacing the previous one; return False if no server is available."""
         self.feedback = None
         self.result = None
         if not self.is_ready():

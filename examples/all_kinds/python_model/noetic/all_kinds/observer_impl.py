@@ -4,7 +4,7 @@
 """
 The logic of observer.
 
-This file is yours: observer_interface.py says what the logic can use.
+Edit this file: observer_interface.py declares what the logic can use.
 """
 
 from all_kinds.observer_interface import (
@@ -18,15 +18,15 @@ class ObserverImpl:
     """
     The logic of observer.
 
-    ROS calls each callback in a thread of its own: guard with a lock what they share.
+    Callbacks run in threads of their own: protect shared state with a lock.
     """
 
     def __init__(self, passthrough: ObserverPassthrough) -> None:
-        """Keep what the logic may use at any time."""
+        """Store the passthrough."""
         self.passthrough = passthrough
 
     def configure(self, config: ObserverConfig) -> bool:
-        """Prepare for work; return False to refuse the configuration."""
+        """Prepare the logic; return False to reject the configuration."""
         return True
 
     def update(
@@ -34,8 +34,8 @@ class ObserverImpl:
         data: ObserverData,
         config: ObserverConfig,
     ) -> None:
-        """Turn the latest inputs into outputs, once in every cycle."""
+        """Compute the outputs of one cycle from the latest inputs."""
 
     # End of life
     def cleanup(self) -> None:
-        """Let go of what configure took."""
+        """Release everything created in configure."""

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node observer: its life-cycle and its connections to ROS.
+The node observer: its life-cycle and its ROS interfaces.
 
 Generated from all_kinds.ros_package; the logic is in observer_impl.py.
 """
@@ -24,10 +24,10 @@ QUEUE = 10  # messages kept for a topic
 
 
 class ObserverNode:
-    """A node that runs its logic at a fixed frequency from its start to its end."""
+    """A node that runs its logic at a fixed frequency until shutdown."""
 
     def __init__(self):
-        """Read the parameters, connect what sends, and make the logic."""
+        """Read the parameters, create publishers and clients, and construct the logic."""
         default = ObserverConfig()
         self._config = ObserverConfig(
             limit=read_parameter('limit', default.limit),
@@ -44,9 +44,9 @@ class ObserverNode:
         )
 
     def run(self):
-        """Configure the logic, connect what receives, and run the loop until ROS ends."""
+        """Configure the logic, connect its callbacks, and run the update loop until shutdown."""
         if not self._impl.configure(self._config):
-            rospy.logfatal('The logic refuses its configuration.')
+            rospy.logfatal('The logic rejected its configuration.')
             return
         self._connect_receivers()
         rate = rospy.Rate(FREQUENCY, reset=True)
@@ -60,7 +60,7 @@ class ObserverNode:
             self._impl.cleanup()
 
     def _connect_receivers(self):
-        """Make all that calls the logic, each in threads of its own."""
+        """Create subscriptions and servers."""
         rospy.Subscriber(
             '/status',
             std_msgs.msg.String,
@@ -69,7 +69,7 @@ class ObserverNode:
         )
 
     def _update(self):
-        """Run one cycle: the latest messages in, the logic, the active outputs out."""
+        """Run one cycle: take the latest messages, call update, publish the active outputs."""
         data = self._data
         with self._received_lock:
             received, self._received = self._received, {}
@@ -78,13 +78,13 @@ class ObserverNode:
         self._impl.update(data, self._config)
 
     def _receive_status(self, message):
-        """Keep a message for the next cycle."""
+        """Store the message for the next cycle."""
         with self._received_lock:
             self._received['status'] = message
 
 
 def read_parameter(name, default):
-    """Return a private parameter; refuse one that has not the type of its default."""
+    """Return a private parameter; raise if its type is not that of the default."""
     value = rospy.get_param('~' + name, default)
     if isinstance(value, list):
         value = tuple(value)
@@ -97,6 +97,6 @@ def read_parameter(name, default):
 
 
 def main():
-    """Run the node until ROS shuts down."""
+    """Spin the node until ROS shuts down."""
     rospy.init_node('observer')
     ObserverNode().run()

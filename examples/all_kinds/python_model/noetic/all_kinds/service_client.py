@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Calls of services that end in time."""
+"""Service calls with a timeout."""
 
 from queue import Empty, SimpleQueue
 from threading import Thread
@@ -15,14 +15,14 @@ class ServiceClient:
     """A client of a service, for use in any callback."""
 
     def __init__(self, name, service_type):
-        """Name the service to call."""
+        """Create the client."""
         self._name = rospy.resolve_name(name)
         self._service_type = service_type
         self._master = rosgraph.Master(rospy.get_name())
         self.Request = service_type._request_class
 
     def is_ready(self):
-        """Return whether a server is there."""
+        """Return whether a server is available."""
         try:
             self._master.lookupService(self._name)
         except rosgraph.MasterException:
@@ -30,7 +30,7 @@ class ServiceClient:
         return True
 
     def call(self, request, timeout=1.0):
-        """Return the response, or None if there is none within `timeout` seconds."""
+        """Return the response, or None if none arrives within `timeout` seconds."""
         end = monotonic() + timeout
         try:
             rospy.wait_for_service(self._name, max(timeout, 0.001))  # 0 is not allowed

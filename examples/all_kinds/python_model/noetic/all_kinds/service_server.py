@@ -1,16 +1,16 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Services whose callbacks get the response to fill in."""
+"""A service server whose callback fills in a given response."""
 
 import rospy
 
 
 class ServiceServer:
-    """A server that hands its callback the request and an empty response."""
+    """A server that passes the request and an empty response to its callback."""
 
     def __init__(self, name, service_type, serve):
-        """Serve with serve(request, response), which returns the response."""
+        """Advertise the service; serve(request, response) returns the response."""
         self._service = rospy.Service(
             name,
             service_type,

@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Coordinate transforms, read and sent."""
+"""A tf listener and a tf broadcaster."""
 
 from time import monotonic, sleep
 
@@ -11,10 +11,10 @@ import tf2_ros
 
 
 class TransformListener:
-    """Reads the coordinate transforms that any node sends."""
+    """Looks up transforms from tf."""
 
     def __init__(self):
-        """Listen to tf."""
+        """Subscribe to tf."""
         self._buffer = tf2_ros.Buffer()
         self._listener = tf2_ros.TransformListener(self._buffer)
 
@@ -36,15 +36,15 @@ class TransformListener:
 
 
 class TransformBroadcaster:
-    """Sends coordinate transforms."""
+    """Publishes transforms to tf."""
 
     def __init__(self):
-        """Send to tf."""
+        """Create the broadcaster."""
         self._broadcaster = tf2_ros.TransformBroadcaster()
 
     def broadcast(self, parent, child, translation, rotation):
         """
-        Send where the frame `child` is in the frame `parent` now.
+        Publish the pose of frame `child` in frame `parent`, stamped with the current time.
 
         translation: x, y, z in metres; rotation: x, y, z, w of a unit quaternion.
         """
@@ -57,5 +57,5 @@ class TransformBroadcaster:
         self.send(transform)
 
     def send(self, transform):
-        """Send a transform (geometry_msgs.msg.TransformStamped) as it is."""
+        """Publish a transform (geometry_msgs.msg.TransformStamped) as given."""
         self._broadcaster.sendTransform(transform)

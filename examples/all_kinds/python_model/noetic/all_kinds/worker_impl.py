@@ -4,7 +4,7 @@
 """
 The logic of worker.
 
-This file is yours: worker_interface.py says what the logic can use.
+Edit this file: worker_interface.py declares what the logic can use.
 """
 
 from all_kinds.worker_interface import (
@@ -18,15 +18,15 @@ class WorkerImpl:
     """
     The logic of worker.
 
-    ROS calls each callback in a thread of its own: guard with a lock what they share.
+    Callbacks run in threads of their own: protect shared state with a lock.
     """
 
     def __init__(self, passthrough: WorkerPassthrough) -> None:
-        """Keep what the logic may use at any time."""
+        """Store the passthrough."""
         self.passthrough = passthrough
 
     def configure(self, config: WorkerConfig) -> bool:
-        """Prepare for work; return False to refuse the configuration."""
+        """Prepare the logic; return False to reject the configuration."""
         return True
 
     def update(
@@ -34,27 +34,27 @@ class WorkerImpl:
         data: WorkerData,
         config: WorkerConfig,
     ) -> None:
-        """Turn the latest inputs into outputs, once in every cycle."""
+        """Compute the outputs of one cycle from the latest inputs."""
 
     # Topic say
     def receive_say(self, message) -> None:
-        """Handle a message at once."""
+        """Handle a message when it arrives."""
 
     # Service reset
     def serve_reset(self, request, response):
-        """Fill in the response to a request and return it."""
+        """Fill in the response and return it."""
         return response
 
     # Service enable
     def serve_enable(self, request, response):
-        """Fill in the response to a request and return it."""
+        """Fill in the response and return it."""
         return response
 
     # Action compute
     def execute_compute(self, goal) -> None:
-        """Work on a goal until it succeeds, is aborted, or its cancelling is requested."""
+        """Execute a goal until it succeeds, is aborted, or a cancel is requested."""
         goal.succeed()
 
     # End of life
     def cleanup(self) -> None:
-        """Let go of what configure took."""
+        """Release everything created in configure."""

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node worker: its life-cycle and its connections to ROS.
+The node worker: its life-cycle and its ROS interfaces.
 
 Generated from all_kinds.ros_package; the logic is in worker_impl.py.
 """
@@ -35,10 +35,10 @@ QUEUE = 10  # messages kept for a topic
 
 
 class WorkerNode:
-    """A node that runs its logic at a fixed frequency from its start to its end."""
+    """A node that runs its logic at a fixed frequency until shutdown."""
 
     def __init__(self):
-        """Read the parameters, connect what sends, and make the logic."""
+        """Read the parameters, create publishers and clients, and construct the logic."""
         default = WorkerConfig()
         self._config = WorkerConfig(
             prefix=read_parameter('prefix', default.prefix),
@@ -91,9 +91,9 @@ class WorkerNode:
         )
 
     def run(self):
-        """Configure the logic, connect what receives, and run the loop until ROS ends."""
+        """Configure the logic, connect its callbacks, and run the update loop until shutdown."""
         if not self._impl.configure(self._config):
-            rospy.logfatal('The logic refuses its configuration.')
+            rospy.logfatal('The logic rejected its configuration.')
             return
         self._connect_receivers()
         rate = rospy.Rate(FREQUENCY, reset=True)
@@ -107,7 +107,7 @@ class WorkerNode:
             self._impl.cleanup()
 
     def _connect_receivers(self):
-        """Make all that calls the logic, each in threads of its own."""
+        """Create subscriptions and servers."""
         ReconfigureServer(WorkerReconfigure, self._reconfigure)
         rospy.Subscriber(
             'speed',
@@ -145,7 +145,7 @@ class WorkerNode:
         rospy.Timer(rospy.Duration(2.0), self._report_missing_servers)
 
     def _update(self):
-        """Run one cycle: the latest messages in, the logic, the active outputs out."""
+        """Run one cycle: take the latest messages, call update, publish the active outputs."""
         data = self._data
         with self._received_lock:
             received, self._received = self._received, {}
@@ -162,17 +162,17 @@ class WorkerNode:
             self._out_status.publish(data.out_status)
 
     def _receive_speed(self, message):
-        """Keep a message for the next cycle."""
+        """Store the message for the next cycle."""
         with self._received_lock:
             self._received['speed'] = message
 
     def _receive_counter(self, message):
-        """Keep a message for the next cycle."""
+        """Store the message for the next cycle."""
         with self._received_lock:
             self._received['counter'] = message
 
     def _reconfigure(self, values, _level):
-        """Give the logic the dynamic parameters that have changed."""
+        """Update the configuration with the changed parameters."""
         self._config = replace(
             self._config,
             gain=values['gain'],
@@ -183,19 +183,19 @@ class WorkerNode:
         return values
 
     def _client(self, name, client):
-        """Keep a client, to know whether its server is there."""
+        """Register a client for the check of missing servers."""
         self._servers[name] = client
         return client
 
     def _report_missing_servers(self, _event):
-        """Say which servers the logic may be waiting for."""
+        """Warn about servers that are not available."""
         missing = [name for name, client in self._servers.items() if not client.is_ready()]
         if missing:
             rospy.logwarn_throttle(10.0, 'Waiting for ' + ', '.join(missing) + '.')
 
 
 def read_parameter(name, default):
-    """Return a private parameter; refuse one that has not the type of its default."""
+    """Return a private parameter; raise if its type is not that of the default."""
     value = rospy.get_param('~' + name, default)
     if isinstance(value, list):
         value = tuple(value)
@@ -208,6 +208,6 @@ def read_parameter(name, default):
 
 
 def main():
-    """Run the node until ROS shuts down."""
+    """Spin the node until ROS shuts down."""
     rospy.init_node('worker')
     WorkerNode().run()

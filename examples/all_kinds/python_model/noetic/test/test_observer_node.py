@@ -16,10 +16,10 @@ TIMEOUT = 10.0  # seconds
 
 
 class TestObserverNode(unittest.TestCase):
-    """The node in ROS, without the nodes it talks to."""
+    """The running node, without its peers."""
 
     def test_starts(self):
-        """The node answers."""
+        """The node responds."""
         end = time.monotonic() + TIMEOUT
         while not self.is_alive() and time.monotonic() < end:
             time.sleep(0.1)
@@ -27,7 +27,7 @@ class TestObserverNode(unittest.TestCase):
 
     @staticmethod
     def is_alive():
-        """Return whether the node answers."""
+        """Return whether the node responds."""
         return NODE in rosnode.get_node_names() and rosnode.rosnode_ping(NODE, max_count=1)
 
 

@@ -1,7 +1,7 @@
 // Copyright 2019 My Company
 // SPDX-License-Identifier: GPL-3.0-only
 
-// The node contact_evaluate: its life-cycle and its connections to ROS.
+// The node contact_evaluate: its life-cycle and its ROS interfaces.
 // Generated from contact_analysis.ros_package.
 // The logic is in contact_evaluate_impl.cpp.
 
@@ -36,11 +36,11 @@ constexpr int QUEUE = 10;  // messages kept for a topic, unless its QoS is overr
 
 /// A managed node that runs its logic at a fixed frequency while it is active.
 ///
-/// What sends is connected when the node is configured, what receives when it is activated.
+/// Publishers and clients exist from configure on, subscriptions and servers while it is active.
 class ContactEvaluateNode : public rclcpp_lifecycle::LifecycleNode
 {
 public:
-  /// Declare the parameters; the rest is done when the node is configured.
+  /// Declare the parameters; everything else is created in configure.
   explicit ContactEvaluateNode(const rclcpp::NodeOptions & options)
   : LifecycleNode("contact_evaluate", options)
   {
@@ -68,7 +68,7 @@ public:
   ContactEvaluateNode(const ContactEvaluateNode &) = delete;
   ContactEvaluateNode & operator=(const ContactEvaluateNode &) = delete;
 
-  /// End in good order, from whatever state.
+  /// Shut down from any state.
   ~ContactEvaluateNode() override
   {
     const bool finalized =
@@ -79,7 +79,7 @@ public:
     release();
   }
 
-  /// Connect what sends, then let the logic prepare itself.
+  /// Create publishers and clients, then configure the logic.
   CallbackReturn on_configure(const rclcpp_lifecycle::State &) override
   {
     try {
@@ -88,7 +88,7 @@ public:
       if (configured_) {
         return CallbackReturn::SUCCESS;
       }
-      RCLCPP_ERROR(get_logger(), "The logic refuses its configuration.");
+      RCLCPP_ERROR(get_logger(), "The logic rejected its configuration.");
     } catch (const std::exception & error) {
       RCLCPP_ERROR(get_logger(), "Cannot configure: %s", error.what());
     }
@@ -104,14 +104,14 @@ public:
     return result;
   }
 
-  /// Stop the loop, and disconnect what receives, once the callbacks that run have ended.
+  /// Stop the loop and destroy subscriptions and servers, once running callbacks have returned.
   CallbackReturn on_deactivate(const rclcpp_lifecycle::State & state) override
   {
     disconnect_receivers();
     return LifecycleNode::on_deactivate(state);
   }
 
-  /// Let go of all that configuring made.
+  /// Release everything created in configure.
   CallbackReturn on_cleanup(const rclcpp_lifecycle::State &) override
   {
     release();
@@ -160,7 +160,7 @@ private:
       changeable("Whether cop sampled should be published"));
   }
 
-  /// Return the parameters as they are now.
+  /// Return the current parameters.
   ContactEvaluateConfig read_config() const
   {
     ContactEvaluateConfig config;
@@ -181,7 +181,7 @@ private:
     return config_;
   }
 
-  /// Make all that the logic can use, then the logic.
+  /// Create publishers and clients, then the logic.
   void connect_senders()
   {
     ContactEvaluatePassthrough passthrough;
@@ -195,7 +195,7 @@ private:
     impl_ = std::make_unique<ContactEvaluateImpl>(passthrough);
   }
 
-  /// Make all that calls the logic, each in a thread of its own, and the loop.
+  /// Create subscriptions, servers and the update loop.
   void connect_receivers()
   {
     subscribe(
@@ -218,7 +218,7 @@ private:
       });
   }
 
-  /// Let no callback of the logic run any more.
+  /// Stop all callbacks of the logic.
   void disconnect_receivers()
   {
     loop_.reset();
@@ -229,7 +229,7 @@ private:
     subscriptions_.clear();
   }
 
-  /// Disconnect from ROS, and let the logic clean up.
+  /// Destroy all connections to ROS and clean up the logic.
   void release()
   {
     disconnect_receivers();
@@ -244,14 +244,14 @@ private:
     impl_.reset();
   }
 
-  /// Run one cycle: the latest messages in, the logic, the active outputs out.
+  /// Run one cycle: take the latest messages, call update, publish the active outputs.
   void update()
   {
     data_.in_cop_updated = in_cop_.take(data_.in_cop);
     impl_->update(data_, *current_config());
   }
 
-  /// Return a publisher, whose QoS parameters can override.
+  /// Create a publisher that allows QoS overrides.
   template<typename Message>
   Sender<Message> advertise(const std::string & topic)
   {
@@ -266,7 +266,7 @@ private:
     return std::make_shared<RosPublisher<Message>>(advertise<Message>(topic));
   }
 
-  /// Return the options of a subscription, whose QoS parameters can override.
+  /// Return subscription options that allow QoS overrides.
   static rclcpp::SubscriptionOptions overridable()
   {
     rclcpp::SubscriptionOptions options;
@@ -274,7 +274,7 @@ private:
     return options;
   }
 
-  /// Subscribe to a topic whose latest message goes into the next cycle.
+  /// Subscribe to a topic whose latest message is an input of the next cycle.
   template<typename Message>
   void subscribe(
     const std::string & topic,
@@ -290,7 +290,7 @@ private:
         overridable()));
   }
 
-  /// Offer a service.
+  /// Create a service server.
   template<typename Service>
   void serve(
     const std::string & name,
@@ -314,7 +314,7 @@ private:
     threads_.push_back(std::make_unique<CallbackThread>(*this, connect));
   }
 
-  /// Offer an action, whose goals are accepted while the node is active.
+  /// Create an action server that accepts goals while the node is active.
   template<typename Action>
   void serve_action(
     const std::string & name,

@@ -20,11 +20,11 @@
 namespace contact_analysis
 {
 
-/// A thread that runs a cycle in every period, and skips those that come too late.
+/// A thread that runs update at a fixed frequency and skips missed cycles.
 class Loop
 {
 public:
-  /// Start the thread; the frequency is in Hz of the clock of the node.
+  /// Start the thread; the frequency is in Hz of the node's clock.
   Loop(
     rclcpp_lifecycle::LifecycleNode & node,
     double frequency,
@@ -36,7 +36,7 @@ public:
   {
   }
 
-  /// Wait for the end of the cycle, if it runs.
+  /// Join the thread, after the current cycle.
   ~Loop()
   {
     {
@@ -60,7 +60,7 @@ private:
     }
   }
 
-  /// Sleep until a time of the clock, a period at most; return false when told to stop.
+  /// Sleep until `due`, a period at most; return false when stopped.
   bool sleep_until(rclcpp::Time & due)
   {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -69,11 +69,11 @@ private:
       if (now >= due) {
         return true;
       }
-      // A clock that was set back would let the loop sleep for as long.
+      // A clock set back must not stall the loop.
       due = std::min(due, now + period_);
       auto pause = (due - now).to_chrono<std::chrono::nanoseconds>();
       if (clock_->ros_time_is_active()) {
-        // Simulated time runs at a speed of its own.
+        // Simulated time may run at any speed.
         pause = std::min<std::chrono::nanoseconds>(pause, std::chrono::milliseconds(1));
       }
       stop_.wait_for(lock, pause);

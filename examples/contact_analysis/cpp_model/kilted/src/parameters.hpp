@@ -14,7 +14,7 @@
 namespace contact_analysis
 {
 
-/// Describe a parameter that can be changed while the node runs.
+/// Describe a dynamic parameter.
 inline rcl_interfaces::msg::ParameterDescriptor changeable(const std::string & description)
 {
   rcl_interfaces::msg::ParameterDescriptor descriptor;
@@ -22,7 +22,7 @@ inline rcl_interfaces::msg::ParameterDescriptor changeable(const std::string & d
   return descriptor;
 }
 
-/// Describe a parameter that is given when the node is started.
+/// Describe a read-only parameter.
 inline rcl_interfaces::msg::ParameterDescriptor read_only(const std::string & description)
 {
   auto descriptor = changeable(description);
@@ -30,7 +30,7 @@ inline rcl_interfaces::msg::ParameterDescriptor read_only(const std::string & de
   return descriptor;
 }
 
-/// Add the limits of a parameter to its description.
+/// Add the range of a parameter to its descriptor.
 template<typename Number>
 rcl_interfaces::msg::ParameterDescriptor between(
   Number from,

@@ -13,7 +13,7 @@
 namespace contact_analysis
 {
 
-/// Sends messages to a topic while the node is active.
+/// Publishes messages while the node is active.
 template<typename Message>
 class RosPublisher : public Publisher<Message>
 {

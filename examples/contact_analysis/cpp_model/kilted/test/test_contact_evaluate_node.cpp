@@ -1,7 +1,7 @@
 // Copyright 2019 My Company
 // SPDX-License-Identifier: GPL-3.0-only
 
-// Tests of the node contact_evaluate: it starts, runs its logic and stops.
+// Tests of the node contact_evaluate: it starts, runs and stops.
 
 #include <chrono>
 #include <cstdint>
@@ -25,7 +25,7 @@ using lifecycle_msgs::srv::GetState;
 constexpr char NODE[] = "/contact_evaluate/";
 constexpr std::chrono::seconds TIMEOUT{10};
 
-/// The node as a component container loads it, and a client of its life-cycle.
+/// The node, loaded as a component, and a client of its life-cycle services.
 class TestContactEvaluateNode : public ::testing::Test
 {
 protected:
@@ -62,7 +62,7 @@ protected:
     return answer.get();
   }
 
-  /// Return whether the node gets to a state before the time is over.
+  /// Return whether the node reaches a state before the timeout.
   bool reaches(std::uint8_t state)
   {
     const auto end = std::chrono::steady_clock::now() + TIMEOUT;

@@ -11,7 +11,7 @@
 namespace contact_analysis
 {
 
-/// A thread for one callback, so that one that blocks stops no other.
+/// A thread for one callback, so that a blocking callback delays no other.
 class CallbackThread
 {
 public:
@@ -23,7 +23,7 @@ public:
     spinner_.start();
   }
 
-  /// Return a handle whose callbacks run in this thread.
+  /// Return a node handle whose callbacks run in this thread.
   ros::NodeHandle & node() {return node_;}
 
 private:

@@ -1,7 +1,7 @@
 // Copyright 2019 My Company
 // SPDX-License-Identifier: GPL-3.0-only
 
-// The logic of contact_evaluate. This file is yours.
+// The logic of contact_evaluate. Edit this file.
 
 #include "contact_analysis/contact_evaluate_impl.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright 2019 My Company
 // SPDX-License-Identifier: GPL-3.0-only
 
-// The node contact_evaluate: its life-cycle and its connections to ROS.
+// The node contact_evaluate: its life-cycle and its ROS interfaces.
 // Generated from contact_analysis.ros_package.
 // The logic is in contact_evaluate_impl.cpp.
 
@@ -31,11 +31,11 @@ namespace contact_analysis
 constexpr double FREQUENCY = 1000.0;  // Hz
 constexpr std::uint32_t QUEUE = 10;  // messages kept for a topic
 
-/// A node that runs its logic at a fixed frequency from its start to its end.
+/// A node that runs its logic at a fixed frequency until shutdown.
 class ContactEvaluateNode
 {
 public:
-  /// Read the parameters, connect what sends, and make the logic.
+  /// Read the parameters, create publishers and clients, and construct the logic.
   ContactEvaluateNode()
   {
     read_parameters();
@@ -45,7 +45,7 @@ public:
   ContactEvaluateNode(const ContactEvaluateNode &) = delete;
   ContactEvaluateNode & operator=(const ContactEvaluateNode &) = delete;
 
-  /// Disconnect what receives, then let the logic clean up.
+  /// Destroy subscriptions and servers, then clean up the logic.
   ~ContactEvaluateNode()
   {
     spinner_.stop();
@@ -58,11 +58,11 @@ public:
     }
   }
 
-  /// Configure the logic, connect what receives, and run the loop until ROS ends.
+  /// Configure the logic, connect its callbacks, and run the update loop until shutdown.
   bool run()
   {
     if (!impl_->configure(*config_)) {
-      ROS_FATAL("The logic refuses its configuration.");
+      ROS_FATAL("The logic rejected its configuration.");
       return false;
     }
     configured_ = true;
@@ -85,7 +85,7 @@ private:
     config_ = std::make_shared<ContactEvaluateConfig>(config);
   }
 
-  /// Make all that the logic can use, then the logic.
+  /// Create publishers and clients, then the logic.
   void connect_senders()
   {
     ContactEvaluatePassthrough passthrough;
@@ -99,7 +99,7 @@ private:
     impl_ = std::make_unique<ContactEvaluateImpl>(passthrough);
   }
 
-  /// Make all that calls the logic, what may block each in a thread of its own.
+  /// Create subscriptions and servers; callbacks that may block get their own thread.
   void connect_receivers()
   {
     reconfigure_server_ =
@@ -130,14 +130,14 @@ private:
       &ContactEvaluateImpl::execute_evaluate);
   }
 
-  /// Run one cycle: the latest messages in, the logic, the active outputs out.
+  /// Run one cycle: take the latest messages, call update, publish the active outputs.
   void update()
   {
     data_.in_cop_updated = in_cop_.take(data_.in_cop);
     impl_->update(data_, *current_config());
   }
 
-  /// Give the logic the dynamic parameters that have changed.
+  /// Update the configuration with the changed parameters.
   void reconfigure(const ContactEvaluateDynamicConfig & values)
   {
     const auto config = std::make_shared<ContactEvaluateConfig>(*current_config());
@@ -158,7 +158,7 @@ private:
     return std::make_shared<RosPublisher<Message>>(node.advertise<Message>(topic, QUEUE));
   }
 
-  /// Subscribe to a topic whose latest message goes into the next cycle.
+  /// Subscribe to a topic whose latest message is an input of the next cycle.
   template<typename Message>
   void subscribe(
     ros::NodeHandle & node,
@@ -174,7 +174,7 @@ private:
         }));
   }
 
-  /// Offer a service.
+  /// Create a service server.
   template<typename Service>
   void serve(
     const ros::NodeHandle & node,
@@ -195,7 +195,7 @@ private:
         }));
   }
 
-  /// Offer an action.
+  /// Create an action server.
   template<typename Action>
   void serve_action(
     const ros::NodeHandle & node,

@@ -11,7 +11,7 @@
 namespace contact_analysis
 {
 
-/// Sends messages to a topic.
+/// Publishes messages to a topic.
 template<typename Message>
 class RosPublisher : public Publisher<Message>
 {

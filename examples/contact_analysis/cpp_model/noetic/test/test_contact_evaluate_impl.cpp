@@ -7,7 +7,7 @@
 
 #include "contact_analysis/contact_evaluate_impl.hpp"
 
-/// The logic by itself; what it may use of ROS does nothing.
+/// The logic alone; publishers and clients do nothing.
 class TestContactEvaluateImpl : public ::testing::Test
 {
 protected:

@@ -4,7 +4,7 @@
 """
 The logic of contact_evaluate.
 
-This file is yours: contact_evaluate_interface.py says what the logic can use.
+Edit this file: contact_evaluate_interface.py declares what the logic can use.
 """
 
 from contact_analysis.contact_evaluate_interface import (
@@ -18,15 +18,15 @@ class ContactEvaluateImpl:
     """
     The logic of contact_evaluate.
 
-    ROS calls each callback in a thread of its own: guard with a lock what they share.
+    Callbacks run in threads of their own: protect shared state with a lock.
     """
 
     def __init__(self, passthrough: ContactEvaluatePassthrough) -> None:
-        """Keep what the logic may use at any time."""
+        """Store the passthrough."""
         self.passthrough = passthrough
 
     def configure(self, config: ContactEvaluateConfig) -> bool:
-        """Prepare for work; return False to refuse the configuration."""
+        """Prepare the logic; return False to reject the configuration."""
         return True
 
     def update(
@@ -34,28 +34,28 @@ class ContactEvaluateImpl:
         data: ContactEvaluateData,
         config: ContactEvaluateConfig,
     ) -> None:
-        """Turn the latest inputs into outputs, once in every cycle."""
+        """Compute the outputs of one cycle from the latest inputs."""
 
     # Service load
     def serve_load(self, request, response):
-        """Fill in the response to a request and return it."""
+        """Fill in the response and return it."""
         return response
 
     # Service store
     def serve_store(self, request, response):
-        """Fill in the response to a request and return it."""
+        """Fill in the response and return it."""
         return response
 
     # Action learn
     def execute_learn(self, goal) -> None:
-        """Work on a goal until it succeeds, is aborted, or its cancelling is requested."""
+        """Execute a goal until it succeeds, is aborted, or a cancel is requested."""
         goal.succeed()
 
     # Action evaluate
     def execute_evaluate(self, goal) -> None:
-        """Work on a goal until it succeeds, is aborted, or its cancelling is requested."""
+        """Execute a goal until it succeeds, is aborted, or a cancel is requested."""
         goal.succeed()
 
     # End of life
     def cleanup(self) -> None:
-        """Let go of what configure took."""
+        """Release everything created in configure."""

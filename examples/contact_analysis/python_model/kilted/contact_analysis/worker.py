@@ -1,7 +1,7 @@
 # Copyright 2019 My Company
 # SPDX-License-Identifier: GPL-3.0-only
 
-"""Threads for the callbacks of the logic, so that none stops another."""
+"""Worker threads for the callbacks of the logic, so that none delays another."""
 
 from queue import SimpleQueue
 from threading import Thread
@@ -10,10 +10,10 @@ from rclpy.task import Future
 
 
 class Worker:
-    """Runs a callback that may block in a thread of its own, one call at a time."""
+    """Runs a blocking callback in its own thread, one call at a time."""
 
     def __init__(self, node, callback) -> None:
-        """Start the thread, which ends with the worker."""
+        """Start the thread; it ends with the worker."""
         self._node = node
         self._calls = SimpleQueue()
         Thread(target=work, args=(callback, self._calls), daemon=True).start()
@@ -23,7 +23,7 @@ class Worker:
         self._calls.put(None)
 
     async def run(self, *arguments):
-        """Call back and return the result, while the executor looks after other things."""
+        """Await the callback's result without blocking the executor."""
         executor = self._node.executor
         result = Future(executor=executor)
         result.add_done_callback(lambda _: executor.wake())  # it may be asleep
@@ -32,7 +32,7 @@ class Worker:
 
 
 def work(callback, calls) -> None:
-    """Make the calls of a queue until it holds None."""
+    """Execute the queued calls until None."""
     for arguments, result in iter(calls.get, None):
         try:
             result.set_result(callback(*arguments))

@@ -1,7 +1,7 @@
 # Copyright 2019 My Company
 # SPDX-License-Identifier: GPL-3.0-only
 
-"""Tests of the logic of contact_evaluate, without ROS's graph."""
+"""Tests of the logic of contact_evaluate, without a ROS graph."""
 
 import unittest
 from unittest.mock import MagicMock
@@ -14,21 +14,21 @@ from contact_analysis.contact_evaluate_interface import (
 
 
 class TestContactEvaluateImpl(unittest.TestCase):
-    """The logic by itself; the rest of ROS is played by a mock."""
+    """The logic alone; the passthrough is a mock."""
 
     def setUp(self):
-        """Make the logic and what it works on."""
+        """Create the logic with its configuration and data."""
         self.passthrough = MagicMock()
         self.config = ContactEvaluateConfig()
         self.data = ContactEvaluateData()
         self.impl = ContactEvaluateImpl(self.passthrough)
 
     def test_configure(self):
-        """The logic accepts its default parameters."""
+        """The logic accepts the default parameters."""
         self.assertTrue(self.impl.configure(self.config))
 
     def test_update(self):
-        """A cycle without any message received works."""
+        """A cycle without any received message succeeds."""
         self.impl.configure(self.config)
         self.impl.update(self.data, self.config)
         self.impl.cleanup()

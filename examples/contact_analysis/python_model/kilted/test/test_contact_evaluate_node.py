@@ -17,10 +17,10 @@ TIMEOUT = 10.0 + 2.0 / 1000  # seconds
 
 
 class TestContactEvaluateNode(unittest.TestCase):
-    """The node in ROS, without the nodes it talks to."""
+    """The running node, without its peers."""
 
     def test_life_cycle(self):
-        """Every transition succeeds, and the active node calls its logic."""
+        """Every transition succeeds, and the active node calls update."""
         context = rclpy.Context()
         rclpy.init(context=context)
         node = ContactEvaluateNode(context=context)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-only
 
 """
-What the logic of contact_evaluate sees of ROS.
+The interface between ROS and the logic of contact_evaluate.
 
 Generated from contact_analysis.ros_package; change the interface there.
 """
@@ -15,7 +15,7 @@ import geometry_msgs.msg
 
 @dataclass(frozen=True)
 class ContactEvaluateConfig:
-    """The parameters, as they are at one moment."""
+    """A snapshot of the node's parameters."""
 
     # number of samples accumulated for learning
     samples: int = 200
@@ -26,14 +26,14 @@ class ContactEvaluateConfig:
 
 class ContactEvaluateData:
     """
-    The messages of one cycle.
+    The input and output messages of one cycle.
 
     in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
-    out_<topic>: the message to send; out_<topic>_active: whether to send it in this cycle.
+    out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
     """
 
     def __init__(self) -> None:
-        """Start with empty messages."""
+        """Create empty messages."""
         # Center of Pressure measured
         self.in_cop = geometry_msgs.msg.Point()
         self.in_cop_updated = False
@@ -41,15 +41,15 @@ class ContactEvaluateData:
 
 @dataclass
 class ContactEvaluatePassthrough:
-    """What the logic may use at any time, from any of its methods."""
+    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
 
-    # Writes to the log of ROS: log.debug(text), info, warning, error.
+    # The node's logger: log.debug(text), log.info, log.warning, log.error.
     log: Any
 
-    # Returns the time of ROS in seconds.
+    # Returns the ROS time in seconds.
     now: Callable[[], float]
 
-    # Returns the time of ROS as messages carry it.
+    # Returns the ROS time as a stamp for messages.
     stamp: Callable[[], Any]
 
     # Cops defining the latest contact

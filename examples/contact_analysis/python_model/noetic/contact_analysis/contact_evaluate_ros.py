@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-only
 
 """
-The node contact_evaluate: its life-cycle and its connections to ROS.
+The node contact_evaluate: its life-cycle and its ROS interfaces.
 
 Generated from contact_analysis.ros_package; the logic is in contact_evaluate_impl.py.
 """
@@ -31,10 +31,10 @@ QUEUE = 10  # messages kept for a topic
 
 
 class ContactEvaluateNode:
-    """A node that runs its logic at a fixed frequency from its start to its end."""
+    """A node that runs its logic at a fixed frequency until shutdown."""
 
     def __init__(self):
-        """Read the parameters, connect what sends, and make the logic."""
+        """Read the parameters, create publishers and clients, and construct the logic."""
         default = ContactEvaluateConfig()
         self._config = ContactEvaluateConfig(
             samples=read_parameter('samples', default.samples),
@@ -57,9 +57,9 @@ class ContactEvaluateNode:
         )
 
     def run(self):
-        """Configure the logic, connect what receives, and run the loop until ROS ends."""
+        """Configure the logic, connect its callbacks, and run the update loop until shutdown."""
         if not self._impl.configure(self._config):
-            rospy.logfatal('The logic refuses its configuration.')
+            rospy.logfatal('The logic rejected its configuration.')
             return
         self._connect_receivers()
         rate = rospy.Rate(FREQUENCY, reset=True)
@@ -73,7 +73,7 @@ class ContactEvaluateNode:
             self._impl.cleanup()
 
     def _connect_receivers(self):
-        """Make all that calls the logic, each in threads of its own."""
+        """Create subscriptions and servers."""
         ReconfigureServer(ContactEvaluateReconfigure, self._reconfigure)
         rospy.Subscriber(
             'cop',
@@ -103,7 +103,7 @@ class ContactEvaluateNode:
         )
 
     def _update(self):
-        """Run one cycle: the latest messages in, the logic, the active outputs out."""
+        """Run one cycle: take the latest messages, call update, publish the active outputs."""
         data = self._data
         with self._received_lock:
             received, self._received = self._received, {}
@@ -112,12 +112,12 @@ class ContactEvaluateNode:
         self._impl.update(data, self._config)
 
     def _receive_cop(self, message):
-        """Keep a message for the next cycle."""
+        """Store the message for the next cycle."""
         with self._received_lock:
             self._received['cop'] = message
 
     def _reconfigure(self, values, _level):
-        """Give the logic the dynamic parameters that have changed."""
+        """Update the configuration with the changed parameters."""
         self._config = replace(
             self._config,
             pub_sample=values['pub_sample'],
@@ -126,7 +126,7 @@ class ContactEvaluateNode:
 
 
 def read_parameter(name, default):
-    """Return a private parameter; refuse one that has not the type of its default."""
+    """Return a private parameter; raise if its type is not that of the default."""
     value = rospy.get_param('~' + name, default)
     if isinstance(value, list):
         value = tuple(value)
@@ -139,6 +139,6 @@ def read_parameter(name, default):
 
 
 def main():
-    """Run the node until ROS shuts down."""
+    """Spin the node until ROS shuts down."""
     rospy.init_node('contact_evaluate')
     ContactEvaluateNode().run()

@@ -25,7 +25,7 @@
 namespace serving
 {
 
-/// A goal of a client, until its end.
+/// A goal received from a client.
 template<typename Action>
 class ServedGoal : public Goal<Action>
 {
@@ -51,10 +51,10 @@ public:
     }
   }
 
-  /// Ask for the end, to make room for a newer goal.
+  /// Preempt the goal in favour of a new one.
   void replace() {replaced_ = true;}
 
-  /// Tell the client how the work ended.
+  /// Send the outcome to the client.
   void finish()
   {
     const auto result = std::make_shared<typename Action::Result>(this->result);
@@ -73,7 +73,7 @@ private:
   std::atomic<bool> replaced_{false};
 };
 
-/// The goals that wait for their turn, the one that has it first.
+/// The queue of goals; the first is being executed.
 template<typename Action>
 class GoalQueue
 {
@@ -92,7 +92,7 @@ public:
     open_ = true;
   }
 
-  /// Take no more goals, and ask all to end.
+  /// Reject new goals and preempt all others.
   void close()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -101,7 +101,7 @@ public:
     changed_.notify_one();
   }
 
-  /// Add a goal, and ask all before it to end.
+  /// Queue a goal and preempt all before it.
   void push(const Pointer & goal)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -110,7 +110,7 @@ public:
     changed_.notify_one();
   }
 
-  /// Return the goal whose turn it is, or nullptr once the queue is closed and empty.
+  /// Return the next goal, or nullptr once the queue is closed and empty.
   Pointer front()
   {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -138,7 +138,7 @@ private:
   bool open_ = false;
 };
 
-/// A server of whatever action.
+/// The base of action servers, whatever their type.
 class ActionServerBase
 {
 public:
@@ -147,18 +147,18 @@ public:
   /// Accept goals.
   virtual void start() = 0;
 
-  /// Accept no more goals, and wait for the end of those that are there.
+  /// Reject new goals and wait for the current ones to end.
   virtual void stop() = 0;
 };
 
-/// Serves an action, one goal at a time; a newer goal asks the older to end.
+/// Serves an action, one goal at a time; a new goal preempts the current one.
 template<typename Action>
 class ActionServer : public ActionServerBase
 {
 public:
   using Execute = std::function<void (Goal<Action> &)>;
 
-  /// Call back with each goal from a thread of the server.
+  /// Call `execute` with each goal, in the server's own thread.
   ActionServer(
     rclcpp_lifecycle::LifecycleNode & node,
     const std::string & name,

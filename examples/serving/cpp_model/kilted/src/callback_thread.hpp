@@ -19,15 +19,15 @@
 namespace serving
 {
 
-/// A thread for one callback, so that one that blocks stops no other.
+/// A thread for one callback, so that a blocking callback delays no other.
 ///
-/// It does not matter which executor the node is added to.
+/// This works with any executor.
 class CallbackThread
 {
 public:
   using Connect = std::function<std::shared_ptr<void>(const rclcpp::CallbackGroup::SharedPtr &)>;
 
-  /// Start the thread for what `connect` makes with the group it is given.
+  /// Start a thread that spins the callback group of what `connect` creates.
   CallbackThread(rclcpp_lifecycle::LifecycleNode & node, const Connect & connect)
   : group_(make_own_group(node)),
     receiver_(connect(group_)),
@@ -41,11 +41,11 @@ public:
       });
   }
 
-  /// Wait for the end of the callback, if it runs, and disconnect.
+  /// Join the thread, after the current callback.
   ~CallbackThread()
   {
     while (!ended_) {
-      // Again and again: one that comes before the thread spins has no effect.
+      // Repeatedly: a cancel before the thread spins has no effect.
       executor_.cancel();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

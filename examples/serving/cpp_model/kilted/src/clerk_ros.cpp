@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The node clerk: its life-cycle and its connections to ROS.
+// The node clerk: its life-cycle and its ROS interfaces.
 // Generated from serving.ros_package.
 // The logic is in clerk_impl.cpp.
 
@@ -27,11 +27,11 @@ namespace serving
 
 /// A managed node that calls its logic back while it is active.
 ///
-/// What sends is connected when the node is configured, what receives when it is activated.
+/// Publishers and clients exist from configure on, subscriptions and servers while it is active.
 class ClerkNode : public rclcpp_lifecycle::LifecycleNode
 {
 public:
-  /// Declare the parameters; the rest is done when the node is configured.
+  /// Declare the parameters; everything else is created in configure.
   explicit ClerkNode(const rclcpp::NodeOptions & options)
   : LifecycleNode("clerk", options)
   {
@@ -52,7 +52,7 @@ public:
   ClerkNode(const ClerkNode &) = delete;
   ClerkNode & operator=(const ClerkNode &) = delete;
 
-  /// End in good order, from whatever state.
+  /// Shut down from any state.
   ~ClerkNode() override
   {
     const bool finalized =
@@ -63,7 +63,7 @@ public:
     release();
   }
 
-  /// Connect what sends, then let the logic prepare itself.
+  /// Create publishers and clients, then configure the logic.
   CallbackReturn on_configure(const rclcpp_lifecycle::State &) override
   {
     try {
@@ -72,7 +72,7 @@ public:
       if (configured_) {
         return CallbackReturn::SUCCESS;
       }
-      RCLCPP_ERROR(get_logger(), "The logic refuses its configuration.");
+      RCLCPP_ERROR(get_logger(), "The logic rejected its configuration.");
     } catch (const std::exception & error) {
       RCLCPP_ERROR(get_logger(), "Cannot configure: %s", error.what());
     }
@@ -95,7 +95,7 @@ public:
     return LifecycleNode::on_deactivate(state);
   }
 
-  /// Let go of all that configuring made.
+  /// Release everything created in configure.
   CallbackReturn on_cleanup(const rclcpp_lifecycle::State &) override
   {
     release();
@@ -141,7 +141,7 @@ private:
       read_only("Time for a step, s"));
   }
 
-  /// Return the parameters as they are now.
+  /// Return the current parameters.
   ClerkConfig read_config() const
   {
     ClerkConfig config;
@@ -152,7 +152,7 @@ private:
 
   std::shared_ptr<const ClerkConfig> current_config() {return config_;}
 
-  /// Make all that the logic can use, then the logic.
+  /// Create publishers and clients, then the logic.
   void connect_senders()
   {
     ClerkPassthrough passthrough;
@@ -163,7 +163,7 @@ private:
     impl_ = std::make_unique<ClerkImpl>(passthrough);
   }
 
-  /// Make all that calls the logic, each in a thread of its own.
+  /// Create subscriptions and servers.
   void connect_receivers()
   {
     serve<clerk_types::GreetService>(
@@ -177,7 +177,7 @@ private:
     }
   }
 
-  /// Let no callback of the logic run any more.
+  /// Stop all callbacks of the logic.
   void disconnect_receivers()
   {
     for (const auto & server : action_servers_) {
@@ -186,7 +186,7 @@ private:
     threads_.clear();
   }
 
-  /// Disconnect from ROS, and let the logic clean up.
+  /// Destroy all connections to ROS and clean up the logic.
   void release()
   {
     disconnect_receivers();
@@ -201,7 +201,7 @@ private:
     impl_.reset();
   }
 
-  /// Offer a service.
+  /// Create a service server.
   template<typename Service>
   void serve(
     const std::string & name,
@@ -225,7 +225,7 @@ private:
     threads_.push_back(std::make_unique<CallbackThread>(*this, connect));
   }
 
-  /// Offer an action, whose goals are accepted while the node is active.
+  /// Create an action server that accepts goals while the node is active.
   template<typename Action>
   void serve_action(
     const std::string & name,

@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The logic of idler. This file is yours.
+// The logic of idler. Edit this file.
 
 #include "serving/idler_impl.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The node idler: its life-cycle and its connections to ROS.
+// The node idler: its life-cycle and its ROS interfaces.
 // Generated from serving.ros_package.
 // The logic is in idler_impl.cpp.
 
@@ -23,11 +23,11 @@ namespace serving
 
 /// A managed node that calls its logic back while it is active.
 ///
-/// What sends is connected when the node is configured, what receives when it is activated.
+/// Publishers and clients exist from configure on, subscriptions and servers while it is active.
 class IdlerNode : public rclcpp_lifecycle::LifecycleNode
 {
 public:
-  /// Declare the parameters; the rest is done when the node is configured.
+  /// Declare the parameters; everything else is created in configure.
   explicit IdlerNode(const rclcpp::NodeOptions & options)
   : LifecycleNode("idler", options)
   {
@@ -45,7 +45,7 @@ public:
   IdlerNode(const IdlerNode &) = delete;
   IdlerNode & operator=(const IdlerNode &) = delete;
 
-  /// End in good order, from whatever state.
+  /// Shut down from any state.
   ~IdlerNode() override
   {
     const bool finalized =
@@ -56,7 +56,7 @@ public:
     release();
   }
 
-  /// Connect what sends, then let the logic prepare itself.
+  /// Create publishers and clients, then configure the logic.
   CallbackReturn on_configure(const rclcpp_lifecycle::State &) override
   {
     try {
@@ -65,7 +65,7 @@ public:
       if (configured_) {
         return CallbackReturn::SUCCESS;
       }
-      RCLCPP_ERROR(get_logger(), "The logic refuses its configuration.");
+      RCLCPP_ERROR(get_logger(), "The logic rejected its configuration.");
     } catch (const std::exception & error) {
       RCLCPP_ERROR(get_logger(), "Cannot configure: %s", error.what());
     }
@@ -88,7 +88,7 @@ public:
     return LifecycleNode::on_deactivate(state);
   }
 
-  /// Let go of all that configuring made.
+  /// Release everything created in configure.
   CallbackReturn on_cleanup(const rclcpp_lifecycle::State &) override
   {
     release();
@@ -125,7 +125,7 @@ private:
       read_only("Whether the node configures and activates itself."));
   }
 
-  /// Return the parameters as they are now.
+  /// Return the current parameters.
   IdlerConfig read_config() const
   {
     IdlerConfig config;
@@ -134,7 +134,7 @@ private:
 
   std::shared_ptr<const IdlerConfig> current_config() {return config_;}
 
-  /// Make all that the logic can use, then the logic.
+  /// Create publishers and clients, then the logic.
   void connect_senders()
   {
     IdlerPassthrough passthrough;
@@ -145,17 +145,17 @@ private:
     impl_ = std::make_unique<IdlerImpl>(passthrough);
   }
 
-  /// Make all that calls the logic, each in a thread of its own.
+  /// Create subscriptions and servers.
   void connect_receivers()
   {
   }
 
-  /// Let no callback of the logic run any more.
+  /// Stop all callbacks of the logic.
   void disconnect_receivers()
   {
   }
 
-  /// Disconnect from ROS, and let the logic clean up.
+  /// Destroy all connections to ROS and clean up the logic.
   void release()
   {
     disconnect_receivers();

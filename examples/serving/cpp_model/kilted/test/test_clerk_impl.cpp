@@ -7,7 +7,7 @@
 
 #include "serving/clerk_impl.hpp"
 
-/// The logic by itself; what it may use of ROS does nothing.
+/// The logic alone; publishers and clients do nothing.
 class TestClerkImpl : public ::testing::Test
 {
 protected:

@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// Tests of the node clerk: it starts, runs its logic and stops.
+// Tests of the node clerk: it starts, runs and stops.
 
 #include <chrono>
 #include <cstdint>
@@ -25,7 +25,7 @@ using lifecycle_msgs::srv::GetState;
 constexpr char NODE[] = "/clerk/";
 constexpr std::chrono::seconds TIMEOUT{10};
 
-/// The node as a component container loads it, and a client of its life-cycle.
+/// The node, loaded as a component, and a client of its life-cycle services.
 class TestClerkNode : public ::testing::Test
 {
 protected:
@@ -62,7 +62,7 @@ protected:
     return answer.get();
   }
 
-  /// Return whether the node gets to a state before the time is over.
+  /// Return whether the node reaches a state before the timeout.
   bool reaches(std::uint8_t state)
   {
     const auto end = std::chrono::steady_clock::now() + TIMEOUT;

@@ -19,12 +19,12 @@
 namespace serving
 {
 
-/// Serves an action, one goal at a time; a newer goal asks the older to end.
+/// Serves an action, one goal at a time; a new goal preempts the current one.
 template<typename Action>
 class ActionServer
 {
 public:
-  /// Serve by calling back with each goal, in a thread of the server.
+  /// Call `execute` with each goal, in the server's own thread.
   ActionServer(
     const ros::NodeHandle & node,
     const std::string & name,

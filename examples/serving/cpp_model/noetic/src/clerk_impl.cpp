@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The logic of clerk. This file is yours.
+// The logic of clerk. Edit this file.
 
 #include "serving/clerk_impl.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The node clerk: its life-cycle and its connections to ROS.
+// The node clerk: its life-cycle and its ROS interfaces.
 // Generated from serving.ros_package.
 // The logic is in clerk_impl.cpp.
 
@@ -27,7 +27,7 @@ namespace serving
 class ClerkNode
 {
 public:
-  /// Read the parameters, connect what sends, and make the logic.
+  /// Read the parameters, create publishers and clients, and construct the logic.
   ClerkNode()
   {
     read_parameters();
@@ -37,7 +37,7 @@ public:
   ClerkNode(const ClerkNode &) = delete;
   ClerkNode & operator=(const ClerkNode &) = delete;
 
-  /// Disconnect what receives, then let the logic clean up.
+  /// Destroy subscriptions and servers, then clean up the logic.
   ~ClerkNode()
   {
     spinner_.stop();
@@ -53,7 +53,7 @@ public:
   bool run()
   {
     if (!impl_->configure(*config_)) {
-      ROS_FATAL("The logic refuses its configuration.");
+      ROS_FATAL("The logic rejected its configuration.");
       return false;
     }
     configured_ = true;
@@ -72,7 +72,7 @@ private:
     config_ = std::make_shared<ClerkConfig>(config);
   }
 
-  /// Make all that the logic can use, then the logic.
+  /// Create publishers and clients, then the logic.
   void connect_senders()
   {
     ClerkPassthrough passthrough;
@@ -83,7 +83,7 @@ private:
     impl_ = std::make_unique<ClerkImpl>(passthrough);
   }
 
-  /// Make all that calls the logic, what may block each in a thread of its own.
+  /// Create subscriptions and servers; callbacks that may block get their own thread.
   void connect_receivers()
   {
     serve<clerk_types::GreetService>(
@@ -100,7 +100,7 @@ private:
       &ClerkImpl::execute_count);
   }
 
-  /// Offer a service.
+  /// Create a service server.
   template<typename Service>
   void serve(
     const ros::NodeHandle & node,
@@ -121,7 +121,7 @@ private:
         }));
   }
 
-  /// Offer an action.
+  /// Create an action server.
   template<typename Action>
   void serve_action(
     const ros::NodeHandle & node,

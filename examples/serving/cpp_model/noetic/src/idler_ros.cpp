@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The node idler: its life-cycle and its connections to ROS.
+// The node idler: its life-cycle and its ROS interfaces.
 // Generated from serving.ros_package.
 // The logic is in idler_impl.cpp.
 
@@ -21,7 +21,7 @@ namespace serving
 class IdlerNode
 {
 public:
-  /// Read the parameters, connect what sends, and make the logic.
+  /// Read the parameters, create publishers and clients, and construct the logic.
   IdlerNode()
   {
     read_parameters();
@@ -31,7 +31,7 @@ public:
   IdlerNode(const IdlerNode &) = delete;
   IdlerNode & operator=(const IdlerNode &) = delete;
 
-  /// Disconnect what receives, then let the logic clean up.
+  /// Destroy subscriptions and servers, then clean up the logic.
   ~IdlerNode()
   {
     spinner_.stop();
@@ -44,7 +44,7 @@ public:
   bool run()
   {
     if (!impl_->configure(*config_)) {
-      ROS_FATAL("The logic refuses its configuration.");
+      ROS_FATAL("The logic rejected its configuration.");
       return false;
     }
     configured_ = true;
@@ -60,7 +60,7 @@ private:
     config_ = std::make_shared<IdlerConfig>();
   }
 
-  /// Make all that the logic can use, then the logic.
+  /// Create publishers and clients, then the logic.
   void connect_senders()
   {
     IdlerPassthrough passthrough;
@@ -71,7 +71,7 @@ private:
     impl_ = std::make_unique<IdlerImpl>(passthrough);
   }
 
-  /// Make all that calls the logic, what may block each in a thread of its own.
+  /// Create subscriptions and servers; callbacks that may block get their own thread.
   void connect_receivers()
   {
     // Nothing of this node receives.

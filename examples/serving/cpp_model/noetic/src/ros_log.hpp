@@ -13,7 +13,7 @@
 namespace serving
 {
 
-/// Write a text to the log of ROS.
+/// Write to the ROS log.
 inline void write_log(Logger::Level level, const std::string & text)
 {
   switch (level) {

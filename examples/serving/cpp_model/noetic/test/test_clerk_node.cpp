@@ -10,7 +10,7 @@
 constexpr char SERVICE[] = "/clerk/get_loggers";
 constexpr int TIMEOUT = 10000;  // milliseconds
 
-/// The node answers: it offers the services that every node has.
+/// The node runs: it offers the services of every node.
 TEST(TestClerkNode, Starts) {
   EXPECT_TRUE(ros::service::waitForService(SERVICE, TIMEOUT));
 }

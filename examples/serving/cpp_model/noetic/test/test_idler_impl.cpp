@@ -7,7 +7,7 @@
 
 #include "serving/idler_impl.hpp"
 
-/// The logic by itself; what it may use of ROS does nothing.
+/// The logic alone; publishers and clients do nothing.
 class TestIdlerImpl : public ::testing::Test
 {
 protected:

@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Actions, served one goal at a time."""
+"""An action server that executes one goal at a time."""
 
 from rclpy.action import ActionServer as RosActionServer, CancelResponse, GoalResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
@@ -10,13 +10,13 @@ from serving.worker import Worker
 
 class Goal:
     """
-    A goal the logic works on.
+    An action goal that the logic executes.
 
     request: the goal message; feedback and result: messages to fill in.
     """
 
     def __init__(self, handle, action_type) -> None:
-        """Wrap a goal handle of rclpy."""
+        """Wrap an rclpy goal handle."""
         self.request = handle.request
         self.feedback = action_type.Feedback()
         self.result = action_type.Result()
@@ -25,42 +25,42 @@ class Goal:
 
     @property
     def cancel_requested(self) -> bool:
-        """Whether the work should end: the client asked for it, or sent a newer goal."""
+        """Whether to stop: the client canceled the goal or sent a new one."""
         return self._replaced or self._handle.is_cancel_requested
 
     def publish_feedback(self) -> None:
-        """Send the feedback as it is now."""
+        """Publish the current feedback."""
         self._handle.publish_feedback(self.feedback)
 
     def succeed(self) -> None:
-        """End the goal: it is reached."""
+        """Mark the goal as succeeded."""
         self._handle.succeed()
 
     def abort(self) -> None:
-        """End the goal: it cannot be reached."""
+        """Mark the goal as aborted."""
         self._handle.abort()
 
     def canceled(self) -> None:
-        """End the goal because `cancel_requested` said so."""
+        """Mark the goal as canceled, after `cancel_requested` was true."""
         if self._handle.is_cancel_requested:
             self._handle.canceled()
         else:
             self._handle.abort()
 
     def replace(self) -> None:
-        """Make room for a newer goal."""
+        """Preempt the goal in favour of a new one."""
         self._replaced = True
 
 
 class ActionServer:
     """
-    A server that works on one goal at a time; a newer goal asks the older to end.
+    An action server with one goal at a time; a new goal preempts the current one.
 
-    It accepts goals in a `with` block: while the node is active.
+    It accepts goals inside a `with` block: while the node is active.
     """
 
     def __init__(self, node, action_type, name, execute) -> None:
-        """Serve an action of a node by calling `execute` with each goal."""
+        """Advertise the action; `execute` is called with each goal."""
         self._action_type = action_type
         self._worker = Worker(node, execute)
         self._open = False
@@ -81,7 +81,7 @@ class ActionServer:
         return self
 
     def __exit__(self, *_error) -> None:
-        """Accept no more goals, and ask the one that runs to end."""
+        """Reject new goals and preempt the current one."""
         self._open = False
         if self._latest is not None:
             self._latest.replace()
@@ -90,7 +90,7 @@ class ActionServer:
         return GoalResponse.ACCEPT if self._open else GoalResponse.REJECT
 
     async def _take_turn(self, handle):
-        """Work on a goal once the one before has ended."""
+        """Execute a goal after the previous one has ended."""
         goal = Goal(handle, self._action_type)
         if self._latest is not None:
             self._latest.replace()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node clerk: its life-cycle and its connections to ROS.
+The node clerk: its life-cycle and its ROS interfaces.
 
 Generated from serving.ros_package; the logic is in clerk_impl.py.
 """
@@ -31,11 +31,11 @@ class ClerkNode(LifecycleNode):
     """
     A managed node that calls its logic back while it is active.
 
-    What sends is connected when the node is configured, what receives when it is activated.
+    Publishers and clients exist from configure on, subscriptions and servers while it is active.
     """
 
     def __init__(self, **options) -> None:
-        """Declare the parameters; the rest is done when the node is configured."""
+        """Declare the parameters; everything else is created in configure."""
         super().__init__('clerk', **options)
         self.declare_parameter(
             'autostart',
@@ -72,20 +72,20 @@ class ClerkNode(LifecycleNode):
         )
 
     def start(self) -> None:
-        """Configure and activate the node, unless its parameter autostart forbids it."""
+        """Configure and activate the node if autostart is true."""
         if not self.get_parameter('autostart').value:
             return
         if self.trigger_configure() == TransitionCallbackReturn.SUCCESS:
             self.trigger_activate()
 
     def on_configure(self, state) -> TransitionCallbackReturn:
-        """Connect what sends, then let the logic prepare itself."""
+        """Create publishers and clients, then configure the logic."""
         try:
             self._connect_senders()
             if self._impl.configure(self._config):
                 self._configured.callback(self._impl.cleanup)
                 return super().on_configure(state)
-            self.get_logger().error('The logic refuses its configuration.')
+            self.get_logger().error('The logic rejected its configuration.')
         except Exception:
             self.get_logger().error(traceback.format_exc())
         self.release()
@@ -103,17 +103,17 @@ class ClerkNode(LifecycleNode):
         return super().on_deactivate(state)
 
     def on_cleanup(self, state) -> TransitionCallbackReturn:
-        """Let go of all that configuring made."""
+        """Release everything created in configure."""
         self.release()
         return super().on_cleanup(state)
 
     def on_shutdown(self, state) -> TransitionCallbackReturn:
-        """End in good order, from whatever state."""
+        """Shut down from any state."""
         self.release()
         return super().on_shutdown(state)
 
     def release(self) -> None:
-        """Disconnect from ROS, and let the logic clean up."""
+        """Destroy all connections to ROS and clean up the logic."""
         self._active.close()
         try:
             self._configured.close()
@@ -121,14 +121,14 @@ class ClerkNode(LifecycleNode):
             self.get_logger().error(traceback.format_exc())
 
     def _read_config(self) -> ClerkConfig:
-        """Return the parameters as they are now."""
+        """Return the current parameters."""
         return ClerkConfig(
             greeting=self.get_parameter('greeting').value,
             patience=self.get_parameter('patience').value,
         )
 
     def _connect_senders(self) -> None:
-        """Make all that the logic can use, then the logic."""
+        """Create publishers and clients, then the logic."""
         self._impl = ClerkImpl(
             ClerkPassthrough(
                 log=self.get_logger(),
@@ -138,7 +138,7 @@ class ClerkNode(LifecycleNode):
         )
 
     def _connect_receivers(self) -> None:
-        """Make all that calls the logic, each from a thread of its own."""
+        """Create subscriptions and servers."""
         self._serve(
             std_srvs.srv.Trigger,
             'greet',
@@ -152,7 +152,7 @@ class ClerkNode(LifecycleNode):
         self._active.enter_context(self._action_server_count)
 
     def _serve(self, service_type, name, callback) -> None:
-        """Offer a service."""
+        """Create a service server."""
         service = self.create_service(
             service_type,
             name,
@@ -163,7 +163,7 @@ class ClerkNode(LifecycleNode):
 
 
 def main(args=None) -> None:
-    """Run the node until ROS shuts down."""
+    """Spin the node until ROS shuts down."""
     rclpy.init(args=args)
     node = ClerkNode()
     executor = SingleThreadedExecutor()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-What the logic of idler sees of ROS.
+The interface between ROS and the logic of idler.
 
 Generated from serving.ros_package; change the interface there.
 """
@@ -13,18 +13,18 @@ from typing import Any, Callable
 
 @dataclass(frozen=True)
 class IdlerConfig:
-    """The parameters, as they are at one moment."""
+    """A snapshot of the node's parameters."""
 
 
 @dataclass
 class IdlerPassthrough:
-    """What the logic may use at any time, from any of its methods."""
+    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
 
-    # Writes to the log of ROS: log.debug(text), info, warning, error.
+    # The node's logger: log.debug(text), log.info, log.warning, log.error.
     log: Any
 
-    # Returns the time of ROS in seconds.
+    # Returns the ROS time in seconds.
     now: Callable[[], float]
 
-    # Returns the time of ROS as messages carry it.
+    # Returns the ROS time as a stamp for messages.
     stamp: Callable[[], Any]

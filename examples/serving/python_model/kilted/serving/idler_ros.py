@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node idler: its life-cycle and its connections to ROS.
+The node idler: its life-cycle and its ROS interfaces.
 
 Generated from serving.ros_package; the logic is in idler_impl.py.
 """
@@ -26,11 +26,11 @@ class IdlerNode(LifecycleNode):
     """
     A managed node that calls its logic back while it is active.
 
-    What sends is connected when the node is configured, what receives when it is activated.
+    Publishers and clients exist from configure on, subscriptions and servers while it is active.
     """
 
     def __init__(self, **options) -> None:
-        """Declare the parameters; the rest is done when the node is configured."""
+        """Declare the parameters; everything else is created in configure."""
         super().__init__('idler', **options)
         self.declare_parameter(
             'autostart',
@@ -45,20 +45,20 @@ class IdlerNode(LifecycleNode):
         self._active = ExitStack()
 
     def start(self) -> None:
-        """Configure and activate the node, unless its parameter autostart forbids it."""
+        """Configure and activate the node if autostart is true."""
         if not self.get_parameter('autostart').value:
             return
         if self.trigger_configure() == TransitionCallbackReturn.SUCCESS:
             self.trigger_activate()
 
     def on_configure(self, state) -> TransitionCallbackReturn:
-        """Connect what sends, then let the logic prepare itself."""
+        """Create publishers and clients, then configure the logic."""
         try:
             self._connect_senders()
             if self._impl.configure(self._config):
                 self._configured.callback(self._impl.cleanup)
                 return super().on_configure(state)
-            self.get_logger().error('The logic refuses its configuration.')
+            self.get_logger().error('The logic rejected its configuration.')
         except Exception:
             self.get_logger().error(traceback.format_exc())
         self.release()
@@ -76,17 +76,17 @@ class IdlerNode(LifecycleNode):
         return super().on_deactivate(state)
 
     def on_cleanup(self, state) -> TransitionCallbackReturn:
-        """Let go of all that configuring made."""
+        """Release everything created in configure."""
         self.release()
         return super().on_cleanup(state)
 
     def on_shutdown(self, state) -> TransitionCallbackReturn:
-        """End in good order, from whatever state."""
+        """Shut down from any state."""
         self.release()
         return super().on_shutdown(state)
 
     def release(self) -> None:
-        """Disconnect from ROS, and let the logic clean up."""
+        """Destroy all connections to ROS and clean up the logic."""
         self._active.close()
         try:
             self._configured.close()
@@ -94,11 +94,11 @@ class IdlerNode(LifecycleNode):
             self.get_logger().error(traceback.format_exc())
 
     def _read_config(self) -> IdlerConfig:
-        """Return the parameters as they are now."""
+        """Return the current parameters."""
         return IdlerConfig()
 
     def _connect_senders(self) -> None:
-        """Make all that the logic can use, then the logic."""
+        """Create publishers and clients, then the logic."""
         self._impl = IdlerImpl(
             IdlerPassthrough(
                 log=self.get_logger(),
@@ -108,11 +108,11 @@ class IdlerNode(LifecycleNode):
         )
 
     def _connect_receivers(self) -> None:
-        """Make all that calls the logic, each from a thread of its own."""
+        """Create subscriptions and servers."""
 
 
 def main(args=None) -> None:
-    """Run the node until ROS shuts down."""
+    """Spin the node until ROS shuts down."""
     rclpy.init(args=args)
     node = IdlerNode()
     executor = SingleThreadedExecutor()

@@ -11,7 +11,7 @@ from serving.clerk_ros import ClerkNode
 
 
 class TestClerkNode(unittest.TestCase):
-    """The node in ROS, without the nodes it talks to."""
+    """The running node, without its peers."""
 
     def test_life_cycle(self):
         """Every transition succeeds."""

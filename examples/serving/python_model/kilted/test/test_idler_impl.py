@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Tests of the logic of idler, without ROS's graph."""
+"""Tests of the logic of idler, without a ROS graph."""
 
 import unittest
 from unittest.mock import MagicMock
@@ -11,16 +11,16 @@ from serving.idler_interface import IdlerConfig
 
 
 class TestIdlerImpl(unittest.TestCase):
-    """The logic by itself; the rest of ROS is played by a mock."""
+    """The logic alone; the passthrough is a mock."""
 
     def setUp(self):
-        """Make the logic and what it works on."""
+        """Create the logic with its configuration and data."""
         self.passthrough = MagicMock()
         self.config = IdlerConfig()
         self.impl = IdlerImpl(self.passthrough)
 
     def test_configure(self):
-        """The logic accepts its default parameters."""
+        """The logic accepts the default parameters."""
         self.assertTrue(self.impl.configure(self.config))
 
     def test_cleanup(self):

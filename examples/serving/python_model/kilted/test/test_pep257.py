@@ -1,4 +1,4 @@
-"""The docstrings of the package keep to the style of ROS 2."""
+"""Docstring style of ROS 2."""
 
 from ament_pep257.main import main
 import pytest
@@ -7,5 +7,5 @@ import pytest
 @pytest.mark.linter
 @pytest.mark.pep257
 def test_pep257():
-    """No fault is found by ament_pep257."""
+    """ament_pep257 reports no error."""
     assert main(argv=['.', 'test']) == 0

@@ -1,20 +1,20 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Actions, served one goal at a time."""
+"""An action server that executes one goal at a time."""
 
 from actionlib import SimpleActionServer
 
 
 class Goal:
     """
-    A goal the logic works on.
+    An action goal that the logic executes.
 
     request: the goal message; feedback and result: messages to fill in.
     """
 
     def __init__(self, server, request, action_type):
-        """Wrap the goal a server of actionlib works on."""
+        """Wrap the current goal of an actionlib server."""
         self.request = request
         self.feedback = type(action_type().action_feedback.feedback)()
         self.result = type(action_type().action_result.result)()
@@ -22,31 +22,31 @@ class Goal:
 
     @property
     def cancel_requested(self):
-        """Whether the work should end: the client asked for it, or sent a newer goal."""
+        """Whether to stop: the client canceled the goal or sent a new one."""
         return self._server.is_preempt_requested()
 
     def publish_feedback(self):
-        """Send the feedback as it is now."""
+        """Publish the current feedback."""
         self._server.publish_feedback(self.feedback)
 
     def succeed(self):
-        """End the goal: it is reached."""
+        """Mark the goal as succeeded."""
         self._server.set_succeeded(self.result)
 
     def abort(self):
-        """End the goal: it cannot be reached."""
+        """Mark the goal as aborted."""
         self._server.set_aborted(self.result)
 
     def canceled(self):
-        """End the goal because `cancel_requested` said so."""
+        """Mark the goal as canceled, after `cancel_requested` was true."""
         self._server.set_preempted(self.result)
 
 
 class ActionServer:
-    """A server that works on one goal at a time; a newer goal asks the older to end."""
+    """An action server with one goal at a time; a new goal preempts the current one."""
 
     def __init__(self, name, action_type, execute):
-        """Serve an action by calling `execute` with each goal."""
+        """Advertise the action; `execute` is called with each goal."""
         self._action_type = action_type
         self._execute = execute
         self._server = SimpleActionServer(

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node clerk: its life-cycle and its connections to ROS.
+The node clerk: its life-cycle and its ROS interfaces.
 
 Generated from serving.ros_package; the logic is in clerk_impl.py.
 """
@@ -25,7 +25,7 @@ class ClerkNode:
     """A node that calls its logic back from its start to its end."""
 
     def __init__(self):
-        """Read the parameters, connect what sends, and make the logic."""
+        """Read the parameters, create publishers and clients, and construct the logic."""
         default = ClerkConfig()
         self._config = ClerkConfig(
             greeting=read_parameter('greeting', default.greeting),
@@ -42,7 +42,7 @@ class ClerkNode:
     def run(self):
         """Configure the logic, and connect what receives until ROS ends."""
         if not self._impl.configure(self._config):
-            rospy.logfatal('The logic refuses its configuration.')
+            rospy.logfatal('The logic rejected its configuration.')
             return
         self._connect_receivers()
         try:
@@ -51,7 +51,7 @@ class ClerkNode:
             self._impl.cleanup()
 
     def _connect_receivers(self):
-        """Make all that calls the logic, each in threads of its own."""
+        """Create subscriptions and servers."""
         ServiceServer(
             'greet',
             std_srvs.srv.Trigger,
@@ -70,7 +70,7 @@ class ClerkNode:
 
 
 def read_parameter(name, default):
-    """Return a private parameter; refuse one that has not the type of its default."""
+    """Return a private parameter; raise if its type is not that of the default."""
     value = rospy.get_param('~' + name, default)
     if isinstance(value, list):
         value = tuple(value)
@@ -83,6 +83,6 @@ def read_parameter(name, default):
 
 
 def main():
-    """Run the node until ROS shuts down."""
+    """Spin the node until ROS shuts down."""
     rospy.init_node('clerk')
     ClerkNode().run()

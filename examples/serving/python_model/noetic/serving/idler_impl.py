@@ -4,7 +4,7 @@
 """
 The logic of idler.
 
-This file is yours: idler_interface.py says what the logic can use.
+Edit this file: idler_interface.py declares what the logic can use.
 """
 
 from serving.idler_interface import (
@@ -17,17 +17,17 @@ class IdlerImpl:
     """
     The logic of idler.
 
-    ROS calls each callback in a thread of its own: guard with a lock what they share.
+    Callbacks run in threads of their own: protect shared state with a lock.
     """
 
     def __init__(self, passthrough: IdlerPassthrough) -> None:
-        """Keep what the logic may use at any time."""
+        """Store the passthrough."""
         self.passthrough = passthrough
 
     def configure(self, config: IdlerConfig) -> bool:
-        """Prepare for work; return False to refuse the configuration."""
+        """Prepare the logic; return False to reject the configuration."""
         return True
 
     # End of life
     def cleanup(self) -> None:
-        """Let go of what configure took."""
+        """Release everything created in configure."""

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node idler: its life-cycle and its connections to ROS.
+The node idler: its life-cycle and its ROS interfaces.
 
 Generated from serving.ros_package; the logic is in idler_impl.py.
 """
@@ -21,7 +21,7 @@ class IdlerNode:
     """A node that calls its logic back from its start to its end."""
 
     def __init__(self):
-        """Read the parameters, connect what sends, and make the logic."""
+        """Read the parameters, create publishers and clients, and construct the logic."""
         self._config = IdlerConfig()
         self._impl = IdlerImpl(
             IdlerPassthrough(
@@ -34,7 +34,7 @@ class IdlerNode:
     def run(self):
         """Configure the logic, and connect what receives until ROS ends."""
         if not self._impl.configure(self._config):
-            rospy.logfatal('The logic refuses its configuration.')
+            rospy.logfatal('The logic rejected its configuration.')
             return
         self._connect_receivers()
         try:
@@ -43,11 +43,11 @@ class IdlerNode:
             self._impl.cleanup()
 
     def _connect_receivers(self):
-        """Make all that calls the logic, each in threads of its own."""
+        """Create subscriptions and servers."""
         # Nothing of this node receives.
 
 
 def main():
-    """Run the node until ROS shuts down."""
+    """Spin the node until ROS shuts down."""
     rospy.init_node('idler')
     IdlerNode().run()

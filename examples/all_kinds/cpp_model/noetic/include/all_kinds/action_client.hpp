@@ -9,7 +9,7 @@
 namespace all_kinds
 {
 
-/// What became of the goal of an action client; lost: there is no server.
+/// The state of an action client's goal; lost: no server is available.
 enum class ActionState {idle, pending, active, rejected, succeeded, aborted, canceled, lost};
 
 /// Return the name of a state.
@@ -35,9 +35,9 @@ inline const char * to_string(ActionState state)
   }
 }
 
-/// A client of an action with one goal at a time; no method of it waits.
+/// An action client with one goal at a time; no method blocks.
 ///
-/// This one, for tests without ROS, finds no server.
+/// This base class, for tests without ROS, finds no server.
 template<typename Action>
 class ActionClient
 {
@@ -48,16 +48,16 @@ public:
 
   virtual ~ActionClient() = default;
 
-  /// Return whether a server is there.
+  /// Return whether a server is available.
   virtual bool is_ready() {return false;}
 
-  /// Send a goal in place of the one before; return false if there is no server.
+  /// Send a goal, replacing the previous one; return false if no server is available.
   virtual bool send_goal(const Goal & /* goal */) {return false;}
 
   /// Ask the server to cancel the goal.
   virtual void cancel() {}
 
-  /// Return what became of the goal so far.
+  /// Return the state of the goal.
   virtual ActionState state() {return ActionState::idle;}
 
   /// Return the latest feedback, or nullptr.

@@ -7,12 +7,12 @@
 namespace all_kinds
 {
 
-/// How the work on a goal ended, if it did.
+/// How the execution of a goal ended, if it did.
 enum class Outcome {none, succeeded, aborted, canceled};
 
-/// A goal of an action that the logic works on.
+/// An action goal that the logic executes.
 ///
-/// This one, for tests without ROS, is never cancelled and sends no feedback.
+/// This base class, for tests without ROS, is never canceled and publishes no feedback.
 template<typename Action>
 class Goal
 {
@@ -24,19 +24,19 @@ public:
 
   virtual ~Goal() = default;
 
-  /// Return whether the work should end: the client asked for it, or sent a newer goal.
+  /// Return whether to stop: the client canceled the goal or sent a new one.
   virtual bool cancel_requested() {return false;}
 
-  /// Send the feedback as it is now.
+  /// Publish the current feedback.
   virtual void publish_feedback() {}
 
-  /// End the goal: it is reached. The result is sent when the callback returns.
+  /// Mark the goal as succeeded. The result is sent when the callback returns.
   void succeed() {outcome_ = Outcome::succeeded;}
 
-  /// End the goal: it cannot be reached.
+  /// Mark the goal as aborted.
   void abort() {outcome_ = Outcome::aborted;}
 
-  /// End the goal because cancel_requested() said so.
+  /// Mark the goal as canceled, after cancel_requested() returned true.
   void canceled() {outcome_ = Outcome::canceled;}
 
   Outcome outcome() const {return outcome_;}

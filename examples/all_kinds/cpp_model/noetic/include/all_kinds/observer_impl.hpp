@@ -11,26 +11,26 @@ namespace all_kinds
 
 /// The logic of observer.
 ///
-/// This file is yours: observer_interface.hpp says what the logic can use.
-/// ROS calls each callback in a thread of its own: guard with a mutex what they share.
+/// Edit this file: observer_interface.hpp declares what the logic can use.
+/// Callbacks run in threads of their own: protect shared state with a mutex.
 class ObserverImpl
 {
 public:
-  /// Keep what the logic may use at any time.
+  /// Store the passthrough.
   explicit ObserverImpl(
     const ObserverPassthrough & passthrough);
 
-  /// Prepare for work; return false to refuse the configuration.
+  /// Prepare the logic; return false to reject the configuration.
   bool configure(
     const ObserverConfig & config);
 
-  /// Turn the latest inputs into outputs, once in every cycle.
+  /// Compute the outputs of one cycle from the latest inputs.
   void update(
     ObserverData & data,
     const ObserverConfig & config);
 
   // End of life
-  /// Let go of what configure took.
+  /// Release everything created in configure.
   void cleanup();
 
 private:

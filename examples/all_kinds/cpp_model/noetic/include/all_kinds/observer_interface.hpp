@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// What the logic of observer sees of ROS.
+// The interface between ROS and the logic of observer.
 // Generated from all_kinds.ros_package; change the interface there.
 
 #ifndef ALL_KINDS__OBSERVER_INTERFACE_HPP_
@@ -17,7 +17,7 @@
 namespace all_kinds
 {
 
-/// The types of its messages, by names that are the same in every ROS.
+/// Message, service and action types, under the same names in ROS 1 and ROS 2.
 namespace observer_types
 {
 
@@ -25,17 +25,17 @@ using InStatus = std_msgs::String;
 
 }  // namespace observer_types
 
-/// The parameters, as they are at one moment.
+/// A snapshot of the node's parameters.
 struct ObserverConfig
 {
   /// How many to keep
   std::int64_t limit = 100;
 };
 
-/// The messages of one cycle.
+/// The input and output messages of one cycle.
 ///
 /// in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
-/// out_<topic>: the message to send; out_<topic>_active: whether to send it in this cycle.
+/// out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
 struct ObserverData
 {
   /// What the worker does
@@ -43,13 +43,13 @@ struct ObserverData
   bool in_status_updated = false;
 };
 
-/// What the logic may use at any time, from any of its methods.
+/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
 struct ObserverPassthrough
 {
-  /// Writes to the log of ROS: log.debug(text), info, warning, error.
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error.
   Logger log;
 
-  /// Returns the time of ROS, which can be assigned to the stamp of a message.
+  /// Returns the ROS time; it can be assigned to a message's stamp.
   std::function<Time()> now = [] {return Time();};
 };
 

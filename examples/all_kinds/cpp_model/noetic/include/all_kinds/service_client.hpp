@@ -10,7 +10,7 @@
 namespace all_kinds
 {
 
-/// Calls a service. This one, for tests without ROS, finds no server.
+/// Calls a service. This base class, for tests without ROS, finds no server.
 template<typename Service>
 class ServiceClient
 {
@@ -21,10 +21,10 @@ public:
 
   virtual ~ServiceClient() = default;
 
-  /// Return whether a server is there.
+  /// Return whether a server is available.
   virtual bool is_ready() {return false;}
 
-  /// Return the response, or nothing if there is none within the time limit.
+  /// Return the response, or nothing if none arrives before the timeout.
   std::optional<Response> call(
     const Request & request,
     Seconds timeout = std::chrono::seconds(1))

@@ -12,9 +12,9 @@
 namespace all_kinds
 {
 
-/// Reads the coordinate transforms that any node sends.
+/// Looks up transforms from tf.
 ///
-/// This one, for tests without ROS, finds none.
+/// This base class, for tests without ROS, finds none.
 template<typename Transform>
 class TransformListener
 {
@@ -23,12 +23,12 @@ public:
 
   virtual ~TransformListener() = default;
 
-  /// Return the latest transform that takes coordinates from one frame to another.
+  /// Return the latest transform from one frame to another.
   ///
-  /// \param target The frame to take coordinates to.
-  /// \param source The frame to take coordinates from.
-  /// \param timeout How long to wait for the transform.
-  /// \return The transform, or nothing if there is none in time.
+  /// \param target The frame to transform into.
+  /// \param source The frame to transform from.
+  /// \param timeout Time to wait for the transform.
+  /// \return The transform, or nothing if it is not available in time.
   std::optional<Transform> lookup(
     const std::string & target,
     const std::string & source,
@@ -47,19 +47,19 @@ protected:
   }
 };
 
-/// Sends coordinate transforms.
+/// Publishes transforms to tf.
 ///
-/// This one, for tests without ROS, sends them nowhere.
+/// This base class, for tests without ROS, drops them.
 template<typename Transform>
 class TransformBroadcaster
 {
 public:
   virtual ~TransformBroadcaster() = default;
 
-  /// Send where a frame is in another frame now.
+  /// Publish the pose of a frame in its parent frame, stamped with the current time.
   ///
-  /// \param parent The frame the numbers are given in.
-  /// \param child The frame they are about.
+  /// \param parent The parent frame.
+  /// \param child The child frame.
   /// \param translation x, y, z in metres.
   /// \param rotation x, y, z, w of a unit quaternion.
   void broadcast(
@@ -82,7 +82,7 @@ public:
     send(message);
   }
 
-  /// Send a transform as it is.
+  /// Publish a transform as given.
   virtual void send(const Transform & /* transform */) {}
 
 protected:

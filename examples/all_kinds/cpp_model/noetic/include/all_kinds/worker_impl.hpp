@@ -11,48 +11,48 @@ namespace all_kinds
 
 /// The logic of worker.
 ///
-/// This file is yours: worker_interface.hpp says what the logic can use.
-/// ROS calls each callback in a thread of its own: guard with a mutex what they share.
+/// Edit this file: worker_interface.hpp declares what the logic can use.
+/// Callbacks run in threads of their own: protect shared state with a mutex.
 class WorkerImpl
 {
 public:
-  /// Keep what the logic may use at any time.
+  /// Store the passthrough.
   explicit WorkerImpl(
     const WorkerPassthrough & passthrough);
 
-  /// Prepare for work; return false to refuse the configuration.
+  /// Prepare the logic; return false to reject the configuration.
   bool configure(
     const WorkerConfig & config);
 
-  /// Turn the latest inputs into outputs, once in every cycle.
+  /// Compute the outputs of one cycle from the latest inputs.
   void update(
     WorkerData & data,
     const WorkerConfig & config);
 
   // Topic say
-  /// Handle a message at once.
+  /// Handle a message when it arrives.
   void receive_say(
     const worker_types::SayMessage & message);
 
   // Service reset
-  /// Fill in the response to a request.
+  /// Fill in the response.
   void serve_reset(
     const worker_types::ResetService::Request & request,
     worker_types::ResetService::Response & response);
 
   // Service enable
-  /// Fill in the response to a request.
+  /// Fill in the response.
   void serve_enable(
     const worker_types::EnableService::Request & request,
     worker_types::EnableService::Response & response);
 
   // Action compute
-  /// Work on a goal until it succeeds, is aborted, or its cancelling is requested.
+  /// Execute a goal until it succeeds, is aborted, or a cancel is requested.
   void execute_compute(
     Goal<worker_types::ComputeAction> & goal);
 
   // End of life
-  /// Let go of what configure took.
+  /// Release everything created in configure.
   void cleanup();
 
 private:

@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// What the logic of worker sees of ROS.
+// The interface between ROS and the logic of worker.
 // Generated from all_kinds.ros_package; change the interface there.
 
 #ifndef ALL_KINDS__WORKER_INTERFACE_HPP_
@@ -33,7 +33,7 @@
 namespace all_kinds
 {
 
-/// The types of its messages, by names that are the same in every ROS.
+/// Message, service and action types, under the same names in ROS 1 and ROS 2.
 namespace worker_types
 {
 
@@ -65,7 +65,7 @@ using Transform = geometry_msgs::TransformStamped;
 
 }  // namespace worker_types
 
-/// The parameters, as they are at one moment.
+/// A snapshot of the node's parameters.
 struct WorkerConfig
 {
   /// What stands before a status, e.g. "a" < 'b' and so on
@@ -87,10 +87,10 @@ struct WorkerConfig
   std::string label = "worker";
 };
 
-/// The messages of one cycle.
+/// The input and output messages of one cycle.
 ///
 /// in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
-/// out_<topic>: the message to send; out_<topic>_active: whether to send it in this cycle.
+/// out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
 struct WorkerData
 {
   /// Wanted speed
@@ -110,13 +110,13 @@ struct WorkerData
   bool out_status_active = true;
 };
 
-/// What the logic may use at any time, from any of its methods.
+/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
 struct WorkerPassthrough
 {
-  /// Writes to the log of ROS: log.debug(text), info, warning, error.
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error.
   Logger log;
 
-  /// Returns the time of ROS, which can be assigned to the stamp of a message.
+  /// Returns the ROS time; it can be assigned to a message's stamp.
   std::function<Time()> now = [] {return Time();};
 
   /// What was said, said again

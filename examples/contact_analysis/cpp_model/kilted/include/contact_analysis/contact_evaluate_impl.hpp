@@ -11,48 +11,48 @@ namespace contact_analysis
 
 /// The logic of contact_evaluate.
 ///
-/// This file is yours: contact_evaluate_interface.hpp says what the logic can use.
-/// ROS calls each callback in a thread of its own: guard with a mutex what they share.
+/// Edit this file: contact_evaluate_interface.hpp declares what the logic can use.
+/// Callbacks run in threads of their own: protect shared state with a mutex.
 class ContactEvaluateImpl
 {
 public:
-  /// Keep what the logic may use at any time.
+  /// Store the passthrough.
   explicit ContactEvaluateImpl(
     const ContactEvaluatePassthrough & passthrough);
 
-  /// Prepare for work; return false to refuse the configuration.
+  /// Prepare the logic; return false to reject the configuration.
   bool configure(
     const ContactEvaluateConfig & config);
 
-  /// Turn the latest inputs into outputs, once in every cycle.
+  /// Compute the outputs of one cycle from the latest inputs.
   void update(
     ContactEvaluateData & data,
     const ContactEvaluateConfig & config);
 
   // Service load
-  /// Fill in the response to a request.
+  /// Fill in the response.
   void serve_load(
     const contact_evaluate_types::LoadService::Request & request,
     contact_evaluate_types::LoadService::Response & response);
 
   // Service store
-  /// Fill in the response to a request.
+  /// Fill in the response.
   void serve_store(
     const contact_evaluate_types::StoreService::Request & request,
     contact_evaluate_types::StoreService::Response & response);
 
   // Action learn
-  /// Work on a goal until it succeeds, is aborted, or its cancelling is requested.
+  /// Execute a goal until it succeeds, is aborted, or a cancel is requested.
   void execute_learn(
     Goal<contact_evaluate_types::LearnAction> & goal);
 
   // Action evaluate
-  /// Work on a goal until it succeeds, is aborted, or its cancelling is requested.
+  /// Execute a goal until it succeeds, is aborted, or a cancel is requested.
   void execute_evaluate(
     Goal<contact_evaluate_types::EvaluateAction> & goal);
 
   // End of life
-  /// Let go of what configure took.
+  /// Release everything created in configure.
   void cleanup();
 
 private:

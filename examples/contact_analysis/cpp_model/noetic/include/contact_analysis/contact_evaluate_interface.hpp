@@ -1,7 +1,7 @@
 // Copyright 2019 My Company
 // SPDX-License-Identifier: GPL-3.0-only
 
-// What the logic of contact_evaluate sees of ROS.
+// The interface between ROS and the logic of contact_evaluate.
 // Generated from contact_analysis.ros_package; change the interface there.
 
 #ifndef CONTACT_ANALYSIS__CONTACT_EVALUATE_INTERFACE_HPP_
@@ -24,7 +24,7 @@
 namespace contact_analysis
 {
 
-/// The types of its messages, by names that are the same in every ROS.
+/// Message, service and action types, under the same names in ROS 1 and ROS 2.
 namespace contact_evaluate_types
 {
 
@@ -49,7 +49,7 @@ struct EvaluateAction
 
 }  // namespace contact_evaluate_types
 
-/// The parameters, as they are at one moment.
+/// A snapshot of the node's parameters.
 struct ContactEvaluateConfig
 {
   /// number of samples accumulated for learning
@@ -59,10 +59,10 @@ struct ContactEvaluateConfig
   bool pub_sample = true;
 };
 
-/// The messages of one cycle.
+/// The input and output messages of one cycle.
 ///
 /// in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
-/// out_<topic>: the message to send; out_<topic>_active: whether to send it in this cycle.
+/// out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
 struct ContactEvaluateData
 {
   /// Center of Pressure measured
@@ -70,13 +70,13 @@ struct ContactEvaluateData
   bool in_cop_updated = false;
 };
 
-/// What the logic may use at any time, from any of its methods.
+/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
 struct ContactEvaluatePassthrough
 {
-  /// Writes to the log of ROS: log.debug(text), info, warning, error.
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error.
   Logger log;
 
-  /// Returns the time of ROS, which can be assigned to the stamp of a message.
+  /// Returns the ROS time; it can be assigned to a message's stamp.
   std::function<Time()> now = [] {return Time();};
 
   /// Cops defining the latest contact

@@ -11,7 +11,7 @@
 namespace contact_analysis
 {
 
-/// Writes to the log of ROS; one made without a sink writes nowhere.
+/// Writes to the ROS log; without a sink, to nowhere.
 class Logger
 {
 public:
@@ -21,7 +21,7 @@ public:
 
   Logger() = default;
 
-  /// Hand every text to a sink.
+  /// Pass every text to a sink.
   explicit Logger(Sink sink)
   : sink_(std::move(sink))
   {

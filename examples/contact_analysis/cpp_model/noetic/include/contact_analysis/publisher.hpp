@@ -7,14 +7,14 @@
 namespace contact_analysis
 {
 
-/// Sends messages to a topic. This one, for tests without ROS, sends them nowhere.
+/// Publishes messages to a topic. This base class, for tests without ROS, drops them.
 template<typename Message>
 class Publisher
 {
 public:
   virtual ~Publisher() = default;
 
-  /// Send a message at once.
+  /// Publish a message.
   virtual void publish(const Message & /* message */) {}
 };
 

@@ -9,7 +9,7 @@
 namespace contact_analysis
 {
 
-/// A time of ROS, real or simulated; it can be assigned to the stamp of a message.
+/// ROS time, real or simulated; it can be assigned to a message's stamp.
 class Time
 {
 public:
@@ -23,7 +23,7 @@ public:
   std::int64_t nanoseconds() const {return nanoseconds_;}
   double seconds() const {return static_cast<double>(nanoseconds_) * 1e-9;}
 
-  /// Return the time as messages of ROS 2 carry it.
+  /// Convert to a stamp of ROS 2.
   template<typename Stamp, decltype(Stamp::nanosec) * = nullptr>
   operator Stamp() const
   {
@@ -33,7 +33,7 @@ public:
     return stamp;
   }
 
-  /// Return the time as messages of ROS 1 carry it.
+  /// Convert to a stamp of ROS 1.
   template<typename Stamp, decltype(Stamp::nsec) * = nullptr>
   operator Stamp() const
   {

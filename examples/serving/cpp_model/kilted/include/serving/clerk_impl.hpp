@@ -11,38 +11,38 @@ namespace serving
 
 /// The logic of clerk.
 ///
-/// This file is yours: clerk_interface.hpp says what the logic can use.
-/// ROS calls each callback in a thread of its own: guard with a mutex what they share.
+/// Edit this file: clerk_interface.hpp declares what the logic can use.
+/// Callbacks run in threads of their own: protect shared state with a mutex.
 class ClerkImpl
 {
 public:
-  /// Keep what the logic may use at any time.
+  /// Store the passthrough.
   explicit ClerkImpl(
     const ClerkPassthrough & passthrough);
 
-  /// Prepare for work; return false to refuse the configuration.
+  /// Prepare the logic; return false to reject the configuration.
   bool configure(
     const ClerkConfig & config);
 
   // Service greet
-  /// Fill in the response to a request.
+  /// Fill in the response.
   void serve_greet(
     const clerk_types::GreetService::Request & request,
     clerk_types::GreetService::Response & response);
 
   // Service ~/open
-  /// Fill in the response to a request.
+  /// Fill in the response.
   void serve_open(
     const clerk_types::OpenService::Request & request,
     clerk_types::OpenService::Response & response);
 
   // Action count
-  /// Work on a goal until it succeeds, is aborted, or its cancelling is requested.
+  /// Execute a goal until it succeeds, is aborted, or a cancel is requested.
   void execute_count(
     Goal<clerk_types::CountAction> & goal);
 
   // End of life
-  /// Let go of what configure took.
+  /// Release everything created in configure.
   void cleanup();
 
 private:

@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// What the logic of clerk sees of ROS.
+// The interface between ROS and the logic of clerk.
 // Generated from serving.ros_package; change the interface there.
 
 #ifndef SERVING__CLERK_INTERFACE_HPP_
@@ -20,7 +20,7 @@
 namespace serving
 {
 
-/// The types of its messages, by names that are the same in every ROS.
+/// Message, service and action types, under the same names in ROS 1 and ROS 2.
 namespace clerk_types
 {
 
@@ -30,7 +30,7 @@ using CountAction = test_msgs::action::Fibonacci;
 
 }  // namespace clerk_types
 
-/// The parameters, as they are at one moment.
+/// A snapshot of the node's parameters.
 struct ClerkConfig
 {
   /// What to say
@@ -40,13 +40,13 @@ struct ClerkConfig
   double patience = 0.5;
 };
 
-/// What the logic may use at any time, from any of its methods.
+/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
 struct ClerkPassthrough
 {
-  /// Writes to the log of ROS: log.debug(text), info, warning, error.
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error.
   Logger log;
 
-  /// Returns the time of ROS, which can be assigned to the stamp of a message.
+  /// Returns the ROS time; it can be assigned to a message's stamp.
   std::function<Time()> now = [] {return Time();};
 };
 

@@ -11,21 +11,21 @@ namespace serving
 
 /// The logic of idler.
 ///
-/// This file is yours: idler_interface.hpp says what the logic can use.
-/// ROS calls each callback in a thread of its own: guard with a mutex what they share.
+/// Edit this file: idler_interface.hpp declares what the logic can use.
+/// Callbacks run in threads of their own: protect shared state with a mutex.
 class IdlerImpl
 {
 public:
-  /// Keep what the logic may use at any time.
+  /// Store the passthrough.
   explicit IdlerImpl(
     const IdlerPassthrough & passthrough);
 
-  /// Prepare for work; return false to refuse the configuration.
+  /// Prepare the logic; return false to reject the configuration.
   bool configure(
     const IdlerConfig & config);
 
   // End of life
-  /// Let go of what configure took.
+  /// Release everything created in configure.
   void cleanup();
 
 private:

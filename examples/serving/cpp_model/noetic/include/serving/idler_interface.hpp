@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// What the logic of idler sees of ROS.
+// The interface between ROS and the logic of idler.
 // Generated from serving.ros_package; change the interface there.
 
 #ifndef SERVING__IDLER_INTERFACE_HPP_
@@ -15,18 +15,18 @@
 namespace serving
 {
 
-/// The parameters, as they are at one moment.
+/// A snapshot of the node's parameters.
 struct IdlerConfig
 {
 };
 
-/// What the logic may use at any time, from any of its methods.
+/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
 struct IdlerPassthrough
 {
-  /// Writes to the log of ROS: log.debug(text), info, warning, error.
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error.
   Logger log;
 
-  /// Returns the time of ROS, which can be assigned to the stamp of a message.
+  /// Returns the ROS time; it can be assigned to a message's stamp.
   std::function<Time()> now = [] {return Time();};
 };
 
