@@ -7,7 +7,9 @@ import pytest
 import yaml
 
 from support.model_checks import Model
-from support.repository import ROOT, git
+from support.packages import MODELS as BOTH
+from support.packages import all_kinds
+from support.repository import ROOT, commit, git
 
 FILES = git(ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
 TEMPLATES = sorted(name for name in FILES if re.match(r"\w+_model/template/", name))
@@ -103,3 +105,41 @@ def test_names_for_each_component(tmp_path):
         "whole.txt": "a[node.name]\nd see [node.name] or a[node.name]",
         "[plain]_[0].txt": "plain",
     }
+
+
+def names(package):
+    return set(git(package, "ls-files").splitlines())
+
+
+@pytest.mark.parametrize("model", BOTH)
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_helper_files_come_and_go(render, update, model, distro):
+    """With the interfaces that need them, in an update as in a new package."""
+    full = all_kinds()
+    package = render(full, model=model, ros_distro=distro)
+    everything = names(package)
+    few = re.sub(r" *<(?!/|[?]|package|node|parameter|subscriber).*\n", "", full)
+    file = package / "all_kinds.ros_package"
+    for spec in (few, full):
+        file.write_text(spec)
+        commit(package)
+        update(package)
+        commit(package)
+        assert names(package) == names(
+            render(spec, model=model, ros_distro=distro, name=f"{len(spec)}/fresh")
+        )
+    assert names(package) == everything
+
+
+def test_update_from_a_version_without_the_table(own_collection, render, update):
+    """Copier renders the exclusions of the new version in the environment of the old one."""
+    table, questions = own_collection / "shared/files.jinja", own_collection / "copier.yml"
+    texts = table.read_text(), questions.read_text()
+    table.unlink()
+    questions.write_text(re.sub(r"\{% include.*?%\}", "none", texts[1]))
+    commit(own_collection, tag="1.1.0")
+    package = render(all_kinds(), template=own_collection)
+    table.write_text(texts[0])
+    questions.write_text(texts[1])
+    commit(own_collection, tag="1.2.0")
+    assert update(package) == "M .copier-answers.yml"
