@@ -34,6 +34,8 @@ def dependencies_from_interface(
     name = attributes.get("name", "")
     if ros1 and kind == "dynParameter" and name in _RESERVED:
         raise ValueError(f'dynamic_reconfigure cannot make a parameter "{name}"; choose another')
+    if ros1 and kind == "dynParameter":
+        _check_32_bits(attributes)
     packages = {
         "actionServer": ["actionlib" if ros1 else "rclcpp_action"],
         "actionClient": ["actionlib" if ros1 else "rclcpp_action"],
@@ -43,6 +45,13 @@ def dependencies_from_interface(
     }.get(kind, [])
     type_ = attributes.get("type", "")
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
+
+
+def _check_32_bits(attributes: dict[str, Any]) -> None:
+    for name in ("value", "min", "max"):
+        value = attributes[name]
+        if isinstance(value, int) and not -(2**31) <= value < 2**31:
+            raise ValueError(f"{name}: {value} does not fit the 32 bits of dynamic_reconfigure")
 
 
 def added_packages(spec: dict[str, Any]) -> list[str]:

@@ -41,7 +41,7 @@ class SpecExtension(Extension):
         ):
             environment.globals[function.__name__] = pass_context(self._reporting(function))
         environment.globals |= {
-            "can_ask": sys.stdin.isatty,
+            "can_ask": lambda: bool(sys.stdin and not sys.stdin.closed and sys.stdin.isatty()),
             "ros_distros": list(self.hooks.ros.DISTROS),
             "default_ros_distro": lambda: self.hooks.ros.default_distro(os.environ),
         }
@@ -103,7 +103,7 @@ class SpecExtension(Extension):
         package = self._package(context)
         file = package.spec_file(spec_file)
         if file:
-            return file.read_bytes(), self.hooks.package.shown(file)
+            return self.hooks.package.read(file), self.hooks.package.shown(file)
         return self._model(context).skeleton(package.about()).encode(), "skeleton spec"
 
     def _model(self, context: Context) -> Any:

@@ -8,8 +8,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from .collisions import Checked, Filters, collisions
 from .dictionary import DEPEND, NAME_BEFORE, PACKAGE, WAS, Attribute, Component, Dictionary
-from .faults import SpecError, allowed
+from .faults import SpecError, allowed, first_of, quoted, shown
 from .formats import FORMATS, comparable, dependency, literal
 from .names import class_name
 from .parse import Element
@@ -17,26 +18,27 @@ from .parse import Element
 Values = dict[str, Any]
 
 
-@dataclass(frozen=True)
-class PlacedInterface:
-    """An interface of the spec, and where it stands, for messages."""
-
-    kind: str
-    values: Values
-    place: str
-
-
 @dataclass
 class CheckedSpec:
-    """The values of the package, what it says it depends on, and its interfaces one by one."""
+    """The values of the package, what it says it depends on, and all its elements."""
 
+    file: str
     package: Values = field(default_factory=dict)
     depends: list[str] = field(default_factory=list)
-    interfaces: list[PlacedInterface] = field(default_factory=list)
+    elements: list[Checked] = field(default_factory=list)
+
+    def place(self, element: Element) -> str:
+        """Name an element for a message."""
+        return f"{self.file}:{element.line}: {element.label}"
+
+    @property
+    def interfaces(self) -> list[Checked]:
+        """The elements inside of components, in the order of the file."""
+        return [element for element in self.elements if len(element.owners) > 1]
 
 
-def check(root: Element, dictionary: Dictionary, file: str) -> CheckedSpec:
-    """Check the whole spec; `file` is its name in messages.
+def check(root: Element, dictionary: Dictionary, filters: Filters, file: str) -> CheckedSpec:
+    """Check the whole spec; `file` is its name in messages, `filters` are those of templates.
 
     Raises:
         SpecError: one line for every fault found, in the order of the file.
@@ -44,33 +46,37 @@ def check(root: Element, dictionary: Dictionary, file: str) -> CheckedSpec:
     """
     checker = _Checker(dictionary, file)
     checker.check_package(root)
+    if not checker.faults:
+        for element, fault in collisions(checker.spec.elements, dictionary.scopes, filters):
+            checker.fault(element, fault)
     if checker.faults:
         faults = sorted(checker.faults, key=lambda fault: fault[0])
-        raise SpecError("\n".join(text for _, text in faults))
+        raise SpecError(first_of([text for _, text in faults]))
     return checker.spec
 
 
 class _Checker:
     def __init__(self, dictionary: Dictionary, file: str) -> None:
         self.dictionary = dictionary
-        self.file = file
-        self.spec = CheckedSpec()
+        self.spec = CheckedSpec(file)
         self.faults: list[tuple[int, str]] = []
         self.owners: dict[tuple[Any, ...], Element] = {}
 
     def check_package(self, element: Element) -> None:
         if element.tag != PACKAGE:
-            self.fault(element, f"a spec starts with <{PACKAGE}>, not <{element.tag}>")
+            self.fault(element, f"a spec starts with <{PACKAGE}>, not <{shown(element.tag)}>")
             return
         components = self.dictionary.components
         values = self.values(element, self.dictionary.package)
+        package = self.checked(PACKAGE, element, values)
         values |= {component.key: [] for component in components.values()}
         for child in element.children:
             tag = self.dictionary.aliases.get(child.tag, child.tag)
             if tag == DEPEND:
                 self.check_depend(child)
             elif tag in components:
-                values[components[tag].key].append(self.component(child, components[tag]))
+                component = self.component(child, components[tag], package)
+                values[components[tag].key].append(component)
             else:
                 self.unknown_tag(child, [*components, DEPEND])
         if not any(values[component.key] for component in components.values()):
@@ -78,10 +84,11 @@ class _Checker:
             self.fault(element, f"has no {tags}; it needs one at least")
         self.spec.package = values
 
-    def component(self, element: Element, component: Component) -> Values:
+    def component(self, element: Element, component: Component, package: Checked) -> Values:
         values: Values = {"tag": component.tag}
         given = self.values(element, component.attributes, (component.tag,))
         values |= {**given, "class_name": class_name(str(next(iter(given.values()), "")))}
+        owner = self.checked(component.tag, element, {**values}, package)
         values |= {interface.key: [] for interface in component.interfaces.values()}
         for child in element.children:
             if child.tag not in component.interfaces:
@@ -96,8 +103,14 @@ class _Checker:
             for nested in child.children:
                 self.unknown_tag(nested, [])
             values[kind.key].append(found)
-            self.spec.interfaces.append(PlacedInterface(kind.kind, found, self.place(child)))
+            self.checked(kind.kind, child, found, owner, package)
         return values
+
+    def checked(self, tag: str, element: Element, values: Values, *owners: Checked) -> Checked:
+        """Keep an element for the checks of the whole."""
+        item = Checked(tag, element, values, {owner.tag: owner for owner in owners})
+        self.spec.elements.append(item)
+        return item
 
     def check_depend(self, element: Element) -> None:
         if element.attributes or element.children:
@@ -112,12 +125,12 @@ class _Checker:
     ) -> Values:
         """Return the values of one element; `scope` is where those that name it are unique."""
         if element.text:
-            self.fault(element, f'text is not allowed here: "{element.text[:40]}"')
+            self.fault(element, f"text is not allowed here: {quoted(element.text)}")
         if scope:
             known = {**known, WAS: NAME_BEFORE}
         for name in element.attributes:
             if name not in known:
-                self.fault(element, f'unknown attribute "{name}"; {allowed(name, known)}')
+                self.fault(element, f"unknown attribute {quoted(name)}; {allowed(name, known)}")
         values: Values = {}
         for name, attribute in known.items():
             given = element.attributes.get(name)
@@ -147,7 +160,7 @@ class _Checker:
         first = self.owners.setdefault(key, element)
         if first is not element:
             raise ValueError(
-                f'"{value}" is already taken at line {first.line}; each must have its own'
+                f"{quoted(value)} is already taken at line {first.line}; each must have its own"
             )
 
     def unknown_tag(self, element: Element, known: list[str]) -> None:
@@ -155,13 +168,10 @@ class _Checker:
         homes = [name for name, component in components.items() if tag in component.interfaces]
         homes = [PACKAGE] if tag in {DEPEND, *components} else homes
         where = f"it belongs inside <{homes[0]}>" if homes else allowed(tag, known)
-        self.fault(element, f"<{tag}> is not known here; {where}")
+        self.fault(element, f"<{shown(tag)}> is not known here; {where}")
 
     def fault(self, element: Element, message: str) -> None:
-        self.faults.append((element.line, f"{self.place(element)}: {message}"))
-
-    def place(self, element: Element) -> str:
-        return f"{self.file}:{element.line}: {element.label}"
+        self.faults.append((element.line, f"{self.spec.place(element)}: {message}"))
 
 
 def _value(attribute: Attribute, text: str, values: Values) -> Any:
@@ -170,17 +180,17 @@ def _value(attribute: Attribute, text: str, values: Values) -> Any:
         for word, others in attribute.choices.items():
             if text.strip() in (word, *others):
                 return word
-        raise ValueError(f'unknown "{text}"; {allowed(text, attribute.choices)}')
+        raise ValueError(f"unknown {quoted(text)}; {allowed(text, attribute.choices)}")
     if attribute.pattern and not re.fullmatch(attribute.pattern, text):
-        raise ValueError(f'"{text}" does not match the pattern {attribute.pattern}')
+        raise ValueError(f"{quoted(text)} does not match the pattern {attribute.pattern}")
     if attribute.format == "literal":
         type_name = values.get(attribute.of or "")
         return None if type_name is None else literal(text, type_name)
     value = FORMATS[attribute.format](text)
-    if not attribute.optional and value == "" and attribute.format == "text":
+    if not attribute.optional and value == "" and attribute.format not in ("raw", "string"):
         raise ValueError("must not be empty")
     if value in attribute.reserved:
-        raise ValueError(f'"{value}" is reserved; choose another')
+        raise ValueError(f"{quoted(value)} is reserved; choose another")
     return value
 
 

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import Any
 
 from .check import CheckedSpec, Values
-from .faults import SpecError
-from .ros import DISTROS, translate_dependency
+from .faults import SpecError, allowed, quoted
+from .ros import DISTROS, nearest_available, translate_dependency
 
 Functions = dict[str, Callable[..., Any]]
 
@@ -22,18 +22,29 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
         SpecError: a function of the model failed.
 
     """
+    if distro not in DISTROS:
+        raise SpecError(f"ros_distro: unknown {quoted(distro)}; {allowed(distro, DISTROS)}")
     generation = DISTROS[distro]
     translated = [translate_dependency(name, generation) for name in spec.depends]
     found = {name for name, _ in translated if name}
     found |= _call(functions, "dependencies_from_template", "the package", distro)
+    own_name = str(next(iter(spec.package.values())))
     for item in spec.interfaces:
-        arguments = (item.kind, item.values, distro)
-        found |= _call(functions, "dependencies_from_interface", item.place, *arguments)
-    own_name = next(iter(spec.package.values()))
+        place = spec.place(item.element)
+        arguments = (item.tag, item.values, distro)
+        needed = _call(functions, "dependencies_from_interface", place, *arguments)
+        types = [str(value) for value in item.values.values() if str(value).count("/") == 2]
+        for name in sorted(needed) + [name for name in types if name.split("/")[0] in needed]:
+            if nearest := nearest_available(name, generation):
+                what = f"ROS {generation} has no {name}; the nearest it has is {nearest}"
+                raise SpecError(f"{place}: {what}")
+        if own_name in needed:
+            raise SpecError(f"{place}: needs {own_name}, which is this package; name another")
+        found |= needed
     return {
         **spec.package,
         "ros": generation,
-        "kinds": sorted({item.kind for item in spec.interfaces}),
+        "kinds": sorted({item.tag for item in spec.interfaces}),
         "depends": sorted(found - {own_name}),
         "notes": list(dict.fromkeys(note for _, note in translated if note)),
     }

@@ -13,6 +13,7 @@ from typing import Any
 
 import yaml
 
+from .collisions import Scope
 from .faults import SpecError, allowed
 from .formats import FORMATS
 
@@ -88,9 +89,10 @@ class Dictionary:
     components: Mapping[str, Component]
     aliases: Mapping[str, str]
     skeleton: list[str]
+    scopes: list[Scope]
 
 
-_KEYS = {"package_attributes", "aliases", "skeleton", "definitions", "include"}
+_KEYS = {"package_attributes", "aliases", "skeleton", "names", "definitions", "include"}
 
 
 def load(file: Path, root: Path) -> Dictionary:
@@ -101,8 +103,11 @@ def load(file: Path, root: Path) -> Dictionary:
 
     """
     content = _read(file)
+    names = content.get("names") or {}
     while isinstance(content.get("include"), str):
-        content = {**_read(root / content.pop("include")), **content}
+        included = _read(root / content.pop("include"))
+        names = {**included.get("names", {}), **names}
+        content = {**included, **content}
     tags = [key.removesuffix("_interface") for key in content if key.endswith("_interface")]
     own = {f"{tag}_{part}" for tag in tags for part in ("attributes", "interface")}
     forms = {"<component>_attributes", "<component>_interface"}
@@ -122,8 +127,15 @@ def load(file: Path, root: Path) -> Dictionary:
         },
         content.get("aliases") or {},
         content.get("skeleton") or [],
+        [_scope(f"{file}: names: {label}", label, item) for label, item in names.items()],
     )
     components = dictionary.components.values()
+    owners = {PACKAGE, *dictionary.components}
+    kinds = {kind for component in components for kind in component.interfaces}
+    for scope in dictionary.scopes:
+        place = f"{file}: names: {scope.label}"
+        _check_keys(place, {scope.owner: ()}, owners)
+        _check_keys(place, scope.made_by, owners | kinds)
     _check_hidden(file, PACKAGE, dictionary.package, {c.key for c in components} | RESERVED_KEYS)
     for component in components:
         keys = {interface.key for interface in component.interfaces.values()} | COMPONENT_KEYS
@@ -156,6 +168,16 @@ def _interface(place: str, kind: str, item: Any) -> Interface:
     return Interface(
         kind, **{**item, "attributes": _attributes(place, item.get("attributes", []))}
     )
+
+
+def _scope(place: str, label: str, item: Any) -> Scope:
+    """Read where names land, which is a mapping from tags to the names that they make there."""
+    if not isinstance(item, dict) or not all(
+        isinstance(forms, list) for key, forms in item.items() if key != "in"
+    ):
+        raise SpecError(f"{place}: must be a mapping with lists of names, or in and a tag")
+    made_by = {tag: forms for tag, forms in item.items() if tag not in ("in", "reserved")}
+    return Scope(label, item.get("in", PACKAGE), made_by, item.get("reserved", []))
 
 
 def _attributes(place: str, items: Any) -> dict[str, Attribute]:

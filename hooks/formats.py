@@ -6,29 +6,48 @@ A format is a function from the text of the spec to a value of the context. It r
 
 from __future__ import annotations
 
-import keyword
 import math
 import re
-from collections.abc import Callable
+import unicodedata
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 import yaml
 from packaging.licenses import InvalidLicenseExpression, canonicalize_license_expression
 
 from .data import load_data
+from .faults import quoted
 from .names import identifier as identifier_of
+from .words import CPP_NAMES, KEYWORDS, PACKAGES, meaning
 
-_KEYWORDS = {
-    "Python": set(keyword.kwlist),
-    "C++": set(load_data("keywords.yaml")["C++"].split()),
-}
 _LICENSES = {name: spdx for spdx, names in load_data("licenses.yaml").items() for name in names}
+_LONGEST_NAME = 100
+_LONGEST_LIST = 100_000
+_BIDIRECTIONAL = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
+
+
+def raw(value: str) -> str:
+    """Any text as it stands, but for signs that are no text and would change what is read."""
+    for sign in value if not value.isprintable() else "":
+        category = unicodedata.category(sign)
+        if sign in _BIDIRECTIONAL or (
+            category in ("Cc", "Cs", "Zl", "Zp") and sign not in "\t\n\r"
+        ):
+            raise ValueError(f"U+{ord(sign):04X} is a control character; drop it")
+    return value
+
+
+def text(value: str) -> str:
+    """Any text, without the blanks at its ends."""
+    return raw(value).strip()
 
 
 def _match(pattern: str, value: str, complaint: str) -> re.Match[str]:
     match = re.fullmatch(pattern, value, re.ASCII)
     if not match:
-        raise ValueError(f'"{value}" is {complaint}')
+        raise ValueError(f"{quoted(value)} is {complaint}")
+    if len(value) > _LONGEST_NAME:
+        raise ValueError(f"{quoted(value)} is too long; allowed: {_LONGEST_NAME} characters")
     return match
 
 
@@ -36,24 +55,24 @@ def _matching(pattern: str, complaint: str) -> Callable[[str], str]:
     return lambda value: _match(pattern, value, complaint)[0]
 
 
-def _no_keyword(word: str) -> str:
-    found = [language for language, keywords in _KEYWORDS.items() if word in keywords]
-    if found:
-        raise ValueError(f'"{word}" is a keyword of {" and ".join(found)}; choose another')
+def _free(word: str, meanings: Iterable[str] = KEYWORDS) -> str:
+    """Return a word that has none of the meanings already."""
+    if found := meaning(word, meanings):
+        raise ValueError(f'"{word}" is {found}; choose another')
     return word
 
 
 def identifier(value: str) -> str:
     """A letter, then letters, digits and single underscores; no keyword."""
     complaint = "not a valid name; allowed: a letter, then letters, digits and single underscores"
-    return _no_keyword(_match(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*_?", value, complaint)[0])
+    return _free(_match(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*_?", value, complaint)[0])
 
 
 def package_name(value: str) -> str:
-    """A package name of REP 144."""
+    """A package name of REP 144, which can be a module of Python and a namespace of C++."""
     complaint = "not a package name of REP 144; allowed: two or more of a-z, 0-9 and single"
     complaint += " underscores, a letter first"
-    return _no_keyword(_match(r"(?=..)[a-z][a-z0-9]*(_[a-z0-9]+)*", value, complaint)[0])
+    return _free(_match(r"(?=..)[a-z][a-z0-9]*(_[a-z0-9]+)*", value, complaint)[0], PACKAGES)
 
 
 dependency = _matching(
@@ -74,7 +93,7 @@ def ros_name(value: str) -> str:
     )
     word = r"[A-Za-z]\w*"
     prefix, name = _match(rf"(?!.*__)(~/?|/|)({word}(?:/{word})*)", value, complaint).groups()
-    _no_keyword(name.replace("/", "_"))
+    _free(name.replace("/", "_"))
     return ("~/" if prefix.startswith("~") else prefix) + name
 
 
@@ -85,7 +104,8 @@ def _type(folder: str, example: str) -> Callable[[str], str]:
     def parse(value: str) -> str:
         pattern = rf"([A-Za-z]\w*)(::|/)(?:{folder}\2)?([A-Za-z]\w*)"
         match = _match(pattern, value, f"not a type; allowed: {forms}")
-        return f"{match[1]}/{folder}/{match[3]}"
+        package = _free(match[1], (*CPP_NAMES, "a module of Python"))
+        return f"{package}/{folder}/{_free(match[3], CPP_NAMES)}"
 
     return parse
 
@@ -97,7 +117,9 @@ def number(value: str) -> float:
     except ValueError:
         result = math.nan
     if not math.isfinite(result) or "_" in value:
-        raise ValueError(f'"{value}" is not a number; allowed: a finite number, such as 12.5')
+        raise ValueError(
+            f"{quoted(value)} is not a number; allowed: a finite number, such as 12.5"
+        )
     return result
 
 
@@ -106,7 +128,7 @@ def boolean(value: str) -> bool:
     spellings = ["true", "1", "yes", "on", "false", "0", "no", "off"]
     word = value.strip().lower()
     if word not in spellings:
-        raise ValueError(f'"{value}" is not a bool; allowed: {", ".join(spellings)}')
+        raise ValueError(f"{quoted(value)} is not a bool; allowed: {', '.join(spellings)}")
     return spellings.index(word) < 4
 
 
@@ -121,7 +143,7 @@ def integer(value: str) -> int:
 
 def license_name(value: str) -> str:
     """The SPDX expression of a licence where there is one, else the text as it stands."""
-    name = value.strip()
+    name = text(value)
     try:
         return str(canonicalize_license_expression(name))
     except InvalidLicenseExpression:
@@ -130,8 +152,8 @@ def license_name(value: str) -> str:
 
 
 FORMATS: dict[str, Callable[[str], Any]] = {
-    "text": str.strip,
-    "raw": str,
+    "text": text,
+    "raw": raw,
     "identifier": identifier,
     "component_name": identifier,
     "package_name": package_name,
@@ -144,7 +166,7 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "bool": boolean,
     "int": integer,
     "double": number,
-    "string": str,
+    "string": raw,
     "email": email,
     "license": license_name,
 }
@@ -163,15 +185,38 @@ def literal(value: str, type_name: str) -> Any:
     element_type, is_list = re.fullmatch(r"(\w+)(\[\])?", type_name).groups()  # type: ignore[union-attr]
     if not is_list:
         return FORMATS[element_type](value)
-    try:
-        items = yaml.load(value, Loader=yaml.BaseLoader)
-    except yaml.YAMLError:
-        items = None
-    if not isinstance(items, list) or not items or not all(isinstance(i, str) for i in items):
+    if len(value) > _LONGEST_LIST:
         raise ValueError(
-            f'"{value}" is not a {type_name}; allowed: a list such as [first, second]'
+            f"a list of {len(value)} characters is too long; allowed: {_LONGEST_LIST}"
+        )
+    try:
+        items = list(_items(value))
+    except (yaml.YAMLError, ValueError, OverflowError):
+        form = "allowed: a list such as [first, second]"
+        raise ValueError(f"{quoted(value)} is not a {type_name}; {form}") from None
+    if not items:
+        raise ValueError(
+            "a list must not be empty, for ROS 2 could not tell the type of its values"
         )
     return [FORMATS[element_type](item) for item in items]
+
+
+def _items(value: str) -> Iterator[str]:
+    """Yield the values of one YAML list, which has no other inside."""
+    events = yaml.parse(value, Loader=yaml.SafeLoader)
+    kinds = [yaml.StreamStartEvent, yaml.DocumentStartEvent, yaml.SequenceStartEvent]
+    if not all(isinstance(next(events), kind) for kind in kinds):
+        raise ValueError
+    for event in events:
+        if isinstance(event, yaml.SequenceEndEvent):
+            break
+        if not isinstance(event, yaml.ScalarEvent):
+            raise ValueError
+        yield event.value
+    if not isinstance(next(events), yaml.DocumentEndEvent) or not isinstance(
+        next(events), yaml.StreamEndEvent
+    ):
+        raise ValueError
 
 
 _COMPARED: dict[str, Callable[[str], str]] = {

@@ -10,6 +10,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from . import names
 from .advice import contradictions
 from .check import check
 from .complete import Functions, complete
@@ -39,7 +40,8 @@ class Model:
             SpecError: the spec is not well-formed, or the dictionary does not allow it.
 
         """
-        spec = check(parse(xml, file), self.dictionary, file)
+        filters = {**public_functions(names), **self.functions}
+        spec = check(parse(xml, file), self.dictionary, filters, file)
         context = complete(spec, self.functions, distro)
         context["notes"] += contradictions(context, self.dictionary)
         return context

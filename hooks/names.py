@@ -11,8 +11,11 @@ def identifier(name: str) -> str:
 
 
 def graph_id(name: str, owner: str) -> str:
-    """Return one word for a name in the graph of all nodes; a private name is its owner's."""
-    return f"{owner}_{identifier(name)}" if name.startswith("~") else identifier(name)
+    """Return one word for a name in the graph of all nodes; a private name is its owner's.
+
+    Different names give different words, for no name has two underscores together.
+    """
+    return name.replace("~", owner).strip("/").replace("/", "__")
 
 
 def ros_type(type_: str, ros: int) -> str:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import codecs
 import getpass
 import os
 import re
+import shlex
 import subprocess
 from collections.abc import Callable
 from datetime import date
@@ -13,7 +15,7 @@ from typing import Any
 
 import yaml
 
-from . import formats
+from . import faults, formats
 from .faults import SpecError
 
 SUFFIX = ".ros_package"
@@ -30,7 +32,10 @@ class Package:
     @property
     def specs(self) -> list[Path]:
         """The specs in the folder; a package has one, a new one none."""
-        return sorted(self.folder.glob(f"*{SUFFIX}"))
+        try:
+            return sorted(self.folder.glob(f"*{SUFFIX}"))
+        except OSError as error:
+            raise SpecError(f"{shown(self.folder)}: {error.strerror}") from None
 
     def spec_file(self, given: str) -> Path | None:
         """Return the file of the spec that counts; None for a new package without one.
@@ -46,21 +51,25 @@ class Package:
             names = ", ".join(path.name for path in found)
             raise SpecError(f"{shown(self.folder)}: one spec is allowed, found {names}")
         if given:
-            file = Path(given).expanduser()
-            if not file.is_file():
-                raise SpecError(f"{given}: no such file; spec_file must name the XML of a package")
-            if found and file.read_bytes() != found[0].read_bytes():
+            if found and _text(read(given)) != _text(read(found[0])):
                 raise SpecError(
                     f"{shown(found[0])} is the spec of this package; change that file,"
                     f" or copy {given} over it, and leave spec_file out"
                 )
-            return file
+            return Path(given)
         if not found and (self.folder / self.answers_file).exists():
-            raise SpecError(
-                f"{shown(self.folder)}: the package has lost its spec (*{SUFFIX});"
-                f" bring it back, for instance with git checkout HEAD -- '*{SUFFIX}'"
-            )
+            lost = f"the package has lost its spec (*{SUFFIX}); {self._remedy()}"
+            raise SpecError(f"{shown(self.folder)}: {lost}")
         return found[0] if found else None
+
+    def _remedy(self) -> str:
+        """Return the command that brings a lost spec back from git, where it is there."""
+        log = ("log", "-1", "--diff-filter=AMR", "--format=%h")
+        commit = _git(self.folder, *log, "--", f":(glob)*{SUFFIX}").strip()
+        if not commit:
+            return "git does not have it either; write it again"
+        folder = shlex.quote(shown(self.folder))
+        return f"bring it back with git -C {folder} checkout {commit} -- ':(glob)*{SUFFIX}'"
 
     def check_file_name(self, name: str) -> None:
         """Insist on `<package>.ros_package`: templates could not find it by another name."""
@@ -73,8 +82,11 @@ class Package:
 
     def committed_spec(self) -> dict[str, Any]:
         """Return the context recorded in the last commit."""
-        answers = yaml.safe_load(_git(self.folder, "show", f"HEAD:./{self.answers_file}"))
-        return dict((answers or {}).get("spec") or {})
+        try:
+            answers = yaml.safe_load(_git(self.folder, "show", f"HEAD:./{self.answers_file}"))
+            return dict(answers["spec"])
+        except (yaml.YAMLError, TypeError, KeyError, ValueError):
+            return {}
 
     def changed_files(self) -> dict[str, Any]:
         """Return the files that differ from the last commit, and that `commit`.
@@ -100,7 +112,7 @@ class Package:
         """Say what a new package is called and whose it is: its folder, git's configuration."""
         name = re.sub(r"[^a-z0-9]+", "_", self.folder.name.lower()).strip("_")
         name = name if re.match(r"[a-z]", name) else f"pkg_{name}".rstrip("_")
-        login = getpass.getuser()
+        login = _login()
         someone = f"{re.sub(r'[^a-z0-9]', '', login.lower()) or 'user'}@todo.todo"
         return {
             "folder": _valid(formats.package_name, name, f"{name}_pkg"),
@@ -110,10 +122,41 @@ class Package:
         }
 
 
+def read(file: Path | str) -> bytes:
+    """Return the content of a spec.
+
+    Raises:
+        SpecError: there is no such file, or it is no file that can be read.
+
+    """
+    name = faults.shown(str(file))
+    try:
+        path = Path(file).expanduser()
+        if not path.exists():
+            raise SpecError(f"{name}: no such file; spec_file must name the XML of a package")
+        if not path.is_file():
+            raise SpecError(f"{name}: not a file; spec_file must name the XML of a package")
+        return path.read_bytes()
+    except (OSError, RuntimeError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise SpecError(f"{name}: cannot be read: {reason}") from None
+
+
+def _text(xml: bytes) -> bytes:
+    return xml.removeprefix(codecs.BOM_UTF8).replace(b"\r\n", b"\n")
+
+
 def shown(path: Path) -> str:
     """Name a file as the user would, seen from the working directory."""
     relative = os.path.relpath(path)
     return str(path) if relative.startswith("..") else relative
+
+
+def _login() -> str:
+    try:
+        return getpass.getuser()
+    except (KeyError, OSError):  # a user without a name, as in some containers
+        return "user"
 
 
 def _valid(parse: Callable[[str], str], text: str, other: str) -> str:
@@ -129,5 +172,8 @@ def _setting(key: str) -> str:
 
 def _git(folder: Path, *arguments: str) -> str:
     command = ["git", *arguments]
-    result = subprocess.run(command, cwd=folder, capture_output=True, check=False)
+    try:
+        result = subprocess.run(command, cwd=folder, capture_output=True, check=False)
+    except OSError:  # there is no git, or no such folder
+        return ""
     return result.stdout.decode(errors="replace")

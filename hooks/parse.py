@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
-from .faults import SpecError
+from .faults import SpecError, quoted, shown
 
 
 @dataclass(eq=False)
@@ -26,8 +26,8 @@ class Element:
     @property
     def label(self) -> str:
         """The element as the user wrote it, with its first attribute alone."""
-        shown = [f' {name}="{value}"' for name, value in self.attributes.items()]
-        return f"<{self.tag}{''.join(shown[:1])}>"
+        first = [f' {shown(name)}="{shown(value)}"' for name, value in self.attributes.items()][:1]
+        return f"<{shown(self.tag)}{''.join(first)}>"
 
 
 def parse(xml: bytes, file: str) -> Element:
@@ -39,20 +39,29 @@ def parse(xml: bytes, file: str) -> Element:
     """
     root = Element("", {}, 0)
     path = [root]
-    parser = expat.ParserCreate()
+    parser = expat.ParserCreate("UTF-8")
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         path.append(Element(tag, attributes, parser.CurrentLineNumber))
         path[-2].children.append(path[-1])
 
-    def entity(*_: object) -> None:
-        line = parser.CurrentLineNumber
-        raise SpecError(f"{file}:{line}: entities are disabled; write the text itself")
+    def declaration(version: str, encoding: str | None, standalone: int) -> None:
+        if encoding and encoding.upper() not in ("UTF-8", "UTF8", "ASCII", "US-ASCII"):
+            refuse(f"encoding {quoted(encoding)} is not read; save the spec as UTF-8 and say so")
+
+    def doctype(name: str, system: str | None, public: str | None, internal: bool) -> None:
+        if system:
+            refuse(f"a DOCTYPE in another file, {quoted(system)}, is not read; drop it")
+
+    def refuse(fault: str) -> None:
+        raise SpecError(f"{file}:{parser.CurrentLineNumber}: {fault}")
 
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda tag: path.pop()
     parser.CharacterDataHandler = lambda text: path[-1].texts.append(text)
-    parser.EntityDeclHandler = entity
+    parser.XmlDeclHandler = declaration
+    parser.EntityDeclHandler = lambda *_: refuse("entities are disabled; write the text itself")
+    parser.StartDoctypeDeclHandler = doctype
     try:
         xml.decode("utf-8-sig")
         parser.Parse(xml, True)
@@ -63,7 +72,4 @@ def parse(xml: bytes, file: str) -> Element:
         raise SpecError(
             f"{file}:{error.lineno}: not well-formed XML: {reason} (column {error.offset + 1})"
         ) from None
-    except ValueError as error:
-        line = parser.CurrentLineNumber
-        raise SpecError(f"{file}:{line}: {error}; write the text itself") from None
     return root.children[0]

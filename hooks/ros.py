@@ -30,3 +30,10 @@ def translate_dependency(package: str, generation: int) -> tuple[str | None, str
         successor,
         f"<depend>{package}</depend> has no meaning in ROS {generation}: it {meaning}",
     )
+
+
+def nearest_available(name: str, generation: int) -> str | None:
+    """Return what is nearest to a package or type that a ROS generation is known not to have."""
+    nearest: str | None = _ROS["nearest"][generation].get(name)
+    successor = translate_dependency(name, generation)[0]
+    return nearest or (successor if successor != name else None)

@@ -17,6 +17,8 @@ def dependencies_from_interface(
 ) -> list[str]:
     """Return the packages that one interface needs: that of its type, and that of its kind."""
     ros1 = ros_distro == "noetic"
+    if ros1 and kind == "dynParameter":
+        _check_32_bits(attributes)
     packages = {
         "actionServer": ["actionlib"] if ros1 else [],
         "actionClient": ["actionlib" if ros1 else "action_msgs"],
@@ -37,3 +39,10 @@ def logic_file(node: str, package: str) -> str:
 def cfg_name(node: dict[str, Any]) -> str:
     """Return what dynamic_reconfigure calls the parameters of a node."""
     return str(node["class_name"])
+
+
+def _check_32_bits(attributes: dict[str, Any]) -> None:
+    for name in ("value", "min", "max"):
+        value = attributes[name]
+        if isinstance(value, int) and not -(2**31) <= value < 2**31:
+            raise ValueError(f"{name}: {value} does not fit the 32 bits of dynamic_reconfigure")

@@ -104,8 +104,6 @@ def test_component_and_template_are_understood(model):
         ('<publisher name="x" type="a::msg/B"/>', "is not a type"),
         ('<publisher name="x" type="a/srv/B"/>', "package/msg/Type"),
         ('<serviceServer name="x" type="a/msg/B"/>', "package/srv/Type"),
-        ('<publisher name="x_active" type="a::B"/>', "does not match the pattern"),
-        ('<subscriber name="x_updated" type="a::B"/>', "does not match the pattern"),
         ('<publisher name="1x" type="a::B"/>', "is not a valid ROS name"),
         ('<publisher name="a//b" type="a::B"/>', "is not a valid ROS name"),
         ('<publisher name="a__b" type="a::B"/>', "is not a valid ROS name"),
@@ -146,8 +144,8 @@ def test_fault_in_a_node(model, inside, message):
     ("xml", "message"),
     [
         (NODE.replace('frequency="1"', 'frequency="fast"'), '"fast" is not a number'),
-        (NODE.replace('frequency="1"', 'frequency="-1"'), "must be above 0"),
-        (NODE.replace('frequency="1"', 'frequency="0"'), "must be above 0"),
+        (NODE.replace('frequency="1"', 'frequency="-1"'), "must be at least 0.001"),
+        (NODE.replace('frequency="1"', 'frequency="0"'), "must be at least 0.001"),
         (NODE.replace('frequency="1"', 'frequency="inf"'), "is not a number"),
         *(
             (
@@ -244,8 +242,6 @@ def test_kinds_bring_their_dependencies(model):
         context(model, NODE.format(inside), "noetic")["depends"]
     )
     assert {"x", "tf2_ros_py", "rclpy"} <= set(context(model, NODE.format(inside))["depends"])
-    own = NODE.format('<publisher name="x" type="pkg::Y"/>')
-    assert "pkg" not in context(model, own)["depends"]
 
 
 SOURCES = {"folder": "pkg", "user": 'A "b" <c>', "email": "a@example.org", "year": "2026"}

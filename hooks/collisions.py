@@ -1,0 +1,99 @@
+"""The names that a spec makes in a package: no two alike in one place, none reserved there.
+
+Which names those are, the dictionary says under `names`; docs/designers describes it.
+"""
+
+from __future__ import annotations
+
+import re
+import string
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from .faults import SpecError, shown
+from .parse import Element
+from .words import meaning
+
+Filters = Mapping[str, Callable[..., Any]]
+
+
+@dataclass(frozen=True)
+class Scope:
+    """A place where names land, such as the files of the package or the members of a class."""
+
+    label: str
+    owner: str
+    """The tag of what has such a place of its own."""
+    made_by: Mapping[str, Sequence[str]]
+    """The tag of an element, and forms of the names that it makes: `in_{name:identifier}`."""
+    reserved: Sequence[str] = ()
+    """Forms or regular expressions of names, or meanings that `hooks.words` knows."""
+
+
+@dataclass(frozen=True)
+class Checked:
+    """An element of the spec with its values, and those it stands in, by their tags."""
+
+    tag: str
+    element: Element
+    values: Mapping[str, Any]
+    owners: Mapping[str, Checked] = field(default_factory=dict)
+
+
+def collisions(
+    elements: Sequence[Checked], scopes: Sequence[Scope], filters: Filters
+) -> Iterator[tuple[Element, str]]:
+    """Yield each element that makes a name it cannot, and what is wrong with the name."""
+    for scope in scopes:
+        taken: dict[tuple[int, str], Element] = {}
+        for item in elements:
+            forms = scope.made_by.get(item.tag, ())
+            reserved = [_made(form, item, filters, scope) for form in scope.reserved if forms]
+            owner = item.owners.get(scope.owner, item).element
+            for form in forms:
+                name = _made(form, item, filters, scope)
+                why = next(filter(None, (_reservation(name, word) for word in reserved)), "")
+                first = taken.setdefault((id(owner), name), item.element)
+                if why:
+                    yield (
+                        item.element,
+                        f'"{shown(name)}" is {why} as {scope.label}; choose another',
+                    )
+                elif first is not item.element:
+                    also = f"{first.label} at line {first.line}"
+                    what = f'makes the {scope.label} "{shown(name)}"'
+                    yield item.element, f"{what}, as {also} does; rename one of them"
+
+
+def _reservation(name: str, reserved: str) -> str:
+    if reserved.startswith("a "):
+        found = meaning(name, [reserved])
+        return f"{found}, so reserved" if found else ""
+    return "reserved" if re.fullmatch(reserved, name) else ""
+
+
+class _Form(string.Formatter):
+    """Text with `{attribute}` in it, or `{attribute:filter}`."""
+
+    def __init__(self, filters: Filters) -> None:
+        self.filters = filters
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        return str(self.filters[format_spec](value) if format_spec else value)
+
+
+def _made(form: str, item: Checked, filters: Filters, scope: Scope) -> str:
+    """Return the name that an element makes by a form.
+
+    Raises:
+        SpecError: the form names an attribute or a filter that there is not.
+
+    """
+    if "{" not in form:
+        return form
+    owners = {tag: owner.values for tag, owner in item.owners.items()}
+    try:
+        return _Form(filters).vformat(form, (), {**owners, **item.values})
+    except (KeyError, IndexError, ValueError) as error:
+        raise SpecError(f'names: {scope.label}: "{form}" has no meaning: {error}') from None
