@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 import re
 import sys
 from typing import Any
@@ -70,6 +71,11 @@ def python_text(text: str, indent: int, used: int = 0) -> str:
         lines[-1] += piece
     margin = "\n" + " " * (indent + 4)
     return "(" + "".join(margin + repr(line) for line in lines) + "\n" + " " * indent + ")"
+
+
+def is_builtin(name: str) -> bool:
+    """Say whether a name is that of a function or class that Python has by itself."""
+    return hasattr(builtins, name)
 
 
 def cfg_value(value: Any) -> str:

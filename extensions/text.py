@@ -11,6 +11,9 @@ from xml.sax.saxutils import escape, quoteattr
 from packaging.licenses import InvalidLicenseExpression, canonicalize_license_expression
 
 
+_YAML_VALUES = ("false", "n", "no", "null", "off", "on", "true", "y", "yes")
+
+
 def one_line(text: str) -> str:
     """Return the text with every run of blanks and line breaks made one space."""
     return " ".join(text.split())
@@ -61,7 +64,13 @@ def yaml(value: Any) -> str:
     if isinstance(value, list):
         return f"[{', '.join(yaml(item) for item in value)}]"
     text = json.dumps(value, ensure_ascii=False)
+    text = re.sub(r"[\x7f-\x9f\u2028\u2029\ufeff]", lambda sign: f"\\u{ord(sign[0]):04x}", text)
     return re.sub(r"^(-?\d+)e", r"\1.0e", text) if isinstance(value, float) else text
+
+
+def yaml_key(name: str) -> str:
+    """Return a name as a key in YAML: in quotes where YAML 1.1 takes the word for a value."""
+    return f"'{name}'" if name.lower() in _YAML_VALUES else name
 
 
 def plain(number: float) -> str:
