@@ -7,6 +7,7 @@ version. So this file keeps no state, and loads the hook of its own template eac
 from __future__ import annotations
 
 import functools
+import importlib
 import importlib.util
 import os
 import sys
@@ -30,14 +31,17 @@ class SpecExtension(Extension):
         self.root = Path(environment.loader.searchpath[0])  # type: ignore[union-attr]
         self.hooks = _load_hooks(self.root)
         self.models: dict[str, Any] = {}
+        self.update: Any = None
+        self.report: Any = None
         for function in (
             self.read_spec,
             self.spec_changed,
             self.spec_text,
             self.has_spec,
             self.package_name,
-            self.spec_renames,
-            self.update_summary,
+            self.begin_update,
+            self.finish_update,
+            self.update_report,
         ):
             environment.globals[function.__name__] = pass_context(self._reporting(function))
         environment.globals |= {
@@ -56,6 +60,7 @@ class SpecExtension(Extension):
         xml, shown = self._spec(context, spec_file)
         values = dict(model.context(xml, shown, str(context["ros_distro"])))
         package.check_file_name(model.name(values))
+        self._check_update(context, values, shown)
         return values
 
     def spec_changed(self, context: Context, spec_file: str, spec: Any) -> str:
@@ -83,16 +88,49 @@ class SpecExtension(Extension):
         """Return the name of the package, by whatever attribute the model's specs give it."""
         return str(self._model(context).name(spec))
 
-    def spec_renames(self, context: Context, spec: dict[str, Any]) -> list[dict[str, str]]:
-        """Return what was renamed since the package's last commit; see `hooks.changes`."""
-        committed = self._package(context).committed_spec()
-        return list(self.hooks.changes.renames(committed, spec, self._model(context).dictionary))
+    def begin_update(self, context: Context) -> bool:
+        """Take the snapshot that a failing update brings back. Always false: there is no task."""
+        if not context["_copier_conf"]["pretend"]:
+            package = self._package(context)
+            self.update = self._merge("update").Update(package.folder, package.answers_file)
+        return False
 
-    def update_summary(self, context: Context, spec: dict[str, Any]) -> dict[str, Any]:
-        """Return what an update did: `changes` in words, and `files` by what became of them."""
-        package, dictionary = self._package(context), self._model(context).dictionary
-        changes = self.hooks.changes.changes(package.committed_spec(), spec, dictionary)
-        return {"changes": list(changes), **package.changed_files()}
+    def finish_update(self, context: Context, spec: dict[str, Any]) -> bool:
+        """Merge, in place of what Copier has merged, and prove it. Always false, as above."""
+        if self.update:
+            inline = context["_copier_conf"]["conflict"] == "inline"
+            new, dictionary = self._new_render(context, spec), self._model(context).dictionary
+            self.report = self.update.finish(new, spec, dictionary, inline)
+        return False
+
+    def update_report(self, context: Context) -> Any:
+        """Return what the update has to say: `lines`, and the files in conflict."""
+        return self.report
+
+    def _check_update(self, context: Context, values: dict[str, Any], shown: str) -> None:
+        """Refuse an update or a recopy that could not be undone, before it writes anything."""
+        package = self._package(context)
+        answers = package.folder / package.answers_file
+        if answers.exists() and not context["_copier_conf"]["pretend"]:
+            self._merge("preflight").check(
+                package.folder,
+                package.answers_file,
+                shown,
+                values,
+                self._model(context).dictionary,
+                lambda: self._new_render(context, values),
+            )
+
+    def _new_render(self, context: Context, values: dict[str, Any]) -> Any:
+        conf, package = context["_copier_conf"], self._package(context)
+        answers = {**context["_copier_answers"], "spec": values}
+        return self._merge("render").render(
+            str(conf["src_path"]), "HEAD", answers, package.folder.name, package.answers_file
+        )
+
+    def _merge(self, name: str) -> Any:
+        """Load a module of `hooks.merge`, which no render needs."""
+        return importlib.import_module(f"{self.hooks.__name__}.merge.{name}")
 
     def _package(self, context: Context) -> Any:
         conf = context["_copier_conf"]

@@ -126,8 +126,7 @@ class _Checker:
         """Return the values of one element; `scope` is where those that name it are unique."""
         if element.text:
             self.fault(element, f"text is not allowed here: {quoted(element.text)}")
-        if scope:
-            known = {**known, WAS: NAME_BEFORE}
+        known = {**known, WAS: NAME_BEFORE}
         for name in element.attributes:
             if name not in known:
                 self.fault(element, f"unknown attribute {quoted(name)}; {allowed(name, known)}")

@@ -1,4 +1,4 @@
-"""What the folder of a package and its git repository say: the spec, and what an update did."""
+"""What the folder of a package says: its spec, its name, whose it is."""
 
 from __future__ import annotations
 
@@ -11,9 +11,6 @@ import subprocess
 from collections.abc import Callable
 from datetime import date
 from pathlib import Path
-from typing import Any
-
-import yaml
 
 from . import faults, formats
 from .faults import SpecError
@@ -79,34 +76,6 @@ class Package:
                     f'{shown(file)}: the package is called "{name}", so its spec is'
                     f" {name}{SUFFIX}; rename the file"
                 )
-
-    def committed_spec(self) -> dict[str, Any]:
-        """Return the context recorded in the last commit."""
-        try:
-            answers = yaml.safe_load(_git(self.folder, "show", f"HEAD:./{self.answers_file}"))
-            return dict(answers["spec"])
-        except (yaml.YAMLError, TypeError, KeyError, ValueError):
-            return {}
-
-    def changed_files(self) -> dict[str, Any]:
-        """Return the files that differ from the last commit, and that `commit`.
-
-        The files are `merged`, `added`, `removed`, or with `conflicts`.
-        """
-        files: dict[str, list[str]] = {"merged": [], "added": [], "removed": [], "conflicts": []}
-        top = Path(_git(self.folder, "rev-parse", "--show-toplevel").strip() or self.folder)
-        status = _git(self.folder, "status", "--porcelain", "--no-renames", "-z", "-uall", ".")
-        for entry in filter(None, status.split("\0")):
-            state, path = entry[:2], top / entry[3:]
-            name = os.path.relpath(path, self.folder)
-            marks = b"<<<<<<< before updating"
-            if "D" in state and not path.exists():
-                files["removed"].append(name)
-            elif "U" in state or (path.is_file() and marks in path.read_bytes()):
-                files["conflicts"].append(name)
-            else:
-                files["added" if state == "??" else "merged"].append(name)
-        return {**files, "commit": _git(self.folder, "rev-parse", "--short", "HEAD").strip()}
 
     def about(self) -> dict[str, str]:
         """Say what a new package is called and whose it is: its folder, git's configuration."""

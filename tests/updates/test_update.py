@@ -10,67 +10,10 @@ from random import Random
 
 import pytest
 
-from support.lab import Laboratory, texts
+from support.arm import EDITS, SPEC
+from support.laboratory.trials import second_version
 from support.packages import QUIET
-from support.repository import EXAMPLES, commit, git
-
-SPEC = """<package name="arm" author="Ada" author_email="ada@example.org" description="An arm"
-         license="MIT">
-  <node name="reach" frequency="10">
-    <publisher name="pose" type="std_msgs::Float64"/>
-    <subscriber name="goal" type="std_msgs::Float64"/>
-    <directSubscriber name="stop" type="std_msgs::Empty"/>
-    <serviceServer name="load" type="std_srvs::Trigger"/>
-    <serviceServer name="store" type="std_srvs::Trigger"/>
-    <dynParameter name="gain" type="double" value="1"/>
-  </node>
-  <node name="watch" frequency="1">
-    <serviceServer name="load" type="std_srvs::Trigger"/>
-  </node>
-</package>
-"""
-EDITS = {
-    '"""Compute the outputs of one cycle from the latest inputs."""': (
-        "data.out_pose.data = config.gain * data.in_goal.data"
-    ),
-    '"""Handle a message when it arrives."""': "self.passthrough.log.info('stop')",
-}
-
-
-@pytest.fixture
-def arm(render):
-    """Return a package whose logic is filled in."""
-    package = render(SPEC, name="arm")
-    impl = package / "arm/reach_impl.py"
-    text = impl.read_text()
-    for line, code in EDITS.items():
-        text = text.replace(line, f"{line}\n        {code}", 1)
-    text = text.replace(
-        "return response", "response.message = 'loaded'\n        return response", 1
-    )
-    impl.write_text(text)
-    (package / "arm/helper.py").write_text("from arm.reach_interface import ReachData\n")
-    commit(package, "Write the logic")
-    return package
-
-
-@pytest.fixture
-def update_with(arm, copier_command):
-    """Change the spec by (old, new) texts, update, and return what the update said."""
-
-    def run(*changes):
-        spec = arm / "arm.ros_package"
-        text = spec.read_text()
-        for old, new in changes:
-            assert old in text
-            text = text.replace(old, new)
-        spec.write_text(text)
-        commit(arm, "Change the spec")
-        result = copier_command("update", "--trust", "--defaults", cwd=arm)
-        assert result.returncode == 0, result.stderr
-        return result.stderr
-
-    return run
+from support.repository import EXAMPLES, commit, copy_collection, git
 
 
 def test_summary_says_what_changed(update_with):
@@ -89,7 +32,8 @@ def test_summary_says_what_changed(update_with):
         "~ publisher pose on reach: type std_msgs/msg/Float64 -> std_msgs/msg/Float32",
         "merged    arm/reach_interface.py",
         "added     arm/look_impl.py",
-        "CONFLICT  arm/reach_impl.py",
+        "removed   receive_stop from arm/reach_impl.py",
+        "17 of 18 of your lines are in their place; 1 left with what was removed",
     ):
         assert line in said, said
 
@@ -111,12 +55,32 @@ def test_removed_logic_is_said(arm, update_with):
     assert before != command.partition(":")[0]
 
 
-def test_logic_of_a_removed_interface_stays_between_markers(arm, update_with):
+def test_logic_of_a_removed_interface_is_said(arm, update_with):
     said = update_with(
         ('    <serviceServer name="load" type="std_srvs::Trigger"/>\n    <s', "    <s")
     )
-    assert "CONFLICT  arm/reach_impl.py" in said
-    assert "response.message = 'loaded'" in (arm / "arm/reach_impl.py").read_text()
+    assert "CONFLICT" not in said
+    (line,) = (line for line in said.splitlines() if "serve_load from arm/reach_impl.py" in line)
+    command = line.partition("git show ")[2].rstrip(")")
+    assert "response.message = 'loaded'" in git(arm, "show", command)
+    impl = (arm / "arm/reach_impl.py").read_text()
+    assert "loaded" not in impl
+    assert "def serve_store" in impl
+
+
+def test_a_changed_generated_line_conflicts(arm, update_with):
+    """Both sides give the frequency's line another text: the developer must choose."""
+    node = arm / "arm/reach_ros.py"
+    text = node.read_text()
+    assert "FREQUENCY = 10" in text
+    node.write_text(text.replace("FREQUENCY = 10", "FREQUENCY = 12"))
+    commit(arm, "Tune")
+    said = update_with(('frequency="10"', 'frequency="20"'))
+    assert "CONFLICT  arm/reach_ros.py" in said
+    assert "UU arm/reach_ros.py" in git(arm, "status", "--short")
+    text = node.read_text()
+    assert "FREQUENCY = 12" in text
+    assert "FREQUENCY = 20" in text
 
 
 @pytest.mark.parametrize("keep_was", [True, False])
@@ -173,6 +137,13 @@ def test_reordering_needs_no_hand(arm, update_with):
     )
 
 
+def texts(folder):
+    """Return the bytes of every file of a package by its path."""
+    files = (path for path in folder.rglob("*") if path.is_file())
+    names = {path.relative_to(folder): path.read_bytes() for path in files}
+    return {str(name): data for name, data in names.items() if ".git" not in name.parts}
+
+
 def tree(package):
     """Return all that git would see of a package, and the state of its index."""
     commit(package, "Look")
@@ -222,9 +193,10 @@ def test_killed_update_can_be_undone_and_done_again(arm, copier_command, tmp_pat
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
 def test_update_equals_fresh(tmp_path_factory, render, update, example, distro):
     """An untouched package of any version, updated, is what the newest version makes."""
-    newest = Laboratory(tmp_path_factory.mktemp("versions")).collection
+    newest = copy_collection(tmp_path_factory.mktemp("versions"))
+    second_version(newest)
     options = {"template": newest, "ros_distro": distro}
-    options["model"] = "service_model" if example.stem == "serving" else "python_model"
+    options["model"] = "python_model"
     fresh = render(example, name="fresh/same", **options)
     for version in git(newest, "tag").split():
         old = render(example, vcs_ref=version, name=f"{version}/same", **options)

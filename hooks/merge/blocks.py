@@ -1,0 +1,161 @@
+"""A file as blocks: callbacks, elements, keys, each with a name that tells it from all others.
+
+A language module has `blocks(text)`, which raises ValueError where a text is not of the language.
+The texts of the blocks, one after the other, are the text of the file.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+from .lines import Lines
+
+
+@dataclass
+class Block:
+    """Some lines with a name; a container has other blocks between its head and its tail."""
+
+    key: str
+    lines: Lines
+    children: list[Block] = field(default_factory=list)
+    tail: Lines = field(default_factory=list)
+
+    @property
+    def text(self) -> str:
+        """Return all of its lines."""
+        inner = "".join(child.text for child in self.children)
+        return "".join(self.lines) + inner + "".join(self.tail)
+
+
+@dataclass(frozen=True)
+class Span:
+    """Where an item stands: lines `start` to `end`, the first counted 0, the last not included."""
+
+    key: str
+    start: int
+    end: int
+    body: tuple[int, int] | None = None
+    """Of a container: the lines between its head and its tail."""
+    items: tuple[Span, ...] = ()
+
+
+def arrange(
+    lines: Sequence[str], spans: Iterable[Span], start: int, end: int, comment: str
+) -> list[Block]:
+    """Make blocks of the lines `start` to `end`; what stands above an item belongs to it.
+
+    A comment that an empty line parts from what follows is a block of its own; `comment` is the
+    pattern of such a line.
+    """
+    blocks: list[Block] = []
+    at = start
+    for span in _joined(spans):
+        above = _paragraphs(lines[at : span.start], comment)
+        loose, close = above[:-1], above[-1] if above else []
+        if close and not close[-1].strip():
+            loose, close = above, []
+        blocks += [_comment(part, at == start and not i) for i, part in enumerate(loose)]
+        if span.body is None:
+            blocks.append(Block(span.key, [*close, *lines[span.start : span.end]]))
+        else:
+            first, last = span.body
+            inner = arrange(lines, span.items, first, last, comment)
+            head = [*close, *lines[span.start : first]]
+            blocks.append(Block(span.key, head, inner, list(lines[last : span.end])))
+        at = span.end
+    rest = _paragraphs(lines[at:end], comment)
+    blocks += [_comment(part, at == start and not i) for i, part in enumerate(rest)]
+    return _numbered(_close_gaps(blocks))
+
+
+def _joined(spans: Iterable[Span]) -> list[Span]:
+    """Make one of items that share a line."""
+    joined: list[Span] = []
+    for span in spans:
+        if joined and span.start < joined[-1].end:
+            before = joined.pop()
+            span = Span(before.key, before.start, max(before.end, span.end))
+        joined.append(span)
+    return joined
+
+
+def _paragraphs(lines: Sequence[str], comment: str) -> list[Lines]:
+    """Split the lines above an item after each empty line that follows a comment."""
+    parts: list[Lines] = []
+    current: Lines = []
+    for line in lines:
+        if line.strip() and any(c.strip() for c in current) and not current[-1].strip():
+            parts.append(current)
+            current = []
+        current.append(line)
+    return [*parts, current] if current else parts
+
+
+def _comment(lines: Lines, is_first: bool) -> Block:
+    words = " ".join(" ".join(lines).split())
+    return Block("header" if is_first and words else f"comment {words}" if words else "", lines)
+
+
+def _close_gaps(blocks: list[Block]) -> list[Block]:
+    """Give empty lines to the block that follows them, or that they follow at the end."""
+    closed: list[Block] = []
+    gap: Lines = []
+    for block in blocks:
+        if not block.key:
+            gap += block.lines
+            continue
+        block.lines = gap + block.lines
+        gap = []
+        _blank_tail(block, gap)
+        closed.append(block)
+    if gap and closed:
+        (closed[-1].tail or closed[-1].lines).extend(gap)
+    elif gap:
+        closed.append(Block("empty", gap))
+    return closed
+
+
+def _blank_tail(block: Block, gap: Lines) -> None:
+    """Move the empty lines that end a comment to what follows it."""
+    if block.key == "header" or block.key.startswith("comment "):
+        while block.lines and not block.lines[-1].strip():
+            gap.insert(0, block.lines.pop())
+
+
+def _numbered(blocks: list[Block]) -> list[Block]:
+    """Tell blocks of one key apart."""
+    seen: dict[str, int] = {}
+    for block in blocks:
+        count = seen[block.key] = seen.get(block.key, 0) + 1
+        if count > 1:
+            block.key += f" #{count}"
+    return blocks
+
+
+def walk(blocks: Iterable[Block], scope: tuple[str, ...] = ()) -> Iterator[tuple[str, str]]:
+    """Yield every line with the names of the blocks that it is in."""
+    for block in blocks:
+        here = (*scope, block.key)
+        name = " > ".join(here)
+        yield from ((name, line) for line in block.lines)
+        yield from walk(block.children, here)
+        yield from ((name, line) for line in block.tail)
+
+
+def checked(blocks: Callable[[str], list[Block]]) -> Callable[[str], list[Block]]:
+    """Insist that the blocks are the whole text."""
+
+    def check(text: str) -> list[Block]:
+        found = blocks(text)
+        if "".join(block.text for block in found) != text:
+            raise ValueError("the blocks are not the text")
+        return found
+
+    return check
+
+
+def squeezed(text: str) -> str:
+    """Return a text without the blanks around its words, and with one sort of quotes."""
+    return re.sub(r"\s+", " ", text).strip().replace("'", '"')

@@ -1,0 +1,91 @@
+"""Git, as far as an update needs it, whatever the user's configuration says."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+_NEUTRAL = ("core.quotePath=false", "core.fsmonitor=false", f"core.hooksPath={os.devnull}")
+
+
+def git(folder: Path, *arguments: str, given: bytes = b"", check: bool = True) -> str:
+    """Run git in a folder and return what it says; an empty text where it fails unchecked.
+
+    Raises:
+        RuntimeError: git failed.
+
+    """
+    settings = [word for setting in _NEUTRAL for word in ("-c", setting)]
+    command = ["git", *settings, *arguments]
+    result = subprocess.run(command, cwd=folder, capture_output=True, input=given, check=False)
+    if result.returncode and check:
+        said = result.stderr.decode(errors="replace").strip()
+        raise RuntimeError(f"git {' '.join(arguments)}: {said}")
+    return os.fsdecode(result.stdout) if not result.returncode else ""
+
+
+def is_repository(folder: Path) -> bool:
+    """Say whether git has a work tree here."""
+    return git(folder, "rev-parse", "--is-inside-work-tree", check=False).strip() == "true"
+
+
+def tracked(folder: Path) -> dict[str, str]:
+    """Return the mode of each file below a folder that git has, by its path from there."""
+    modes = {}
+    for entry in filter(None, git(folder, "ls-files", "-s", "-z", ".").split("\0")):
+        facts, path = entry.split("\t", 1)
+        modes[path] = facts.split()[0]
+    return modes
+
+
+def untracked(folder: Path) -> list[str]:
+    """Return the files below a folder that git has not, the ignored ones too."""
+    return [path for path in git(folder, "ls-files", "-o", "-z", ".").split("\0") if path]
+
+
+def changed(folder: Path) -> list[str]:
+    """Return the tracked files below a folder that differ from the last commit."""
+    status = git(folder, "status", "--porcelain", "--no-renames", "-z", "-uno", ".")
+    prefix = git(folder, "rev-parse", "--show-prefix").rstrip("\n")
+    return [entry[3:].removeprefix(prefix) for entry in status.split("\0") if entry]
+
+
+def index_file(folder: Path) -> Path:
+    """Return where git keeps its index."""
+    return folder / git(folder, "rev-parse", "--git-path", "index").rstrip("\n")
+
+
+def committed(folder: Path, path: str) -> bytes:
+    """Return a file of the last commit; nothing where it has none."""
+    return os.fsencode(git(folder, "show", f"HEAD:./{path}", check=False))
+
+
+def last_commit(folder: Path) -> str:
+    """Return the short name of the last commit."""
+    return git(folder, "rev-parse", "--short", "HEAD", check=False).strip()
+
+
+def commit_that_had(folder: Path, path: str) -> str:
+    """Return the last commit that had a file which git has no longer, or an empty text."""
+    found = git(
+        folder, "log", "-1", "--format=%h", "--diff-filter=D", "--", path, check=False
+    ).strip()
+    parents = git(folder, "rev-parse", "--short", f"{found}^", check=False) if found else ""
+    return parents.strip()
+
+
+def mark_conflict(folder: Path, path: str, mode: str, versions: dict[int, bytes]) -> None:
+    """Tell git of a conflict: the base is version 1, the developer's 2, the new one 3."""
+    full = git(folder, "ls-files", "--full-name", "--", path).strip("\n") or (
+        git(folder, "rev-parse", "--show-prefix").strip("\n") + path
+    )
+    lines = [f"0 {'0' * 40}\t{full}"]
+    for stage, data in versions.items():
+        name = git(folder, "hash-object", "-w", "--stdin", "--no-filters", given=data).strip()
+        lines.append(f"{mode} {name} {stage}\t{full}")
+    git(folder, "update-index", "-z", "--index-info", given=_records(lines))
+
+
+def _records(lines: list[str]) -> bytes:
+    return os.fsencode("".join(line + "\0" for line in lines))

@@ -1,0 +1,66 @@
+"""Which language a file is in, and what its merge needs of a language."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+
+from . import cpp_blocks, outlines, python_blocks, xml_blocks
+from .blocks import Block, checked, squeezed
+from .lines import split
+
+
+@dataclass(frozen=True)
+class Language:
+    """How a text becomes blocks, and which of its differences are but of form."""
+
+    name: str
+    blocks: Callable[[str], list[Block]]
+    same: Callable[[str, str], bool]
+    key: Callable[[str], str]
+    """What two lines have in common that differ in form alone."""
+
+
+def _lines(text: str) -> list[Block]:
+    return [Block("text", split(text))] if text else []
+
+
+def _margin_counts(line: str) -> str:
+    return line[: len(line) - len(line.lstrip())] + squeezed(line)
+
+
+def _exactly(one: str, other: str) -> bool:
+    return one == other
+
+
+TEXT = Language("text", _lines, _exactly, str.rstrip)
+PYTHON = Language("python", checked(python_blocks.blocks), python_blocks.same, _margin_counts)
+CPP = Language("c++", checked(cpp_blocks.blocks), cpp_blocks.same, squeezed)
+XML = Language("xml", checked(xml_blocks.blocks), xml_blocks.same, squeezed)
+YAML = Language("yaml", checked(outlines.yaml_blocks), outlines.same, _margin_counts)
+CMAKE = Language("cmake", checked(outlines.cmake_blocks), outlines.same, squeezed)
+MARKDOWN = Language("markdown", checked(outlines.markdown_blocks), outlines.same, str.rstrip)
+
+_SUFFIXES = {
+    PYTHON: ".py .cfg .pyi",
+    CPP: ".cpp .hpp .h .hh .hxx .c .cc .cxx .ipp .tpp",
+    XML: ".xml .launch .test .urdf .xacro .xsd",
+    YAML: ".yaml .yml",
+    CMAKE: ".cmake",
+    MARKDOWN: ".md",
+}
+
+
+def language(path: str, text: str) -> Language:
+    """Return the language of a file, `TEXT` where it is none of ours."""
+    file = PurePosixPath(path)
+    if file.name == "CMakeLists.txt":
+        return CMAKE
+    if file.name == "setup.cfg":
+        return TEXT
+    for found, suffixes in _SUFFIXES.items():
+        if file.suffix in suffixes.split():
+            return found
+    return PYTHON if re.match(r"#!.*\bpython", text) else TEXT

@@ -1,0 +1,191 @@
+"""Merge three lists of lines.
+
+Unlike git's, this merge lets changes touch: two insertions at one place are both kept, and a line
+may change beside one that the other side changed. Only changes of the same lines conflict.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+
+Lines = list[str]
+Key = Callable[[str], str]
+MARKS = ("<<<<<<< before updating", "=======", ">>>>>>> after updating")
+
+
+@dataclass(frozen=True)
+class Conflict:
+    """Lines that both sides changed, each in its own way."""
+
+    mine: Lines
+    old: Lines
+    new: Lines
+
+
+Merged = list["str | Conflict"]
+
+
+@dataclass(frozen=True)
+class _Change:
+    """Lines `start` to `end` of the old version have become `lines`."""
+
+    start: int
+    end: int
+    lines: Lines
+    is_mine: bool
+
+    def meets(self, start: int, end: int) -> bool:
+        """Say whether a change and a range share a line, or insert at one place."""
+        if self.start == self.end == start == end:
+            return True
+        return self.start < end and start < self.end
+
+
+def split(text: str) -> Lines:
+    """Split at newlines alone, and keep them."""
+    lines = text.split("\n")
+    return [line + "\n" for line in lines[:-1]] + ([lines[-1]] if lines[-1] else [])
+
+
+def merge_lines(
+    mine: Sequence[str],
+    old: Sequence[str],
+    new: Sequence[str],
+    key: Key,
+    same: Callable[[str, str], bool],
+) -> Merged:
+    """Merge two descendants of `old`.
+
+    Lines of one `key` count as one line: the developer's form of it stays. Where both sides
+    changed lines and one of them changed nothing but their form, `same`, the other one counts.
+    """
+    changes = sorted(
+        [*_changes(old, mine, key, True), *_changes(old, new, key, False)],
+        key=lambda change: (change.start, change.end, change.is_mine),
+    )
+    stable = _stable(mine, old, new, key)
+    merged: Merged = []
+    at = 0
+    while changes:
+        start, end = changes[0].start, changes[0].end
+        group = [changes.pop(0)]
+        while met := [change for change in changes if change.meets(start, end)]:
+            group += met
+            changes = [change for change in changes if change not in met]
+            start = min(change.start for change in group)
+            end = max(change.end for change in group)
+        merged += stable[at:start]
+        merged += _settle(group, stable, old, start, end, key, same)
+        at = end
+    return [*merged, *stable[at:]]
+
+
+def _changes(old: Sequence[str], other: Sequence[str], key: Key, is_mine: bool) -> list[_Change]:
+    return [
+        _Change(start, end, list(other[first:last]), is_mine)
+        for tag, start, end, first, last in _matcher(old, other, key).get_opcodes()
+        if tag != "equal"
+    ]
+
+
+def _matcher(old: Sequence[str], other: Sequence[str], key: Key) -> SequenceMatcher[str]:
+    return SequenceMatcher(None, list(map(key, old)), list(map(key, other)), autojunk=False)
+
+
+def _stable(mine: Sequence[str], old: Sequence[str], new: Sequence[str], key: Key) -> Lines:
+    """Return the old lines, each in the form that a side gave it, the developer's first."""
+    lines = list(old)
+    for other in (new, mine):
+        for start, first, size in _matcher(old, other, key).get_matching_blocks():
+            for i in range(size):
+                if other[first + i] != old[start + i]:
+                    lines[start + i] = other[first + i]
+    return lines
+
+
+def _settle(
+    group: list[_Change],
+    stable: Lines,
+    old: Sequence[str],
+    start: int,
+    end: int,
+    key: Key,
+    same: Callable[[str, str], bool],
+) -> Merged:
+    """Return what changes that meet come to."""
+    mine = [change for change in group if change.is_mine]
+    new = [change for change in group if not change.is_mine]
+    if not mine or not new:
+        return list(_apply(group, stable, start, end))
+    ours, theirs = _apply(mine, stable, start, end), _apply(new, stable, start, end)
+    if list(map(key, ours)) == list(map(key, theirs)) or same("".join(ours), "".join(theirs)):
+        return list(ours)
+    if start == end:
+        have = {key(line) for line in ours}
+        return [*_ended(line for line in theirs if key(line) not in have), *ours]
+    before = "".join(old[start:end])
+    if same("".join(ours), before):
+        return list(theirs)
+    if same("".join(theirs), before):
+        return list(ours)
+    return [Conflict(list(ours), list(old[start:end]), list(theirs))]
+
+
+def _apply(changes: list[_Change], stable: Lines, start: int, end: int) -> Lines:
+    lines: Lines = []
+    for change in sorted(changes, key=lambda change: (change.start, change.end)):
+        lines += stable[start : change.start] + change.lines
+        start = change.end
+    return lines + stable[start:end]
+
+
+def _ended(lines: object) -> Lines:
+    return [line if line.endswith("\n") else line + "\n" for line in lines]  # type: ignore[attr-defined]
+
+
+def conflicts(merged: Merged) -> bool:
+    """Say whether a merge has left a conflict."""
+    return any(isinstance(part, Conflict) for part in merged)
+
+
+def text(merged: Merged) -> str:
+    """Write a merge, its conflicts between git's marks."""
+    return "".join(_ended_but_last([*_marked(merged)]))
+
+
+def _marked(merged: Merged) -> Lines:
+    lines: Lines = []
+    for part in merged:
+        if isinstance(part, str):
+            lines.append(part)
+        else:
+            first, middle, last = (f"{mark}\n" for mark in MARKS)
+            lines += [first, *_ended(part.mine), middle, *_ended(part.new), last]
+    return lines
+
+
+def _ended_but_last(lines: Lines) -> Lines:
+    return [*_ended(lines[:-1]), *lines[-1:]]
+
+
+def settled(merged: Merged) -> Lines:
+    """Return a merge with the developer's side of each conflict."""
+    parts = ([part] if isinstance(part, str) else part.mine for part in merged)
+    return _ended_but_last([line for part in parts for line in part])
+
+
+def rejected(path: str, merged: Merged) -> str:
+    """Write what a merge could not settle as a patch, for a `.rej` file."""
+    patch = [f"diff a/{path} b/{path}\t(rejected hunks)\n"]
+    at = 1
+    for part in merged:
+        if isinstance(part, str):
+            at += 1
+            continue
+        patch.append(f"@@ -{at},{len(part.old)} +{at},{len(part.new)} @@\n")
+        patch += [f"-{line}" for line in _ended(part.old)]
+        patch += [f"+{line}" for line in _ended(part.new)]
+        at += len(part.mine)
+    return "".join(patch)

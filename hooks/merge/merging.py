@@ -1,0 +1,173 @@
+"""Merge three versions of a file by block, and inside of a block by line.
+
+A block stays with its name. What the spec no longer has leaves, what is new comes where the new
+version has it, and a block of the developer's own stays after the block it followed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+
+from ..changes import GONE
+from . import lines
+from .blocks import Block
+from .languages import MARKDOWN, TEXT, Language, language
+from .lines import Conflict, Merged
+
+
+@dataclass
+class Outcome:
+    """What the merge of a file gave."""
+
+    merged: Merged
+    removed: list[str] = field(default_factory=list)
+    """The edited blocks that left, because the new version has no such thing."""
+    missing: list[str] = field(default_factory=list)
+    """The blocks of the new version that the developer has deleted."""
+
+    @property
+    def conflict(self) -> bool:
+        """Say whether the developer must choose."""
+        return lines.conflicts(self.merged)
+
+    @property
+    def text(self) -> str:
+        """Return the file, a conflict between marks."""
+        return lines.text(self.merged)
+
+
+@dataclass(frozen=True)
+class Version:
+    """A version of a file: its text, and how to read the blocks of it."""
+
+    text: str
+    read: Callable[[Language], list[Block]]
+
+
+def merge(path: str, mine: Version, old: Version | None, new: Version) -> Outcome:
+    """Merge two descendants of `old`; blocks where all three can be read so, else lines.
+
+    There is no `old` where both sides have made the file.
+    """
+    if mine.text == new.text or (old and mine.text == old.text):
+        return Outcome(lines.split(new.text))  # type: ignore[arg-type]
+    if old and new.text == old.text:
+        return Outcome(lines.split(mine.text))  # type: ignore[arg-type]
+    known = language(path, new.text)
+    if known not in (TEXT, MARKDOWN) or old is not None:
+        try:
+            merger = _Merger(known)
+            base = old.read(known) if old else []
+            merged = merger.sequence(mine.read(known), base, new.read(known), ())
+            if readable(known, merged):
+                return Outcome(merged, merger.removed, merger.missing)
+        except (ValueError, RecursionError):
+            pass
+    if old is None:
+        return Outcome([Conflict(lines.split(mine.text), [], lines.split(new.text))])
+    texts = mine.text, old.text, new.text
+    outcome = by_line(known, *texts)
+    if outcome.conflict or readable(known, outcome.merged):
+        return outcome
+    return Outcome([Conflict(*(lines.split(text) for text in texts))])
+
+
+def by_line(known: Language, mine: str, old: str, new: str) -> Outcome:
+    """Merge texts that have no blocks, or not all of them."""
+    ours, base, theirs = (lines.split(text) for text in (mine, old, new))
+    return Outcome(lines.merge_lines(ours, base, theirs, known.key, known.same))
+
+
+def readable(known: Language, merged: Merged) -> bool:
+    """Say whether a merge is of its language, whichever side of its conflicts is chosen."""
+    try:
+        for side in ("mine", "new"):
+            parts = ([part] if isinstance(part, str) else getattr(part, side) for part in merged)
+            known.blocks(lines.text([line for part in parts for line in part]))
+    except (ValueError, RecursionError):
+        return False
+    return True
+
+
+class _Merger:
+    def __init__(self, known: Language) -> None:
+        self.language = known
+        self.removed: list[str] = []
+        self.missing: list[str] = []
+
+    def sequence(
+        self,
+        mine: Sequence[Block],
+        old: Sequence[Block],
+        new: Sequence[Block],
+        scope: tuple[str, ...],
+    ) -> Merged:
+        """Merge the blocks of a file, a class, an element."""
+        ours, base, theirs = ({block.key: block for block in side} for side in (mine, old, new))
+        merged: Merged = []
+        for key in _order(list(ours), list(base), list(theirs)):
+            if key in ours and key in theirs:
+                merged += self.block(ours[key], base.get(key), theirs[key], scope)
+            elif key in ours and key in base:
+                if not self.is_same(ours[key], base[key]):
+                    self.removed.append(_name((*scope, key)))
+            elif key in ours:
+                merged += lines.split(ours[key].text)
+            elif key in base:
+                self.missing.append(_name((*scope, key)))
+            else:
+                merged += lines.split(theirs[key].text)
+        return merged
+
+    def block(self, mine: Block, old: Block | None, new: Block, scope: tuple[str, ...]) -> Merged:
+        """Merge one block; the developer's counts where there was none before."""
+        if old is None:
+            old = Block(mine.key, mine.lines, [], mine.tail)
+            if not (mine.children and new.children):
+                return list(lines.split(mine.text))
+            new = Block(new.key, mine.lines, new.children, mine.tail)
+        if self.is_same(new, old):
+            return list(lines.split(mine.text))
+        if self.is_same(mine, old):
+            return list(lines.split(new.text))
+        if not (mine.children and new.children):
+            return self.lines(*(lines.split(block.text) for block in (mine, old, new)))
+        head = self.lines(mine.lines, old.lines, new.lines)
+        inner = self.sequence(mine.children, old.children, new.children, (*scope, mine.key))
+        return [*head, *inner, *self.lines(mine.tail, old.tail, new.tail)]
+
+    def lines(self, mine: lines.Lines, old: lines.Lines, new: lines.Lines) -> Merged:
+        return lines.merge_lines(mine, old, new, self.language.key, self.language.same)
+
+    def is_same(self, one: Block, other: Block) -> bool:
+        return one.text == other.text or self.language.same(one.text, other.text)
+
+
+def _order(mine: list[str], old: list[str], new: list[str]) -> list[str]:
+    """Return all names, in the developer's order where they have one, else in the new one."""
+    known = set(old)
+    if [key for key in mine if key in known] == [key for key in old if key in set(mine)]:
+        return _inserted(_inserted(new, mine), old)
+    return _inserted(_inserted(mine, new), old)
+
+
+def _inserted(keys: list[str], others: Iterable[str]) -> list[str]:
+    """Put in what `others` has more, each after the one that it follows there."""
+    result = list(keys)
+    have = set(keys)
+    at = 0
+    for key in others:
+        if key in have:
+            at = result.index(key) + 1
+        else:
+            result.insert(at, key)
+            at += 1
+    return result
+
+
+def _name(scope: Sequence[str]) -> str:
+    """Name a block as a person would: `serve_load`, `exec_depend rclpy`."""
+    name = re.sub(r"( #\d+)?$", "", scope[-1]).replace(GONE, "")
+    return name.removeprefix("def ").removesuffix("()")

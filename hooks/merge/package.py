@@ -1,0 +1,175 @@
+"""Merge three versions of a package, file by file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from pathlib import PurePosixPath
+
+from . import lines
+from .languages import language
+from .merging import Outcome, Version, merge
+from .renaming import Renaming
+from .tree import LINK, File, Tree, encode
+
+BOM = "\ufeff"
+
+
+@dataclass
+class Result:
+    """A merged package, and what there is to say of it."""
+
+    tree: Tree = field(default_factory=dict)
+    conflicts: dict[str, dict[int, bytes]] = field(default_factory=dict)
+    """By path, the versions that git keeps of a conflict."""
+    moved: dict[str, str] = field(default_factory=dict)
+    """Where files of before the update are after it, if elsewhere."""
+    origins: dict[str, str] = field(default_factory=dict)
+    """By path, the generated file that the developer has moved there."""
+    left: list[str] = field(default_factory=list)
+    """The developer's files that left, by their paths of before."""
+    removed: dict[str, list[str]] = field(default_factory=dict)
+    """By path of before, the edited parts that left a file."""
+    missing: dict[str, list[str]] = field(default_factory=dict)
+    """By path, the parts of the new version that the developer has deleted; "" is all of it."""
+    rejected: Tree = field(default_factory=dict)
+    """Of the files in conflict, what was not merged, as a patch."""
+    settled: Tree = field(default_factory=dict)
+    """Of the files in conflict, the developer's side."""
+
+
+def merge_package(
+    mine: Tree, old: Tree, new: Tree, renaming: Renaming, is_kept: Callable[[str], bool]
+) -> Result:
+    """Merge; `is_kept` says of a path that the developer's file stays as it is."""
+    return _Package(mine, old, new, renaming, is_kept).result
+
+
+class _Package:
+    def __init__(
+        self,
+        mine: Tree,
+        old: Tree,
+        new: Tree,
+        renaming: Renaming,
+        is_kept: Callable[[str], bool],
+    ) -> None:
+        self.new, self.renaming, self.result = new, renaming, Result()
+        self.source = {renaming.path(path): path for path in old} | {
+            renaming.path(path): path for path in mine
+        }
+        self.old = {renaming.path(path): file for path, file in old.items()}
+        self.mine = {renaming.path(path): file for path, file in mine.items()}
+        self.origin = self.result.origins
+        self._follow_moves()
+        for path in sorted({*self.mine, *self.old, *new}):
+            self._file(path, is_kept(path))
+        for path, source in self.source.items():
+            if path != source and path in self.result.tree and source in mine:
+                self.result.moved[source] = path
+
+    def _follow_moves(self) -> None:
+        """Take a file that the developer has moved for the one that the model makes."""
+        away = [path for path in self.old if path in self.new and path not in self.mine]
+        own = [path for path in self.mine if path not in self.old and path not in self.new]
+        for path in away:
+            found = max(((_likeness(self.old[path], self.mine[o]), o) for o in own), default=None)
+            if found and found[0] > 0.6 and PurePosixPath(found[1]).suffix == _suffix(path):
+                self.old[found[1]] = self.old.pop(path)
+                self.new = {**self.new, found[1]: self.new[path]}
+                del self.new[path]
+                self.origin[found[1]] = path
+                own.remove(found[1])
+
+    def _file(self, path: str, is_kept: bool) -> None:
+        mine, old, new = (tree.get(path) for tree in (self.mine, self.old, self.new))
+        result = self.result
+        if mine and (is_kept or not new):
+            if is_kept or not old or not self._leaves(path, mine, old):
+                result.tree[path] = self._renamed(path, mine)
+        elif mine and new:
+            result.tree[path] = self._merged(path, mine, old, new)
+        elif new and old and not is_kept:
+            result.missing[path] = [""]
+        elif new:
+            result.tree[path] = new
+
+    def _leaves(self, path: str, mine: File, old: File) -> bool:
+        """Note that a file leaves, which was the developer's too if edited."""
+        source = self.source[path]
+        one, other = mine.text, old.text
+        if mine.data != old.data and not (
+            one is not None and other is not None and language(source, one).same(one, other)
+        ):
+            self.result.left.append(source)
+        return True
+
+    def _renamed(self, path: str, mine: File) -> File:
+        source = self.source.get(path, path)
+        if mine.text is None:
+            return mine
+        return replace(mine, data=encode(self.renaming.text(source, mine.text)))
+
+    def _merged(self, path: str, mine: File, old: File | None, new: File) -> File:
+        mode = mine.mode if old is None or mine.mode != old.mode else new.mode
+        texts = [file.text if file else "" for file in (mine, old, new)]
+        if None in texts or LINK in (mine.mode, new.mode):
+            return self._opaque(path, mine, old, new)
+        source = self.source.get(path, path)
+        origin = self.origin.get(path, source)
+        ours, base, theirs = (text or "" for text in texts)
+        bom, ours = (BOM, ours[1:]) if ours.startswith(BOM) else ("", ours)
+        crlf = "\r\n" in ours and ours.count("\r\n") == ours.count("\n")
+        ours = ours.replace("\r\n", "\n") if crlf else ours
+        outcome = merge(
+            path,
+            self._version(origin, ours),
+            self._version(origin, base) if old else None,
+            Version(theirs, lambda known: known.blocks(theirs)),
+        )
+        self._note(path, source, outcome)
+        text = bom + (outcome.text.replace("\n", "\r\n") if crlf else outcome.text)
+        if outcome.conflict:
+            versions = {2: mine.data, 3: new.data} | ({1: old.data} if old else {})
+            self.result.conflicts[path] = versions
+            self.result.rejected[path] = File(encode(lines.rejected(path, outcome.merged)))
+            settled = bom + "".join(lines.settled(outcome.merged))
+            self.result.settled[path] = File(
+                encode(settled.replace("\n", "\r\n") if crlf else settled), mode
+            )
+        return File(encode(text), mode)
+
+    def _version(self, path: str, text: str) -> Version:
+        """Return a version of before the update, with what a rename has exchanged."""
+        return Version(
+            self.renaming.text(path, text),
+            lambda known: self.renaming.blocks(known, path, text),
+        )
+
+    def _opaque(self, path: str, mine: File, old: File | None, new: File) -> File:
+        """Choose between versions that are links, or no text."""
+        if mine in (old, new):
+            return new
+        if new != old:
+            versions = {2: mine.data, 3: new.data} | ({1: old.data} if old else {})
+            self.result.conflicts[path] = versions
+        return mine
+
+    def _note(self, path: str, source: str, outcome: Outcome) -> None:
+        if outcome.removed:
+            self.result.removed[source] = outcome.removed
+        if outcome.missing:
+            self.result.missing[path] = outcome.missing
+
+
+def _likeness(one: File, other: File) -> float:
+    """Return which part of the lines of a file another one has."""
+    if one.text is None or other.text is None:
+        return float(one == other)
+    have = {line.strip() for line in other.text.splitlines()}
+    wanted = [line.strip() for line in one.text.splitlines() if line.strip()]
+    return sum(line in have for line in wanted) / len(wanted) if wanted else 0.0
+
+
+def _suffix(path: str) -> str:
+    return PurePosixPath(path).suffix

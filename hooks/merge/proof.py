@@ -1,0 +1,166 @@
+"""Read every line of the developer's back, in the function, list or section it was written in."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from difflib import SequenceMatcher
+
+from .blocks import Block, walk
+from .languages import TEXT, Language, language
+from .lines import MARKS, split
+from .package import Result
+from .renaming import Renaming
+from .tree import File, Tree
+
+_SCOPES = dict[str, list[str]]
+
+
+@dataclass
+class Proof:
+    """What became of the developer's lines."""
+
+    total: int = 0
+    in_place: int = 0
+    named: int = 0
+    """Lines that left with what the summary says was removed."""
+    lost: list[str] = field(default_factory=list)
+    """What should not be: `path: line`."""
+
+    @property
+    def sentence(self) -> str:
+        """Say it in a line."""
+        said = f"{self.in_place} of {self.total} of your lines are in their place"
+        return said + (f"; {self.named} left with what was removed" if self.named else "")
+
+
+def prove(mine: Tree, old: Tree, result: Result, found: Tree, renaming: Renaming) -> Proof:
+    """Look for the lines of `mine` in `found`, which is the package as it is on the disk."""
+    proof = Proof()
+    origins = {renaming.path(path): path for path in old}
+    for path, file in mine.items():
+        target = renaming.path(path)
+        origin = result.origins.get(target) or origins.get(target, path)
+        _prove_file(proof, (path, origin, target), file, old.get(origin), result, found, renaming)
+    return proof
+
+
+def _prove_file(
+    proof: Proof,
+    paths: tuple[str, str, str],
+    mine: File,
+    base: File | None,
+    result: Result,
+    tree: Tree,
+    renaming: Renaming,
+) -> None:
+    path, origin, target = paths
+    found = tree.get(target)
+    if mine.text is None:
+        if found is None and path not in result.left and mine != base:
+            proof.lost.append(f"{path}: the file")
+        return
+    known = language(path, mine.text)
+    ours, old = _plain(mine.text), (base.text if base else None) or ""
+    lines = list(developer_lines(known, ours, old, origin, renaming))
+    proof.total += len(lines)
+    if path in result.left:
+        proof.named += len(lines)
+        return
+    text = _my_side(_plain(found.text or "")) if found else ""
+    _read_back(proof, path, known, lines, text, result.removed.get(path, []))
+    changed = found is not None and target not in result.conflicts and text != ours
+    if changed and _parses(known, ours) and not _parses(known, text):
+        proof.lost.append(f"{target}: cannot be read any more")
+
+
+def _read_back(
+    proof: Proof,
+    path: str,
+    known: Language,
+    lines: list[tuple[str, str]],
+    text: str,
+    removed: list[str],
+) -> None:
+    scopes = _scopes(known, text, "", Renaming())
+    counts = {scope: Counter(map(known.key, inside)) for scope, inside in scopes.items()}
+    for scope, line in lines:
+        have = counts.get(scope, Counter())
+        if have[known.key(line)]:
+            have[known.key(line)] -= 1
+            proof.in_place += 1
+        elif any(name in scope for name in removed):
+            proof.named += 1
+        else:
+            proof.lost.append(f"{path}: {line.strip()}")
+
+
+def developer_lines(
+    known: Language, mine: str, old: str, path: str, renaming: Renaming
+) -> Iterator[tuple[str, str]]:
+    """Yield the lines that the developer wrote, each with the blocks it is in.
+
+    What a formatter made of generated lines is not the developer's.
+    """
+    before = _scopes(known, old, path, renaming)
+    for scope, inside in _scopes(known, mine, path, renaming).items():
+        base = before.get(scope, [])
+        if base and known.same("".join(inside), "".join(base)):
+            continue
+        keys = list(map(known.key, base)), list(map(known.key, inside))
+        matcher = SequenceMatcher(None, keys[0], keys[1], autojunk=False)
+        for tag, start, end, first, last in matcher.get_opcodes():
+            if tag in ("insert", "replace"):
+                if known.same("".join(base[start:end]), "".join(inside[first:last])):
+                    continue
+                yield from ((scope, line) for line in inside[first:last] if line.strip())
+
+
+def _scopes(known: Language, text: str, path: str, renaming: Renaming) -> _SCOPES:
+    try:
+        blocks = renaming.blocks(known, path, text)
+    except (ValueError, RecursionError):
+        blocks = [Block("text", split(renaming.text(path, text)))]
+    scopes: _SCOPES = {}
+    for scope, line in walk(blocks):
+        scopes.setdefault(scope, []).append(line)
+    return scopes
+
+
+def _parses(known: Language, text: str) -> bool:
+    try:
+        known.blocks(text)
+    except (ValueError, RecursionError):
+        return known is TEXT
+    return True
+
+
+def _plain(text: str) -> str:
+    return text.removeprefix("\ufeff").replace("\r\n", "\n")
+
+
+def _my_side(text: str) -> str:
+    """Return a file with the developer's side of each conflict."""
+    lines, side = [], "both"
+    for line in split(text):
+        sides = dict(zip(MARKS, ("mine", "new", "both"), strict=True))
+        if line.rstrip() in sides:
+            side = sides[line.rstrip()]
+        elif side != "new":
+            lines.append(line)
+    return "".join(lines)
+
+
+def uses(mine: Tree, new: Tree, found: Tree, renaming: Renaming) -> Iterator[str]:
+    """Yield `file:line: word` for each old name that the developer's lines still have."""
+    words = set(renaming.words())
+    for path, file in sorted(found.items()):
+        if not words or file.text is None:
+            continue
+        generated = set(split((new.get(path) or File(b"")).text or ""))
+        for number, line in enumerate(split(_plain(file.text)), 1):
+            if line not in generated:
+                for word in sorted(words & set(re.findall(r"\w+", line))):
+                    yield f"{path}:{number}: {word}"

@@ -1,0 +1,243 @@
+"""What a rename exchanges: identifiers that the model makes of a name, the paths, the keys.
+
+The old package is rendered once more with a mark for each name that changed. Where the marks come
+out, there the model has used the name, and in which form.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import PurePosixPath
+from typing import Any
+
+from ..changes import Mark, marked
+from ..dictionary import Dictionary
+from .blocks import Block
+from .languages import Language, language
+from .lines import split
+from .render import render_recorded
+from .tokens import Word, exchange, words
+from .tree import Tree
+
+_MARK = re.compile(r"zq(\d+)x", re.IGNORECASE)
+_HOLDERS = re.compile(r"_?(config|data|passthrough)_?")
+"""What the logic calls the objects that hold parameters and messages."""
+
+
+@dataclass
+class Renaming:
+    """What is exchanged in which file. Paths are those before the update."""
+
+    paths: dict[str, str] = field(default_factory=dict)
+    folders: dict[str, str] = field(default_factory=dict)
+    keys: dict[str, dict[str, str]] = field(default_factory=dict)
+    in_file: dict[str, dict[str, str]] = field(default_factory=dict)
+    everywhere: dict[str, str] = field(default_factory=dict)
+    members: dict[str, dict[str, str]] = field(default_factory=dict)
+    """By file, the names that count after `config.` and the like alone."""
+    packages: dict[str, str] = field(default_factory=dict)
+    names: list[tuple[str, str]] = field(default_factory=list)
+
+    def path(self, path: str) -> str:
+        """Return where a file of before the update is after it."""
+        if path in self.paths:
+            return self.paths[path]
+        for folder, new in sorted(self.folders.items(), key=lambda item: -len(item[0])):
+            if path.startswith(f"{folder}/"):
+                return new + path[len(folder) :]
+        return path
+
+    def text(self, path: str, text: str) -> str:
+        """Return a file with its identifiers exchanged."""
+        exact = {**self.everywhere, **self.in_file.get(path, {})}
+        members = self.members.get(path, {})
+        if not exact and not members and not self.packages:
+            return text
+
+        def by(word: Word) -> str:
+            if word.text in exact:
+                return exact[word.text]
+            holder, sign = word.before
+            if word.text in members and sign in (".", "->") and _HOLDERS.fullmatch(holder):
+                return members[word.text]
+            if word.text in self.packages and (
+                word.after == "::" or sign in ("namespace", "from", "import")
+            ):
+                return self.packages[word.text]
+            return word.text
+
+        return exchange(language(path, text), text, by)
+
+    def blocks(self, known: Language, path: str, text: str) -> list[Block]:
+        """Return the blocks of a file, with the names and lines that they have after the update.
+
+        Raises:
+            ValueError: it is not of this language.
+
+        """
+        blocks = known.blocks(text)
+        _replace(blocks, self.keys.get(path, {}), iter(split(self.text(path, text))))
+        return blocks
+
+    def words(self) -> dict[str, str]:
+        """Return every word that has been exchanged somewhere."""
+        found = {**dict(self.names), **self.everywhere}
+        for exact in self.in_file.values():
+            found |= exact
+        return {before: after for before, after in found.items() if before != after}
+
+
+def plan_renames(
+    answers: Mapping[str, Any],
+    spec: Mapping[str, Any],
+    dictionary: Dictionary,
+    old: Tree,
+    mine: Iterable[str],
+    name: str,
+    answers_file: str,
+) -> Renaming:
+    """Find what the renames of a spec exchange; nothing where it has none."""
+    context, marks = marked(answers.get("spec") or {}, spec, dictionary)
+    if not any(mark.before != mark.after for mark in marks):
+        return Renaming()
+    render = render_recorded({**answers, "spec": context}, name, answers_file)
+    return plan(old, render.tree, marks, mine)
+
+
+def _replace(blocks: Iterable[Block], keys: Mapping[str, str], lines: Iterator[str]) -> None:
+    for block in blocks:
+        block.key = keys.get(block.key, block.key)
+        block.lines = [next(lines) for _ in block.lines]
+        _replace(block.children, keys, lines)
+        block.tail = [next(lines) for _ in block.tail]
+
+
+def plan(old: Tree, marked: Tree, marks: Sequence[Mark], mine: Iterable[str]) -> Renaming:
+    """Find what depends on the names that changed; `mine` are the paths of the package."""
+    reader = _Reader(marks)
+    names = [(mark.before, mark.after) for mark in marks if not mark.is_gone]
+    renaming = Renaming(names=names)
+    owned: dict[str, set[int]] = {}
+    tokens: dict[str, set[str]] = {}
+    for path, file in marked.items():
+        before, after = reader.both(path)
+        if before not in old:
+            continue
+        renaming.paths[before] = after
+        _folders(renaming.folders, before, after)
+        owned[before] = reader.numbers(path)
+        text = file.text or ""
+        known = language(before, text)
+        tokens[before] = set(words(known, text))
+        renaming.keys[before] = _keys(reader, before, text)
+    _exchanges(renaming, reader, owned, tokens, {*old, *mine})
+    return renaming
+
+
+def _exchanges(
+    renaming: Renaming,
+    reader: _Reader,
+    owned: Mapping[str, set[int]],
+    tokens: Mapping[str, set[str]],
+    paths: Iterable[str],
+) -> None:
+    """Say which identifiers are exchanged in which files."""
+    all_words = {word for file in tokens.values() for word in file}
+    found = {word for word in all_words if _MARK.search(word)}
+    gone = {token for token in found if reader.is_gone(token)}
+    found -= gone
+    inner = {token for token in found if reader.owners(token)}
+    ambiguous = _ambiguous(reader, inner, all_words - found - gone)
+    for token in found - inner:
+        before, after = reader.both(token)
+        if not reader.is_bare(token):
+            renaming.everywhere[before] = after
+        elif reader.level(token) == "package":
+            renaming.packages[before] = after
+    for path in paths:
+        exact: dict[str, str] = {}
+        members: dict[str, str] = {}
+        for token in inner:
+            before, after = reader.both(token)
+            if reader.owners(token) & owned.get(path, set()) or token in tokens.get(path, ()):
+                (members if reader.is_bare(token) else exact)[before] = after
+            elif path not in owned and not reader.is_bare(token) and before not in ambiguous:
+                exact[before] = after
+        renaming.in_file[path] = exact
+        renaming.members[path] = members
+
+
+def _ambiguous(reader: _Reader, marked: Iterable[str], others: Iterable[str]) -> set[str]:
+    """Return the identifiers that more than one interface has, or had."""
+    afters: dict[str, set[str]] = {}
+    for token in marked:
+        before, after = reader.both(token)
+        afters.setdefault(before, set()).add(after)
+    return {*others, *(before for before, found in afters.items() if len(found) > 1)}
+
+
+def _folders(folders: dict[str, str], before: str, after: str) -> None:
+    for old, new in zip(PurePosixPath(before).parents, PurePosixPath(after).parents, strict=False):
+        if old.name != new.name and old.name:
+            folders[old.as_posix()] = new.as_posix()
+
+
+def _keys(reader: _Reader, path: str, text: str) -> dict[str, str]:
+    keys: dict[str, str] = {}
+
+    def visit(blocks: Iterable[Block]) -> None:
+        for block in blocks:
+            if _MARK.search(block.key):
+                before, after = reader.both(block.key)
+                keys[before] = after
+            visit(block.children)
+
+    try:
+        visit(language(path, text).blocks(text))
+    except ValueError:
+        return {}
+    return keys
+
+
+class _Reader:
+    """Reads marks: as the names before and after, in the form the mark has."""
+
+    def __init__(self, marks: Sequence[Mark]) -> None:
+        self.marks = marks
+
+    def both(self, text: str) -> tuple[str, str]:
+        """Return a marked text with the names before, and with those after."""
+        before = _MARK.sub(lambda m: _form(m[0], self.marks[int(m[1])].before), text)
+        after = _MARK.sub(lambda m: _form(m[0], self.marks[int(m[1])].after), text)
+        return before, after
+
+    def numbers(self, text: str) -> set[int]:
+        return {int(number) for number in _MARK.findall(text)}
+
+    def owners(self, text: str) -> set[int]:
+        """Return the owners of the interfaces whose marks a text has."""
+        owners = (self.marks[number].owner for number in self.numbers(text))
+        return {owner for owner in owners if owner is not None}
+
+    def is_gone(self, text: str) -> bool:
+        """Say whether a text has the mark of what left, its name being taken."""
+        return any(self.marks[number].is_gone for number in self.numbers(text))
+
+    def level(self, text: str) -> str:
+        return self.marks[min(self.numbers(text))].level
+
+    def is_bare(self, text: str) -> bool:
+        """Say whether a word is a name and nothing else."""
+        return bool(_MARK.fullmatch(text))
+
+
+def _form(mark: str, name: str) -> str:
+    """Write a name as a mark is written: as a word, as a class, in capitals."""
+    plain = re.sub(r"\W+", "_", name).strip("_")
+    if mark.startswith("ZQ"):
+        return plain.upper()
+    if mark.startswith("Zq"):
+        return "".join(word[:1].upper() + word[1:] for word in plain.split("_"))
+    return plain

@@ -1,0 +1,95 @@
+"""The words of code: not those of its strings, its comments or its prose."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from .languages import CMAKE, CPP, PYTHON, Language
+
+_PYTHON = re.compile(
+    r"""
+    (?P<comment> \#[^\n]* )
+  | (?P<string> \b(?P<prefix>[rRbBuUfF]{0,2})
+        (?P<quotes> \"\"\" | ''' | " | ' ) (?: \\. | (?!(?P=quotes)). )*? (?P=quotes) )
+  | (?P<plain> (?P<mark> \"\"\" | ''' | " | ' ) (?: \\. | (?!(?P=mark)). )*? (?P=mark) )
+  | (?P<word> [A-Za-z_]\w* )
+  | (?P<sign> \S )
+    """,
+    re.VERBOSE | re.DOTALL,
+)
+_CPP = re.compile(
+    r"""
+    (?P<comment> //[^\n]* | /\*.*?\*/ )
+  | (?P<include> ^[ \t]*\#[ \t]*include[^\n]* )
+  | (?P<plain> \b(?:u8|[uUL])?R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)" | "(?: \\. | [^"\\\n] )*"
+      | (?<![\w'])'(?: \\. | [^'\\\n] )+' )
+  | (?P<word> [A-Za-z_]\w* )
+  | (?P<sign> :: | -> | \S )
+    """,
+    re.VERBOSE | re.DOTALL | re.MULTILINE,
+)
+_CMAKE = re.compile(
+    r"""(?P<comment> \#[^\n]* ) | (?P<plain> "(?: \\. | [^"\\] )*" )
+      | (?P<word> [A-Za-z_]\w* ) | (?P<sign> \S )""",
+    re.VERBOSE | re.DOTALL,
+)
+_PATTERNS = {PYTHON.name: _PYTHON, CPP.name: _CPP, CMAKE.name: _CMAKE}
+
+
+@dataclass(frozen=True)
+class Word:
+    """A word of code, and what stands before it and after it on its way through a name."""
+
+    text: str
+    before: tuple[str, str]
+    after: str
+
+
+def exchange(known: Language, text: str, by: Callable[[Word], str]) -> str:
+    """Return a text with each word of its code exchanged; a text without code as it is."""
+    pattern = _PATTERNS.get(known.name)
+    if pattern is None:
+        return text
+    parts: list[str] = []
+    at = 0
+    signs = ("", "")
+    for match in pattern.finditer(text):
+        groups = match.groupdict()
+        found = match[0]
+        if groups.get("word"):
+            after = text[match.end() : match.end() + 80].lstrip()
+            found = by(Word(found, signs, "::" if after.startswith("::") else after[:1]))
+        elif groups.get("include"):
+            found = _path(found, by)
+        elif groups.get("string") and "f" in (groups.get("prefix") or "").lower():
+            found = re.sub(r"\{[^{}]*\}", lambda m: exchange(known, m[0], by), found)
+        parts += [text[at : match.start()], found]
+        at = match.end()
+        if not groups.get("comment"):
+            signs = (signs[1], match[0])
+    return "".join(parts) + text[at:]
+
+
+def _path(include: str, by: Callable[[Word], str]) -> str:
+    """Exchange the words of an included file's path; the first part is that of a package."""
+    head, quote, path = re.match(r"(.*?)([\"<])(.*)", include, re.DOTALL).groups()  # type: ignore[union-attr]
+    words = re.split(r"(\W)", path)
+    for i, word in enumerate(words):
+        if re.match(r"[A-Za-z_]\w*$", word):
+            follows = words[i + 1] if i + 1 < len(words) else ""
+            words[i] = by(Word(word, ("#", "include"), "::" if follows == "/" else follows))
+    return str(head + quote + "".join(words))
+
+
+def words(known: Language, text: str) -> Iterator[str]:
+    """Yield the words of code in a text."""
+    found: list[str] = []
+
+    def keep(word: Word) -> str:
+        found.append(word.text)
+        return word.text
+
+    exchange(known, text, keep)
+    yield from found

@@ -1,0 +1,113 @@
+"""All or nothing: a snapshot before the first write, and its way back."""
+
+from __future__ import annotations
+
+import uuid
+import weakref
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import git
+from .package import Result
+from .tree import SUBMODULE, File, Tree, paths, read, read_paths, remove, write
+
+REJECTED = ".rej"
+TOKEN = "ros_package_update"
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """A package before Copier writes: its files, and git's index, byte by byte."""
+
+    package: Path
+    files: Tree
+    all_paths: frozenset[str]
+    index: File | None
+    modes: dict[str, str]
+
+    def restore(self) -> None:
+        """Bring everything back."""
+        for path in set(paths(self.package)) - self.all_paths:
+            remove(self.package, path)
+        for path, file in self.files.items():
+            _write(self.package, path, file)
+        self._restore_index()
+
+    def _restore_index(self) -> None:
+        if self.index:
+            write(git.index_file(self.package), self.index)
+
+    def put(self, result: Result, touched: set[str], inline: bool) -> None:
+        """Put a merged package in the place of what Copier has made of it."""
+        wanted = dict(result.tree)
+        if not inline:
+            wanted |= result.settled
+            wanted |= {path + REJECTED: file for path, file in result.rejected.items()}
+        for path in set(paths(self.package)) - self.all_paths - set(wanted) - touched:
+            remove(self.package, path)
+        for path in set(self.files) - set(wanted) - touched:
+            remove(self.package, path)
+        for path, file in wanted.items():
+            _write(self.package, path, file)
+        self._restore_index()
+        for path, versions in result.conflicts.items() if inline else ():
+            mode = result.tree[path].mode
+            git.mark_conflict(self.package, path, mode, versions)
+
+
+def take(package: Path) -> Snapshot:
+    """Take a snapshot of the files that git has."""
+    modes = git.tracked(package)
+    plain = [path for path, mode in modes.items() if mode != SUBMODULE]
+    return Snapshot(
+        package,
+        read_paths(package, plain),
+        frozenset(paths(package)),
+        read(git.index_file(package)),
+        modes,
+    )
+
+
+class Guard:
+    """Brings a snapshot back unless told that all is well, even when Copier itself fails.
+
+    It acts at the latest when the process ends. A token in git's folder says whose turn it is: an
+    update that has been followed by another one, or by a commit, has nothing to bring back.
+    """
+
+    def __init__(self, snapshot: Snapshot) -> None:
+        package = snapshot.package
+        self._token = _token(package)
+        text = f"{uuid.uuid4().hex} {git.last_commit(package)}"
+        self._token.write_text(text, encoding="utf-8")
+        self._undo = weakref.finalize(self, _undo, snapshot, self._token, text)
+
+    def undo(self) -> None:
+        """Bring the snapshot back now."""
+        self._undo()
+
+    def release(self) -> None:
+        """Keep what there is."""
+        self._undo.detach()
+        self._token.unlink(missing_ok=True)
+
+
+def is_guarded(package: Path) -> bool:
+    """Say whether an update of this package is under way, which would be undone if it failed."""
+    return git.is_repository(package) and _token(package).exists()
+
+
+def _token(package: Path) -> Path:
+    return package / git.git(package, "rev-parse", "--git-path", TOKEN).strip()
+
+
+def _undo(snapshot: Snapshot, token: Path, text: str) -> None:
+    if token.exists() and token.read_text(encoding="utf-8") == text:
+        if text.endswith(f" {git.last_commit(snapshot.package)}"):
+            snapshot.restore()
+        token.unlink()
+
+
+def _write(package: Path, path: str, file: File) -> None:
+    if read(package / path) != file:
+        write(package / path, file)

@@ -1,0 +1,106 @@
+"""XML as blocks: elements, each known by its tag and what names it."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from xml.parsers import expat
+
+from .blocks import Block, Span, arrange, squeezed
+from .lines import split
+
+COMMENT = "<!--"
+_MARKUP = re.compile(
+    r"""(?P<other> <!--.*?--> | <\?.*?\?> | <!\[CDATA\[.*?\]\]> | <![^>]*> )
+      | (?P<close> </[^>]+> )
+      | (?P<open> <(?P<tag>[^\s/>]+) (?P<attributes> (?: "[^"]*" | '[^']*' | [^>"'] )* ) > )""",
+    re.VERBOSE | re.DOTALL,
+)
+_ATTRIBUTE = re.compile(r"""([\w:.-]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
+_NAMING = ("name", "from", "file", "param", "id", "exec", "type", "if", "unless")
+
+
+@dataclass
+class _Element:
+    tag: str
+    attributes: dict[str, str]
+    start: int
+    inner: int
+    """Where its content begins."""
+    outer: int = 0
+    """Where its content ends."""
+    end: int = 0
+    children: list[_Element] = field(default_factory=list)
+
+
+def blocks(text: str) -> list[Block]:
+    """Return the elements of a document; those inside of others are inside of them.
+
+    Raises:
+        ValueError: it is not XML.
+
+    """
+    try:
+        expat.ParserCreate().Parse(text.encode(errors="surrogateescape"), True)
+    except expat.ExpatError as error:
+        raise ValueError(str(error)) from error
+    lines = split(text)
+    spans = tuple(_span(text, element) for element in _elements(text))
+    return arrange(lines, spans, 0, len(lines), COMMENT)
+
+
+def same(one: str, other: str) -> bool:
+    """Say whether two texts differ in blanks and quotes alone."""
+    return _tight(one) == _tight(other)
+
+
+def _tight(text: str) -> str:
+    return re.sub(r"\s*(/?>)\s*", r"\1", re.sub(r"\s*=\s*", "=", squeezed(text)))
+
+
+def _elements(text: str) -> list[_Element]:
+    top = _Element("", {}, 0, 0)
+    stack = [top]
+    for match in _MARKUP.finditer(text):
+        if match["open"]:
+            attributes = match["attributes"]
+            found = {a: b or c for a, b, c in _ATTRIBUTE.findall(attributes)}
+            element = _Element(match["tag"], found, match.start(), match.end())
+            stack[-1].children.append(element)
+            if attributes.rstrip().endswith("/"):
+                element.outer = element.end = match.end()
+            else:
+                stack.append(element)
+        elif match["close"]:
+            if len(stack) < 2:
+                raise ValueError("a closing tag that nothing opens")
+            element = stack.pop()
+            element.outer, element.end = match.start(), match.end()
+    return top.children
+
+
+def _span(text: str, element: _Element) -> Span:
+    first, last = _line(text, element.start), _line(text, element.end) + 1
+    key = _key(text, element)
+    body = (_line(text, element.inner) + 1, _line(text, element.outer))
+    starts = [_line(text, child.start) for child in element.children]
+    if element.children and body[0] <= starts[0] and body[0] < body[1]:
+        inner = tuple(_span(text, child) for child in element.children)
+        if inner[-1].end <= body[1]:
+            return Span(key, first, last, body, inner)
+    return Span(key, first, last)
+
+
+def _key(text: str, element: _Element) -> str:
+    """Name an element: `exec_depend rclpy`, `node reach`, `arg log_level`."""
+    for name in _NAMING:
+        if name in element.attributes:
+            return f"{element.tag} {element.attributes[name]}"
+    content = squeezed(text[element.inner : element.outer])
+    if element.children or not (element.tag.endswith("depend") or element.tag == "url"):
+        return element.tag
+    return f"{element.tag} {content}"
+
+
+def _line(text: str, at: int) -> int:
+    return text.count("\n", 0, at)

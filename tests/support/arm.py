@@ -1,0 +1,23 @@
+"""A package with logic, for the tests of updates."""
+
+SPEC = """<package name="arm" author="Ada" author_email="ada@example.org" description="An arm"
+         license="MIT">
+  <node name="reach" frequency="10">
+    <publisher name="pose" type="std_msgs::Float64"/>
+    <subscriber name="goal" type="std_msgs::Float64"/>
+    <directSubscriber name="stop" type="std_msgs::Empty"/>
+    <serviceServer name="load" type="std_srvs::Trigger"/>
+    <serviceServer name="store" type="std_srvs::Trigger"/>
+    <dynParameter name="gain" type="double" value="1"/>
+  </node>
+  <node name="watch" frequency="1">
+    <serviceServer name="load" type="std_srvs::Trigger"/>
+  </node>
+</package>
+"""
+EDITS = {
+    '"""Compute the outputs of one cycle from the latest inputs."""': (
+        "data.out_pose.data = config.gain * data.in_goal.data"
+    ),
+    '"""Handle a message when it arrives."""': "self.passthrough.log.info('stop')",
+}

@@ -1,0 +1,136 @@
+"""A rename exchanges what the model makes of a name, and no other word."""
+
+import pytest
+
+from support.arm import SPEC
+from support.repository import commit, git
+
+LOGIC = '''"""Compute the outputs of one cycle from the latest inputs."""
+        for i in range(3):
+            total = config.range + i
+        data.out_pose.data = data.out_pose.data + total
+        frame = "map"  # the map frame, not the topic map
+        point = data.in_map.pose.position
+'''
+NAMES = SPEC.replace('name="goal"', 'name="map"').replace('name="gain"', 'name="range"')
+
+
+@pytest.fixture
+def package(render):
+    package = render(NAMES, name="arm")
+    impl = package / "arm/reach_impl.py"
+    line = '"""Compute the outputs of one cycle from the latest inputs."""\n'
+    text = impl.read_text()
+    assert line in text
+    impl.write_text(text.replace(line, LOGIC, 1))
+    commit(package, "Write the logic")
+    return package
+
+
+@pytest.fixture
+def update(copier_command):
+    def run(package, *changes):
+        (spec,) = package.glob("*.ros_package")
+        text = spec.read_text()
+        for old, new in changes:
+            assert old in text
+            text = text.replace(old, new, 1)
+        spec.write_text(text)
+        commit(package, "Rename")
+        result = copier_command("update", "--trust", "--defaults", cwd=package)
+        assert result.returncode == 0, result.stderr
+        assert "CONFLICT" not in result.stderr, result.stderr
+        return result.stderr
+
+    return run
+
+
+def test_words_that_only_look_alike_stay(package, update):
+    said = update(
+        package,
+        ('name="range"', 'name="distance" was="range"'),
+        ('name="map"', 'name="costmap" was="map"'),
+        ('name="pose"', 'name="turtle_pose" was="pose"'),
+    )
+    impl = (package / "arm/reach_impl.py").read_text()
+    assert "for i in range(3):" in impl
+    assert "config.distance + i" in impl
+    assert "data.out_turtle_pose.data = data.out_turtle_pose.data" in impl
+    assert "data.in_costmap.pose.position" in impl
+    assert 'frame = "map"  # the map frame, not the topic map' in impl
+    assert 'was="pose"' in (package / "arm.ros_package").read_text()
+    number = impl.split("\n").index('        frame = "map"  # the map frame, not the topic map')
+    assert f"still     arm/reach_impl.py:{number + 1}: map" in said
+
+
+def test_swapped_names_swap_their_code(arm, update):
+    text = (arm / "arm/reach_impl.py").read_text()
+    assert text.index("serve_load") < text.index("'loaded'") < text.index("serve_store")
+    update(
+        arm,
+        (
+            'name="load" type="std_srvs::Trigger"/>\n    <serviceServer name="store"',
+            'name="store" was="load" type="std_srvs::Trigger"/>\n'
+            '    <serviceServer name="load" was="store"',
+        ),
+    )
+    text = (arm / "arm/reach_impl.py").read_text()
+    loaded = text.index("'loaded'")
+    assert "def serve_store" in text[:loaded]
+    assert "def serve_load" not in text[:loaded] or text.rindex("def ", 0, loaded) == text.index(
+        "def serve_store"
+    )
+    commit(arm, "Swapped")
+    again = update(arm)
+    assert "Nothing has changed." in again
+
+
+def test_node_named_like_its_package(render, update):
+    spec = SPEC.replace('<node name="reach"', '<node name="arm"')
+    package = render(spec, name="arm")
+    impl = package / "arm/arm_impl.py"
+    impl.write_text(impl.read_text().replace("return True", "self.mine = 1\n        return True"))
+    commit(package, "Write the logic")
+    update(package, ('<node name="arm"', '<node name="grasp" was="arm"'))
+    assert "self.mine = 1" in (package / "arm/grasp_impl.py").read_text()
+    assert "from arm.grasp_interface import" in (package / "arm/grasp_impl.py").read_text()
+    assert not impl.exists()
+
+
+def test_renamed_package_keeps_its_code(arm, update):
+    git(arm, "mv", "arm.ros_package", "robot_arm.ros_package")
+    spec = arm / "robot_arm.ros_package"
+    text = spec.read_text().replace('<package name="arm"', '<package name="robot_arm" was="arm"')
+    spec.write_text(text)
+    commit(arm, "Rename the package")
+    result = update(arm)
+    assert "> package, was arm" in result
+    impl = (arm / "robot_arm/reach_impl.py").read_text()
+    assert "from robot_arm.reach_interface import" in impl
+    assert "config.gain * data.in_goal.data" in impl
+    helper = (arm / "robot_arm/helper.py").read_text()
+    assert helper == "from robot_arm.reach_interface import ReachData\n"
+    assert not (arm / "arm").exists()
+
+
+def test_renamed_in_cpp(render, update):
+    package = render(SPEC, model="cpp_model", name="arm")
+    impl = package / "src/reach_impl.cpp"
+    text = impl.read_text()
+    body = "  int load = 1;\n  data.out_pose.data = load * config.gain * data.in_goal.data;\n}"
+    start = text.index("void ReachImpl::update(")
+    text = text[:start] + text[start:].replace("{\n}", "{\n" + body, 1)
+    impl.write_text(text)
+    commit(package, "Write the logic")
+    update(
+        package,
+        ('<node name="reach"', '<node name="grasp" was="reach"'),
+        ('name="goal" type="std_msgs::Float64"', 'name="aim" was="goal" type="std_msgs::Float32"'),
+        ('name="gain"', 'name="factor" was="gain"'),
+        ('name="load"', 'name="fetch" was="load"'),
+    )
+    text = (package / "src/grasp_impl.cpp").read_text()
+    assert "  int load = 1;" in text
+    assert "data.out_pose.data = load * config.factor * data.in_aim.data;" in text
+    assert "GraspImpl::serve_fetch(" in text
+    assert "ARM__GRASP_IMPL_HPP_" in (package / "include/arm/grasp_impl.hpp").read_text()

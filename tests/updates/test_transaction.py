@@ -1,0 +1,173 @@
+"""An update changes all or nothing, and nothing that git could not bring back."""
+
+import pytest
+import yaml
+
+from support.arm import SPEC
+from support.packages import QUIET
+from support.repository import commit, git
+
+MORE = SPEC.replace('name="stop"', 'name="halt"')
+
+
+def files(folder):
+    """Return every file with its bytes, links as what they lead to."""
+    found = {}
+    for path in sorted(folder.rglob("*")):
+        if ".git" not in path.relative_to(folder).parts and not path.is_dir():
+            found[path] = path.readlink() if path.is_symlink() else path.read_bytes()
+    return found
+
+
+@pytest.fixture
+def refused(copier_command):
+    """Run a command that must fail with a sentence, and change nothing."""
+
+    def run(package, *messages, command="update", options=(), around=None):
+        before = files(around or package)
+        status = git(package, "status", "--short", "--ignored")
+        result = copier_command(command, *QUIET, *options, cwd=package)
+        assert result.returncode == 1, result
+        assert "Traceback" not in result.stderr
+        for message in messages:
+            assert message in result.stderr, result.stderr
+        assert files(around or package) == before
+        assert git(package, "status", "--short", "--ignored") == status
+
+    return run
+
+
+def change_spec(package, text=MORE):
+    (package / "arm.ros_package").write_text(text)
+    commit(package, "Change the spec")
+
+
+@pytest.mark.parametrize("command", ["update", "recopy"])
+def test_ignored_files_are_not_lost(render, refused, tmp_path, command):
+    """A workspace that ignores src/*: nothing of the package is in git."""
+    (tmp_path / ".gitignore").write_text("src/*\nspecs\n")
+    commit(tmp_path, "Ignore")
+    package = render(SPEC, name="src/arm")
+    (package / "arm.ros_package").write_text(MORE)
+    options = ("--overwrite",) if command == "recopy" else ()
+    refused(package, "not in git", "git add -f", command=command, options=options)
+
+
+def test_one_ignored_file_is_not_lost(arm, refused):
+    (arm / ".gitignore").write_text("halt*\narm/watch_ros.py\n")
+    git(arm, "rm", "-q", "--cached", "arm/watch_ros.py")
+    change_spec(arm)
+    refused(arm, "arm/watch_ros.py: not in git")
+
+
+def test_untracked_file_is_not_overwritten_by_recopy(arm, refused):
+    git(arm, "rm", "-q", "--cached", "arm/watch_ros.py")
+    git(arm, "commit", "-q", "-m", "Forget a file")
+    options = ("--overwrite",)
+    refused(arm, "arm/watch_ros.py: not in git", command="recopy", options=options)
+
+
+def test_links_out_of_the_package_are_not_written_through(arm, refused, tmp_path):
+    outside = tmp_path / "outside.py"
+    impl = arm / "arm/reach_impl.py"
+    outside.write_bytes(impl.read_bytes())
+    impl.unlink()
+    impl.symlink_to(outside)
+    change_spec(arm)
+    refused(arm, "arm/reach_impl.py: a link to", "put the file itself", around=tmp_path)
+
+
+def test_version_with_an_undefined_name_changes_nothing(own_collection, render, refused):
+    package = render(SPEC, template=own_collection, name="arm")
+    readme = own_collection / "shared/README.md.jinja"
+    readme.write_text(readme.read_text() + "{{ nobody_knows_this }}\n")
+    (own_collection / "python_model/template/AAA.md").write_text("New.\n")
+    commit(own_collection, "Break it", tag="2.0.0")
+    before, status = files(package), git(package, "status", "--short")
+    with pytest.raises(AssertionError, match="Traceback"):
+        refused(package)  # Copier says it by a traceback: it is the designer's mistake
+    assert files(package) == before
+    assert git(package, "status", "--short") == status
+
+
+def test_was_that_names_nothing_is_refused(arm, refused):
+    change_spec(arm, SPEC.replace('<node name="reach"', '<node name="grasp" was="raech"'))
+    refused(arm, 'node grasp: was="raech"', 'did you mean "reach"?')
+
+
+def test_module_with_the_new_name_is_not_overwritten(arm, refused):
+    (arm / "arm/grasp_impl.py").write_text("MINE = 1\n")
+    change_spec(arm, SPEC.replace('<node name="reach"', '<node name="grasp" was="reach"'))
+    refused(arm, "arm/grasp_impl.py: arm/reach_impl.py is to have this name")
+
+
+def test_settings_of_git_do_not_count(arm, copier_command):
+    impl = arm / "arm/reach_impl.py"
+    text = impl.read_text().replace("return True", "self.ready = 1   \n        return True", 1)
+    impl.write_text(text)
+    for key, value in {
+        "apply.whitespace": "error",
+        "core.whitespace": "trailing-space",
+        "merge.conflictStyle": "zdiff3",
+        "diff.noprefix": "true",
+        "status.showUntrackedFiles": "no",
+    }.items():
+        git(arm, "config", key, value)
+    change_spec(arm)
+    result = copier_command("update", "--trust", "--defaults", cwd=arm)
+    assert result.returncode == 0, result.stderr
+    assert "self.ready = 1   \n" in impl.read_text()
+    assert "config.gain * data.in_goal.data" in impl.read_text()
+    assert "def receive_halt" in impl.read_text()
+
+
+def test_bytes_stay(arm, copier_command):
+    """Line ends, other encodings and modes, of files that the update merges and others."""
+    impl, helper = arm / "arm/reach_impl.py", arm / "arm/helper.py"
+    impl.write_bytes(impl.read_bytes().replace(b"\n", b"\r\n"))
+    helper.write_bytes(b"# caf\xe9\r\nX = 1\n")
+    helper.chmod(0o755)
+    change_spec(arm, SPEC.replace('name="load" type', 'name="fetch" was="load" type', 1))
+    assert copier_command("update", *QUIET, cwd=arm).returncode == 0
+    assert helper.read_bytes() == b"# caf\xe9\r\nX = 1\n"
+    assert helper.stat().st_mode & 0o111
+    data = impl.read_bytes()
+    assert b"def serve_fetch" in data
+    assert data.count(b"\r\n") == data.count(b"\n")
+
+
+def test_another_answers_file(arm, copier_command):
+    (arm / ".copier-answers.yml").rename(arm / "answers.yml")
+    change_spec(arm, SPEC.replace('<node name="reach"', '<node name="grasp" was="reach"'))
+    command = ("update", "--trust", "--defaults", "-a", "answers.yml")
+    result = copier_command(*command, cwd=arm)
+    assert result.returncode == 0, result.stderr
+    assert "config.gain * data.in_goal.data" in (arm / "arm/grasp_impl.py").read_text()
+    answers = yaml.safe_load((arm / "answers.yml").read_text())
+    assert answers["spec"]["nodes"][0]["name"] == "grasp"
+    assert not (arm / ".copier-answers.yml").exists()
+
+
+def test_submodule_in_the_package_stays(arm, copier_command, tmp_path):
+    other = tmp_path / "other"
+    other.mkdir()
+    (other / "reach.py").write_text("import reach\n")
+    commit(other, "Another repository")
+    git(arm, "-c", "protocol.file.allow=always", "submodule", "add", "-q", str(other), "reach")
+    change_spec(arm, SPEC.replace('<node name="reach"', '<node name="grasp" was="reach"'))
+    result = copier_command("update", *QUIET, cwd=arm)
+    assert result.returncode == 0, result.stderr
+    assert (arm / "reach/reach.py").read_text() == "import reach\n"
+    assert "reach_impl" not in git(arm / "reach", "status", "--short")
+    assert (arm / "arm/grasp_impl.py").exists()
+
+
+def test_rejected_conflict_is_said(arm, copier_command):
+    node = arm / "arm/reach_ros.py"
+    node.write_text(node.read_text().replace("FREQUENCY = 10", "FREQUENCY = 12"))
+    change_spec(arm, SPEC.replace('frequency="10"', 'frequency="20"'))
+    command = ("update", "--trust", "--defaults", "--conflict", "rej")
+    result = copier_command(*command, cwd=arm)
+    assert "CONFLICT  arm/reach_ros.py" in result.stderr
+    assert "FREQUENCY = 12" in node.read_text()
+    assert "+FREQUENCY = 20" in (arm / "arm/reach_ros.py.rej").read_text()
