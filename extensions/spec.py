@@ -11,6 +11,7 @@ import importlib
 import importlib.util
 import os
 import sys
+import tempfile
 import uuid
 from collections.abc import Callable
 from pathlib import Path
@@ -38,6 +39,7 @@ class SpecExtension(Extension):
             self.spec_changed,
             self.spec_text,
             self.has_spec,
+            self.has_file,
             self.package_name,
             self.begin_update,
             self.finish_update,
@@ -84,6 +86,10 @@ class SpecExtension(Extension):
         """Say whether the destination holds a spec already."""
         return bool(self._package(context).specs)
 
+    def has_file(self, context: Context, name: str) -> bool:
+        """Say whether the destination holds a file or folder."""
+        return bool((self._package(context).folder / name).exists())
+
     def package_name(self, context: Context, spec: dict[str, Any]) -> str:
         """Return the name of the package, by whatever attribute the model's specs give it."""
         return str(self._model(context).name(spec))
@@ -103,9 +109,18 @@ class SpecExtension(Extension):
             self.report = self.update.finish(new, spec, dictionary, inline)
         return False
 
-    def update_report(self, context: Context) -> Any:
-        """Return what the update has to say: `lines`, and the files in conflict."""
-        return self.report
+    def update_report(self, context: Context, spec: dict[str, Any]) -> Any:
+        """Return what the update has to say: `lines`, and the files in conflict.
+
+        Where Copier pretends, it renders nothing: a copy of the package is updated in its place.
+        """
+        if not context["_copier_conf"]["pretend"]:
+            return self.report
+        with tempfile.TemporaryDirectory() as folder:
+            clone = self._package(context).clone(Path(folder))
+            update = self._merge("update").Update(clone.folder, clone.answers_file)
+            dictionary = self._model(context).dictionary
+            return update.finish(self._new_render(context, spec), spec, dictionary, True)
 
     def _check_update(self, context: Context, values: dict[str, Any], shown: str) -> None:
         """Refuse an update or a recopy that could not be undone, before it writes anything."""

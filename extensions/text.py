@@ -10,7 +10,6 @@ from xml.sax.saxutils import escape, quoteattr
 
 from packaging.licenses import InvalidLicenseExpression, canonicalize_license_expression
 
-
 _YAML_VALUES = ("false", "n", "no", "null", "off", "on", "true", "y", "yes")
 
 

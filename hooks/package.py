@@ -77,6 +77,12 @@ class Package:
                     f" {name}{SUFFIX}; rename the file"
                 )
 
+    def clone(self, folder: Path) -> Package:
+        """Clone the package's repository into an empty folder; return the package there."""
+        top = Path(_git(self.folder, "rev-parse", "--show-toplevel").strip())
+        _git(top, "clone", "--quiet", "--shared", str(top), str(folder))
+        return Package(folder / self.folder.resolve().relative_to(top), self.answers_file)
+
     def about(self) -> dict[str, str]:
         """Say what a new package is called and whose it is: its folder, git's configuration."""
         name = re.sub(r"[^a-z0-9]+", "_", self.folder.name.lower()).strip("_")
