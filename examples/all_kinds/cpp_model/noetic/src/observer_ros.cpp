@@ -133,6 +133,7 @@ private:
 int main(int argc, char ** argv)
 {
   ros::init(argc, argv, "observer");
+  all_kinds::set_log_level();
   try {
     return all_kinds::ObserverNode().run() ? 0 : 1;
   } catch (const std::exception & error) {

@@ -328,6 +328,7 @@ private:
 int main(int argc, char ** argv)
 {
   ros::init(argc, argv, "worker");
+  all_kinds::set_log_level();
   try {
     return all_kinds::WorkerNode().run() ? 0 : 1;
   } catch (const std::exception & error) {

@@ -99,4 +99,5 @@ def read_parameter(name, default):
 def main():
     """Spin the node until ROS shuts down."""
     rospy.init_node('observer')
+    logging.getLogger('rosout').setLevel(rospy.get_param('~log_level', 'info').upper())
     ObserverNode().run()

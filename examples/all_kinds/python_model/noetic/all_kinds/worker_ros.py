@@ -210,4 +210,5 @@ def read_parameter(name, default):
 def main():
     """Spin the node until ROS shuts down."""
     rospy.init_node('worker')
+    logging.getLogger('rosout').setLevel(rospy.get_param('~log_level', 'info').upper())
     WorkerNode().run()

@@ -232,6 +232,7 @@ private:
 int main(int argc, char ** argv)
 {
   ros::init(argc, argv, "contact_evaluate");
+  contact_analysis::set_log_level();
   try {
     return contact_analysis::ContactEvaluateNode().run() ? 0 : 1;
   } catch (const std::exception & error) {

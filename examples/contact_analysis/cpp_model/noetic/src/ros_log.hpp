@@ -4,9 +4,11 @@
 #ifndef ROS_LOG_HPP_
 #define ROS_LOG_HPP_
 
+#include <map>
 #include <string>
 
 #include "ros/console.h"
+#include "ros/param.h"
 
 #include "contact_analysis/logger.hpp"
 
@@ -29,6 +31,24 @@ inline void write_log(Logger::Level level, const std::string & text)
     case Logger::Level::error:
       ROS_ERROR("%s", text.c_str());
       break;
+  }
+}
+
+/// Apply the private parameter `log_level`: debug, info, warn, error or fatal.
+inline void set_log_level()
+{
+  const std::map<std::string, ros::console::Level> levels = {
+    {"debug", ros::console::levels::Debug},
+    {"info", ros::console::levels::Info},
+    {"warn", ros::console::levels::Warn},
+    {"error", ros::console::levels::Error},
+    {"fatal", ros::console::levels::Fatal},
+  };
+  const auto level = levels.find(ros::param::param<std::string>("~log_level", "info"));
+  if (level == levels.end()) {
+    ROS_WARN("log_level must be debug, info, warn, error or fatal.");
+  } else if (ros::console::set_logger_level(ROSCONSOLE_DEFAULT_NAME, level->second)) {
+    ros::console::notifyLoggerLevelsChanged();
   }
 }
 

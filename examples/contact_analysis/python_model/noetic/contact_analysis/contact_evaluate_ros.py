@@ -141,4 +141,5 @@ def read_parameter(name, default):
 def main():
     """Spin the node until ROS shuts down."""
     rospy.init_node('contact_evaluate')
+    logging.getLogger('rosout').setLevel(rospy.get_param('~log_level', 'info').upper())
     ContactEvaluateNode().run()

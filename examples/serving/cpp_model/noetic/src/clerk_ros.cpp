@@ -153,6 +153,7 @@ private:
 int main(int argc, char ** argv)
 {
   ros::init(argc, argv, "clerk");
+  serving::set_log_level();
   try {
     return serving::ClerkNode().run() ? 0 : 1;
   } catch (const std::exception & error) {

@@ -90,6 +90,7 @@ private:
 int main(int argc, char ** argv)
 {
   ros::init(argc, argv, "idler");
+  serving::set_log_level();
   try {
     return serving::IdlerNode().run() ? 0 : 1;
   } catch (const std::exception & error) {

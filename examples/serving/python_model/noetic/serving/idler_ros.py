@@ -50,4 +50,5 @@ class IdlerNode:
 def main():
     """Spin the node until ROS shuts down."""
     rospy.init_node('idler')
+    logging.getLogger('rosout').setLevel(rospy.get_param('~log_level', 'info').upper())
     IdlerNode().run()

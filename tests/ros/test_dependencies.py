@@ -1,0 +1,69 @@
+"""A generated package of ROS 1 configures and builds with nothing but what it declares.
+
+What it does not declare is hidden below empty folders, in a mount namespace of the build's own;
+so are the tests' dependencies, gtest among them: a package is built where nobody tests it, too.
+"""
+
+import shlex
+import shutil
+import subprocess
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import pytest
+
+from support.packages import DATA, MODELS
+from support.repository import EXAMPLES
+
+SHARE, INCLUDE = Path("/usr/share"), Path("/usr/include")
+GTEST = [Path("/usr/src/googletest"), INCLUDE / "gtest"]
+
+
+@pytest.fixture(scope="module")
+def namespace():
+    """Return the start of a command with mounts of its own."""
+    for command in (["unshare", "-m"], ["unshare", "-rm"]):
+        if not shutil.which(command[0]):
+            break
+        trial = [*command, "mount", "-t", "tmpfs", "none", "/usr/src"]
+        if subprocess.run(trial, capture_output=True).returncode == 0:
+            return command
+    pytest.skip("this user may not hide folders (unshare -m)")
+
+
+def declared(file, *ignored):
+    """Return what a package.xml names as dependencies, without those of some tags."""
+    return {
+        element.text.strip()
+        for element in ET.parse(file).getroot()
+        if element.tag.endswith("depend") and element.tag not in ignored
+    }
+
+
+def needed(package):
+    """Return what a package needs unless it is tested, and what comes with that."""
+    found, names = set(), declared(package / "package.xml", "test_depend")
+    while names:
+        name = names.pop()
+        found.add(name)
+        if (file := SHARE / name / "package.xml").exists():
+            ignored = ("build_depend", "buildtool_depend", "doc_depend", "test_depend")
+            names |= declared(file, *ignored) - found
+    return found
+
+
+@pytest.mark.ros1
+@pytest.mark.parametrize("model", MODELS)
+def test_builds_with_what_it_declares(ros1, namespace, render, tmp_path, model):
+    shutil.copytree(DATA / "test_msgs", tmp_path / "src/test_msgs")
+    spec = EXAMPLES / "all_kinds.ros_package"
+    package = render(spec, model=model, ros_distro="noetic", name="src/all_kinds")
+    needs = (needed(package) | needed(tmp_path / "src/test_msgs")) - {"rostest", "rosunit"}
+    installed = {file.parent.name for file in SHARE.glob("*/package.xml")}
+    assert "catkin" in installed & needs
+    assert "rostest" in installed - needs
+    hidden = [place / name for name in installed - needs for place in (SHARE, INCLUDE)]
+    mounts = [f"mount -t tmpfs none {path}" for path in [*hidden, *GTEST] if path.is_dir()]
+    (tmp_path / "build.sh").write_text("\n".join(["set -e", *mounts, "exec catkin_make", ""]))
+    built = ros1.run(shlex.join([*namespace, "sh", "build.sh"]), tmp_path).stdout
+    assert "warning:" not in built
