@@ -32,11 +32,11 @@ bench: $(TOOLS)/ready $(ROS2)/ready
 	  -d spec_file=benchmarks/fast.ros_package -d ros_distro=kilted . build/bench/fast
 	PYTHONPATH=build/bench/fast $(ROS2)/bin/python benchmarks/loop.py
 
-# The merge laboratory at length, with other trials each time; hours for the default number.
-LAB_TRIALS ?= 3000
+# The merge laboratory at length, LAB_TRIALS for each model and ROS, with other trials each time.
+LAB_TRIALS ?= 2000
 lab: $(TOOLS)/ready
-	LAB_TRIALS=$(LAB_TRIALS) LAB_SEED=random LAB_KILLS=200 \
-	  $(TOOLS)/bin/pytest -s tests/updates -k "lost or killed"
+	LAB_TRIALS=$(LAB_TRIALS) LAB_SEED=random LAB_CHAIN=20 LAB_KILLS=200 \
+	  $(TOOLS)/bin/pytest -s tests/updates -k "place or lost or follow or killed"
 
 $(TOOLS)/ready: pyproject.toml
 	@echo "Installing Copier and what the tests need with pip, into $(TOOLS)"

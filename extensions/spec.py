@@ -106,7 +106,9 @@ class SpecExtension(Extension):
         if self.update:
             inline = context["_copier_conf"]["conflict"] == "inline"
             new, dictionary = self._new_render(context, spec), self._model(context).dictionary
-            self.report = self.update.finish(new, spec, dictionary, inline)
+            folder = self.root / str(context.get("model") or "")
+            moved = self._merge("moves").moved_files(folder, spec, dictionary)
+            self.report = self.update.finish(new, spec, dictionary, moved, inline)
         return False
 
     def update_report(self, context: Context, spec: dict[str, Any]) -> Any:

@@ -39,9 +39,15 @@ class Renaming:
     """By file, the names that count after `config.` and the like alone."""
     packages: dict[str, str] = field(default_factory=dict)
     names: list[tuple[str, str]] = field(default_factory=list)
+    moved: dict[str, str] = field(default_factory=dict)
+    """What the new version of the model calls otherwise."""
 
     def path(self, path: str) -> str:
         """Return where a file of before the update is after it."""
+        renamed = self._renamed(path)
+        return self.moved.get(renamed, renamed)
+
+    def _renamed(self, path: str) -> str:
         if path in self.paths:
             return self.paths[path]
         for folder, new in sorted(self.folders.items(), key=lambda item: -len(item[0])):

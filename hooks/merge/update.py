@@ -38,16 +38,28 @@ class Update:
         self.answers = recorded_answers(package, answers_file)
 
     def finish(
-        self, new: Render, spec: Mapping[str, Any], dictionary: Dictionary, inline: bool
+        self,
+        new: Render,
+        spec: Mapping[str, Any],
+        dictionary: Dictionary,
+        moved: Mapping[str, str],
+        inline: bool,
     ) -> Report:
         """Merge, put in place, prove.
+
+        Args:
+            new: the new version.
+            spec: its context.
+            dictionary: what names the items of a context.
+            moved: the new paths of files that the new version of the model calls otherwise.
+            inline: whether conflicts go between marks, else to files that end in .rej.
 
         Raises:
             SpecError: a line of the developer's would not be in its place; nothing has changed.
 
         """
         try:
-            report = self._finish(new, spec, dictionary, inline)
+            report = self._finish(new, spec, dictionary, moved, inline)
         except BaseException:
             self.guard.undo()
             raise
@@ -55,7 +67,12 @@ class Update:
         return report
 
     def _finish(
-        self, new: Render, spec: Mapping[str, Any], dictionary: Dictionary, inline: bool
+        self,
+        new: Render,
+        spec: Mapping[str, Any],
+        dictionary: Dictionary,
+        moved: Mapping[str, str],
+        inline: bool,
     ) -> Report:
         name = self.package.name
         old = render_recorded(self.answers, name, self.answers_file)
@@ -63,6 +80,11 @@ class Update:
         renaming = plan_renames(
             self.answers, spec, dictionary, old.tree, mine, name, self.answers_file
         )
+        renaming.moved = {
+            path: target
+            for path, target in moved.items()
+            if target in new.tree and path not in new.tree
+        }
         result = merge_package(mine, old.tree, new.tree, renaming, new.is_kept)
         self.snapshot.put(result, {self.answers_file}, inline)
         found = read_paths(self.package, result.tree)

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import time
+from pathlib import Path
 from random import Random
 
 import pytest
@@ -230,3 +231,63 @@ def test_renames_in_cpp_keep_their_code(render, copier_command):
     header = (package / "include/arm/grasp_impl.hpp").read_text()
     assert "int mine_ = 0;" in header
     assert "#ifndef ARM__GRASP_IMPL_HPP_" in header
+
+
+def test_files_that_a_version_calls_otherwise_keep_edits(own_collection, render, copier_command):
+    package = render(SPEC, template=own_collection, name="arm")
+    worker = package / "arm/worker.py"
+    worker.write_text(worker.read_text().replace("import", "# My own line.\nimport", 1))
+    commit(package, "Edit a helper")
+    model = own_collection / "python_model"
+    folder = model / "template/{{ ros2 }}/{{ spec.name }}"
+    (folder / "worker.py.jinja").rename(folder / "callbacks.py.jinja")
+    (model / "moved_files.yaml").write_text('"{package}/callbacks.py": "{package}/worker.py"\n')
+    commit(own_collection, "Call the workers callbacks", tag="2.0.0")
+    result = copier_command("update", "--trust", "--defaults", cwd=package)
+    assert result.returncode == 0, result.stderr
+    assert "moved     arm/worker.py -> arm/callbacks.py" in result.stderr
+    assert "# My own line.\n" in (package / "arm/callbacks.py").read_text()
+    assert not worker.exists()
+
+
+def test_node_that_comes_again_names_the_commit_with_its_code(arm, update_with):
+    start, end = SPEC.index('  <node name="reach"'), SPEC.index('  <node name="watch"')
+    update_with((SPEC[start:end], ""))
+    commit(arm, "Remove a node")
+    said = update_with(("</package>", SPEC[start:end] + "</package>"))
+    (line,) = (line for line in said.splitlines() if "added     arm/reach_impl.py" in line)
+    command = line.partition("git show ")[2].rstrip(")")
+    assert "config.gain * data.in_goal.data" in git(arm, "show", command)
+
+
+def test_missing_generated_parts_are_named(arm, copier_command):
+    (arm / "arm/watch_ros.py").unlink()
+    impl = arm / "arm/watch_impl.py"
+    text = impl.read_text()
+    impl.write_text(text[: text.index("    # End of life")].rstrip() + "\n")
+    commit(arm, "Delete generated code")
+    said = copier_command("update", "--trust", "--defaults", cwd=arm).stderr
+    assert "missing   arm/watch_ros.py\n" in said
+    assert "missing   arm/watch_impl.py: cleanup" in said
+    assert not (arm / "arm/watch_ros.py").exists()
+
+
+def test_formatted_files_do_not_conflict(arm, update_with):
+    tool = Path(sys.executable).parent / "ruff"
+    subprocess.run([tool, "format", "--isolated", "--quiet", arm], check=True)
+    commit(arm, "Run a formatter")
+    assert git(arm, "diff", "--stat", "HEAD~1")
+    said = update_with(('frequency="10"', 'frequency="20"'), ('name="stop"', 'name="halt"'))
+    assert "CONFLICT" not in said
+
+
+def test_method_written_before_the_update_is_there_once(arm, update_with):
+    impl = arm / "arm/reach_impl.py"
+    method = "    def serve_estop(self, request, response):\n        return 'stopped'\n\n"
+    impl.write_text(impl.read_text().replace("    # End of life", f"{method}    # End of life"))
+    server = '    <serviceServer name="estop" type="std_srvs::Trigger"/>\n'
+    said = update_with(("    <dynParameter", f"{server}    <dynParameter"))
+    assert "CONFLICT" not in said
+    text = impl.read_text()
+    assert text.count("def serve_estop") == 1
+    assert "return 'stopped'" in text
