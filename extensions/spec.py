@@ -104,11 +104,7 @@ class SpecExtension(Extension):
     def finish_update(self, context: Context, spec: dict[str, Any]) -> bool:
         """Merge, in place of what Copier has merged, and prove it. Always false, as above."""
         if self.update:
-            inline = context["_copier_conf"]["conflict"] == "inline"
-            new, dictionary = self._new_render(context, spec), self._model(context).dictionary
-            folder = self.root / str(context.get("model") or "")
-            moved = self._merge("moves").moved_files(folder, spec, dictionary)
-            self.report = self.update.finish(new, spec, dictionary, moved, inline)
+            self.report = self._finish(self.update, context, spec)
         return False
 
     def update_report(self, context: Context, spec: dict[str, Any]) -> Any:
@@ -121,8 +117,14 @@ class SpecExtension(Extension):
         with tempfile.TemporaryDirectory() as folder:
             clone = self._package(context).clone(Path(folder))
             update = self._merge("update").Update(clone.folder, clone.answers_file)
-            dictionary = self._model(context).dictionary
-            return update.finish(self._new_render(context, spec), spec, dictionary, True)
+            return self._finish(update, context, spec)
+
+    def _finish(self, update: Any, context: Context, spec: dict[str, Any]) -> Any:
+        new, dictionary = self._new_render(context, spec), self._model(context).dictionary
+        folder = self.root / str(context.get("model") or "")
+        moved = self._merge("moves").moved_files(folder, spec, dictionary)
+        inline = context["_copier_conf"]["conflict"] == "inline"
+        return update.finish(new, spec, dictionary, moved, inline)
 
     def _check_update(self, context: Context, values: dict[str, Any], shown: str) -> None:
         """Refuse an update or a recopy that could not be undone, before it writes anything."""
