@@ -120,11 +120,25 @@ class SpecExtension(Extension):
             return self._finish(update, context, spec)
 
     def _finish(self, update: Any, context: Context, spec: dict[str, Any]) -> Any:
-        new, dictionary = self._new_render(context, spec), self._model(context).dictionary
         folder = self.root / str(context.get("model") or "")
-        moved = self._merge("moves").moved_files(folder, spec, dictionary)
-        inline = context["_copier_conf"]["conflict"] == "inline"
-        return update.finish(new, spec, dictionary, moved, inline)
+        dictionary = self._model(context).dictionary
+        return update.finish(
+            {**context["_copier_answers"], "spec": spec},
+            self._renderer(context),
+            dictionary,
+            self._merge("moves").moved_files(folder, spec, dictionary),
+            context["_copier_conf"]["conflict"] == "inline",
+        )
+
+    def _renderer(self, context: Context) -> Any:
+        package, answers = self._package(context), context["_copier_answers"]
+        return self._merge("render").Renderer(
+            Path(context["_copier_conf"]["src_path"]),
+            answers.get("_src_path"),
+            answers.get("_commit"),
+            package.folder.name,
+            package.answers_file,
+        )
 
     def _check_update(self, context: Context, values: dict[str, Any], shown: str) -> None:
         """Refuse an update or a recopy that could not be undone, before it writes anything."""
@@ -133,19 +147,11 @@ class SpecExtension(Extension):
         if answers.exists() and not context["_copier_conf"]["pretend"]:
             self._merge("preflight").check(
                 package.folder,
-                package.answers_file,
                 shown,
-                values,
+                {**context["_copier_answers"], "spec": values},
                 self._model(context).dictionary,
-                lambda: self._new_render(context, values),
+                self._renderer(context),
             )
-
-    def _new_render(self, context: Context, values: dict[str, Any]) -> Any:
-        conf, package = context["_copier_conf"], self._package(context)
-        answers = {**context["_copier_answers"], "spec": values}
-        return self._merge("render").render(
-            str(conf["src_path"]), "HEAD", answers, package.folder.name, package.answers_file
-        )
 
     def _merge(self, name: str) -> Any:
         """Load a module of `hooks.merge`, which no render needs."""

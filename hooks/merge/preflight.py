@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,18 +11,17 @@ from ..dictionary import Dictionary
 from ..faults import SpecError
 from .git import changed, is_repository, tracked, untracked
 from .renaming import plan_renames
-from .render import Render, recorded_answers, render_recorded
+from .render import Renderer, recorded_answers
 from .transaction import is_guarded
 from .tree import LINK, SUBMODULE
 
 
 def check(
     package: Path,
-    answers_file: str,
     spec_file: str,
-    spec: Mapping[str, Any],
+    new_answers: Mapping[str, Any],
     dictionary: Dictionary,
-    render_new: Callable[[], Render],
+    renderer: Renderer,
 ) -> None:
     """Check that a package can be updated or made again; `spec_file` is for messages.
 
@@ -33,23 +32,22 @@ def check(
         SpecError: it cannot; the message has the remedy.
 
     """
-    answers = recorded_answers(package, answers_file)
+    spec = new_answers["spec"]
+    answers = recorded_answers(package, renderer.answers_file)
     recorded = answers.get("spec") or {}
     if answers:
         check_names_before(recorded, spec, dictionary, spec_file)
     modes = tracked(package) if is_repository(package) else {}
     renamed = any(mark.before != mark.after for mark in marked(recorded, spec, dictionary)[1])
     at_risk = not modes or bool(untracked(package)) or LINK in modes.values()
-    touched = {answers_file}
+    touched = {renderer.answers_file}
     moves: dict[str, str] = {}
     if at_risk or renamed or not is_guarded(package):
-        touched |= set(render_new().tree)
+        touched |= set(renderer.fresh(new_answers).tree)
     if answers and (at_risk or renamed):
-        old = render_recorded(answers, package.name, answers_file)
+        old = renderer.recorded(answers)
         touched |= set(old.tree)
-        renaming = plan_renames(
-            answers, spec, dictionary, old.tree, modes, package.name, answers_file
-        )
+        renaming = plan_renames(answers, spec, dictionary, old.tree, modes, renderer)
         moves = {path: renaming.path(path) for path in modes}
         moves = {path: after for path, after in moves.items() if after != path}
     refuse(package, touched | set(moves.values()), moves)

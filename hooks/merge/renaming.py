@@ -17,7 +17,7 @@ from ..dictionary import Dictionary
 from .blocks import Block
 from .languages import Language, language
 from .lines import split
-from .render import render_recorded
+from .render import Renderer
 from .tokens import Word, exchange, words
 from .tree import Tree
 
@@ -101,14 +101,13 @@ def plan_renames(
     dictionary: Dictionary,
     old: Tree,
     mine: Iterable[str],
-    name: str,
-    answers_file: str,
+    renderer: Renderer,
 ) -> Renaming:
     """Find what the renames of a spec exchange; nothing where it has none."""
     context, marks = marked(answers.get("spec") or {}, spec, dictionary)
     if not any(mark.before != mark.after for mark in marks):
         return Renaming()
-    render = render_recorded({**answers, "spec": context}, name, answers_file)
+    render = renderer.recorded({**answers, "spec": context})
     return plan(old, render.tree, marks, mine)
 
 

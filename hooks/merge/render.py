@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -25,41 +26,61 @@ class Render:
     """Says of a path whether it is the developer's: written once, never again."""
 
 
-def render(
-    source: str, version: str | None, answers: Mapping[str, Any], name: str, answers_file: str
-) -> Render:
-    """Render a package that is called `name`; keys of `answers` that begin with _ are Copier's.
+@dataclass(frozen=True)
+class Renderer:
+    """Renders a package with the template that Copier uses now, or with a recorded version.
 
-    Raises:
-        copier.errors.CopierError: the template or the answers have a fault.
-
+    `folder` is where Copier has put the template, `url` and `commit` are what its answers record
+    of it; `name` is the folder of the package. Keys of answers that begin with _ are Copier's.
     """
-    with tempfile.TemporaryDirectory(prefix="ros_package.") as folder:
-        worker = copier.run_copy(
-            source,
-            Path(folder) / name,
-            data={key: value for key, value in answers.items() if not key.startswith("_")},
-            answers_file=answers_file,
-            vcs_ref=version,
-            defaults=True,
-            unsafe=True,
-            quiet=True,
-        )
-        tree = read_folder(Path(folder) / name)
-        tree.pop(answers_file, None)
-        kept = {path for path in tree if worker.match_skip(Path(path))}
-    return Render(tree, kept.__contains__)
+
+    folder: Path
+    url: str
+    commit: str
+    name: str
+    answers_file: str
+
+    def fresh(self, answers: Mapping[str, Any]) -> Render:
+        """Render with the template of now.
+
+        Raises:
+            copier.errors.CopierError: the template or the answers have a fault.
+
+        """
+        with tempfile.TemporaryDirectory(prefix="template.") as folder:
+            # Copier clones a repository, which takes longer than all the rest.
+            copy = Path(folder) / self.folder.name
+            shutil.copytree(self.folder, copy, symlinks=True, ignore=_without_git)
+            return self._render(str(copy), None, answers)
+
+    def recorded(self, answers: Mapping[str, Any]) -> Render:
+        """Render with the version that the answers name, which raises as above."""
+        url, commit = str(answers["_src_path"]), answers.get("_commit")
+        if (url, commit) == (self.url, self.commit):
+            return self.fresh(answers)
+        return self._render(os.path.expanduser(url), commit, answers)
+
+    def _render(self, source: str, version: str | None, answers: Mapping[str, Any]) -> Render:
+        with tempfile.TemporaryDirectory(prefix="ros_package.") as folder:
+            target = Path(folder) / self.name
+            worker = copier.run_copy(
+                source,
+                target,
+                data={key: value for key, value in answers.items() if not key.startswith("_")},
+                answers_file=self.answers_file,
+                vcs_ref=version,
+                defaults=True,
+                unsafe=True,
+                quiet=True,
+            )
+            tree = read_folder(target)
+            tree.pop(self.answers_file, None)
+            kept = {path for path in tree if worker.match_skip(Path(path))}
+        return Render(tree, kept.__contains__)
 
 
-def render_recorded(answers: Mapping[str, Any], name: str, answers_file: str) -> Render:
-    """Render what some recorded answers gave, with the version of the template they name."""
-    return render(
-        os.path.expanduser(str(answers["_src_path"])),
-        answers.get("_commit"),
-        answers,
-        name,
-        answers_file,
-    )
+def _without_git(_: str, names: list[str]) -> list[str]:
+    return [name for name in names if name == ".git"]
 
 
 def recorded_answers(package: Path, answers_file: str) -> dict[str, Any]:

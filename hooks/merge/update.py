@@ -14,7 +14,7 @@ from . import git
 from .package import Result, merge_package
 from .proof import Proof, prove, uses
 from .renaming import Renaming, plan_renames
-from .render import Render, recorded_answers, render_recorded
+from .render import Renderer, recorded_answers
 from .transaction import Guard, Snapshot, take
 from .tree import Tree, read_paths
 
@@ -39,8 +39,8 @@ class Update:
 
     def finish(
         self,
-        new: Render,
-        spec: Mapping[str, Any],
+        answers: Mapping[str, Any],
+        renderer: Renderer,
         dictionary: Dictionary,
         moved: Mapping[str, str],
         inline: bool,
@@ -48,8 +48,8 @@ class Update:
         """Merge, put in place, prove.
 
         Args:
-            new: the new version.
-            spec: its context.
+            answers: those of the new version, the context among them.
+            renderer: renders the package.
             dictionary: what names the items of a context.
             moved: the new paths of files that the new version of the model calls otherwise.
             inline: whether conflicts go between marks, else to files that end in .rej.
@@ -59,7 +59,7 @@ class Update:
 
         """
         try:
-            report = self._finish(new, spec, dictionary, moved, inline)
+            report = self._finish(answers, renderer, dictionary, moved, inline)
         except BaseException:
             self.guard.undo()
             raise
@@ -68,18 +68,16 @@ class Update:
 
     def _finish(
         self,
-        new: Render,
-        spec: Mapping[str, Any],
+        answers: Mapping[str, Any],
+        renderer: Renderer,
         dictionary: Dictionary,
         moved: Mapping[str, str],
         inline: bool,
     ) -> Report:
-        name = self.package.name
-        old = render_recorded(self.answers, name, self.answers_file)
+        spec = answers["spec"]
+        old, new = renderer.recorded(self.answers), renderer.fresh(answers)
         mine = {p: f for p, f in self.snapshot.files.items() if p != self.answers_file}
-        renaming = plan_renames(
-            self.answers, spec, dictionary, old.tree, mine, name, self.answers_file
-        )
+        renaming = plan_renames(self.answers, spec, dictionary, old.tree, mine, renderer)
         renaming.moved = {
             path: target
             for path, target in moved.items()

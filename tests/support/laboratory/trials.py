@@ -19,7 +19,6 @@ from hooks.dictionary import load
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
 from hooks.merge.renaming import Renaming, plan
-from hooks.merge.render import render
 from hooks.merge.tree import File, encode, read_folder
 from support.laboratory import specs
 from support.laboratory.edits import edit
@@ -102,10 +101,8 @@ class Laboratory:
         context, marks = marked(answers["spec"], new_answers["spec"], dictionary)
         renaming = Renaming()
         if any(mark.before != mark.after for mark in marks):
-            source = str(self.collection)
-            marked_render = render(
-                source, old_version, answers | {"spec": context}, "lab", ANSWERS
-            )
+            renderer = Renderer(self.collection, "", "", "lab", ANSWERS)
+            marked_render = renderer.recorded(answers | {"spec": context})
             renaming = plan(_tree(old), marked_render.tree, marks, old)
         for folder in (old_folder, new_folder):
             shutil.rmtree(folder.parent)
