@@ -104,7 +104,7 @@ def test_the_judge_sees_a_wrong_merge(pairs, mutant):
         spoiled.append(mutant(*arguments))
 
     for pair in pairs:
-        for _ in range(6):
+        for _ in range(3):
             counts = Counts()
             assert trial(random, pair, counts, formatters=False) == []
             complaints = trial(random, pair, counts, spoil, formatters=False)

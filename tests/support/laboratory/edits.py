@@ -160,7 +160,9 @@ def _package_xml(random, edited, path, lines):
 
 
 def _launch(random, edited, path, lines):
-    _beside(random, edited, path, lines, "^  <node ", '<arg name="{}" default="1"/>'.format)
+    places = [i for i, line in enumerate(lines) if line.startswith("  <node ")]
+    at = random.choice([*places, len(lines) - 2])
+    lines.insert(at, f'  <arg name="{edited.mark(path)}" default="1"/>')
 
 
 def _yaml(random, edited, path, lines):

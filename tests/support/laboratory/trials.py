@@ -19,6 +19,7 @@ from hooks.dictionary import load
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
 from hooks.merge.renaming import Renaming, plan
+from hooks.merge.render import Renderer
 from hooks.merge.tree import File, encode, read_folder
 from support.laboratory import specs
 from support.laboratory.edits import edit
