@@ -66,12 +66,17 @@ def merge(path: str, mine: Version, old: Version | None, new: Version) -> Outcom
         except (ValueError, RecursionError):
             pass
     if old is None:
-        return Outcome([Conflict(lines.split(mine.text), [], lines.split(new.text))])
-    texts = mine.text, old.text, new.text
-    outcome = by_line(known, *texts)
+        return conflict(path, mine, old, new)
+    outcome = by_line(known, mine.text, old.text, new.text)
     if outcome.conflict or readable(known, outcome.merged):
         return outcome
-    return Outcome([Conflict(*(lines.split(text) for text in texts))])
+    return conflict(path, mine, old, new)
+
+
+def conflict(path: str, mine: Version, old: Version | None, new: Version) -> Outcome:
+    """Leave all of a file to the developer."""
+    texts = (mine.text, old.text if old else "", new.text)
+    return Outcome([Conflict(*map(lines.split, texts))])
 
 
 def by_line(known: Language, mine: str, old: str, new: str) -> Outcome:

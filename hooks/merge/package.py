@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 
 from . import lines
 from .languages import language
-from .merging import Outcome, Version, merge
+from .merging import Outcome, Version, conflict, merge
 from .renaming import Renaming
 from .tree import LINK, File, Tree, encode
 
@@ -39,10 +39,18 @@ class Result:
 
 
 def merge_package(
-    mine: Tree, old: Tree, new: Tree, renaming: Renaming, is_kept: Callable[[str], bool]
+    mine: Tree,
+    old: Tree,
+    new: Tree,
+    renaming: Renaming,
+    is_kept: Callable[[str], bool],
+    unmerged: Collection[str] = (),
 ) -> Result:
-    """Merge; `is_kept` says of a path that the developer's file stays as it is."""
-    return _Package(mine, old, new, renaming, is_kept).result
+    """Merge; `is_kept` says of a path that the developer's file stays as it is.
+
+    Files in `unmerged` become conflicts from the first line to the last.
+    """
+    return _Package(mine, old, new, renaming, is_kept, unmerged).result
 
 
 class _Package:
@@ -53,8 +61,10 @@ class _Package:
         new: Tree,
         renaming: Renaming,
         is_kept: Callable[[str], bool],
+        unmerged: Collection[str],
     ) -> None:
         self.new, self.renaming, self.result = new, renaming, Result()
+        self.unmerged = unmerged
         self.source = {renaming.path(path): path for path in old} | {
             renaming.path(path): path for path in mine
         }
@@ -121,17 +131,18 @@ class _Package:
         bom, ours = (BOM, ours[1:]) if ours.startswith(BOM) else ("", ours)
         crlf = "\r\n" in ours and ours.count("\r\n") == ours.count("\n")
         ours = ours.replace("\r\n", "\n") if crlf else ours
-        outcome = merge(
-            path,
+        versions = (
             self._version(origin, ours),
             self._version(origin, base) if old else None,
             Version(theirs, lambda known: known.blocks(theirs)),
         )
+        choose = conflict if path in self.unmerged else merge
+        outcome = choose(path, *versions)
         self._note(path, source, outcome)
         text = bom + (outcome.text.replace("\n", "\r\n") if crlf else outcome.text)
         if outcome.conflict:
-            versions = {2: mine.data, 3: new.data} | ({1: old.data} if old else {})
-            self.result.conflicts[path] = versions
+            stages = {2: mine.data, 3: new.data} | ({1: old.data} if old else {})
+            self.result.conflicts[path] = stages
             self.result.rejected[path] = File(encode(lines.rejected(path, outcome.merged)))
             settled = bom + "".join(lines.settled(outcome.merged))
             self.result.settled[path] = File(

@@ -26,8 +26,8 @@ class Proof:
     in_place: int = 0
     named: int = 0
     """Lines that left with what the summary says was removed."""
-    lost: list[str] = field(default_factory=list)
-    """What should not be: `path: line`."""
+    lost: list[tuple[str, str]] = field(default_factory=list)
+    """What should not be: files, by their paths after the update, and lines of them."""
 
     @property
     def sentence(self) -> str:
@@ -60,7 +60,7 @@ def _prove_file(
     found = tree.get(target)
     if mine.text is None:
         if found is None and path not in result.left and mine != base:
-            proof.lost.append(f"{path}: the file")
+            proof.lost.append((target, "the file"))
         return
     known = language(path, mine.text)
     ours, old = _plain(mine.text), (base.text if base else None) or ""
@@ -70,15 +70,15 @@ def _prove_file(
         proof.named += len(lines)
         return
     text = _my_side(_plain(found.text or "")) if found else ""
-    _read_back(proof, path, known, lines, text, result.removed.get(path, []))
+    _read_back(proof, target, known, lines, text, result.removed.get(path, []))
     changed = found is not None and target not in result.conflicts and text != ours
     if changed and _parses(known, ours) and not _parses(known, text):
-        proof.lost.append(f"{target}: cannot be read any more")
+        proof.lost.append((target, "cannot be read any more"))
 
 
 def _read_back(
     proof: Proof,
-    path: str,
+    target: str,
     known: Language,
     lines: list[tuple[str, str]],
     text: str,
@@ -94,7 +94,7 @@ def _read_back(
         elif any(name in scope for name in removed):
             proof.named += 1
         else:
-            proof.lost.append(f"{path}: {line.strip()}")
+            proof.lost.append((target, line.strip()))
 
 
 def developer_lines(

@@ -7,7 +7,7 @@ out, there the model has used the name, and in which form.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 from typing import Any
@@ -16,7 +16,6 @@ from ..changes import Mark, marked
 from ..dictionary import Dictionary
 from .blocks import Block
 from .languages import Language, language
-from .lines import split
 from .render import Renderer
 from .tokens import Word, exchange, words
 from .tree import Tree
@@ -83,9 +82,11 @@ class Renaming:
             ValueError: it is not of this language.
 
         """
-        blocks = known.blocks(text)
-        _replace(blocks, self.keys.get(path, {}), iter(split(self.text(path, text))))
-        return blocks
+        exchanged = known.blocks(self.text(path, text))
+        if path in self.keys:
+            # Only the names of before tell two blocks apart, one of which has the other's name.
+            _rename(exchanged, known.blocks(text), self.keys[path])
+        return exchanged
 
     def words(self) -> dict[str, str]:
         """Return every word that has been exchanged somewhere."""
@@ -111,12 +112,10 @@ def plan_renames(
     return plan(old, render.tree, marks, mine)
 
 
-def _replace(blocks: Iterable[Block], keys: Mapping[str, str], lines: Iterator[str]) -> None:
-    for block in blocks:
-        block.key = keys.get(block.key, block.key)
-        block.lines = [next(lines) for _ in block.lines]
-        _replace(block.children, keys, lines)
-        block.tail = [next(lines) for _ in block.tail]
+def _rename(blocks: Iterable[Block], before: Iterable[Block], keys: Mapping[str, str]) -> None:
+    for block, same in zip(blocks, before, strict=True):
+        block.key = keys.get(same.key, block.key)
+        _rename(block.children, same.children, keys)
 
 
 def plan(old: Tree, marked: Tree, marks: Sequence[Mark], mine: Iterable[str]) -> Renaming:

@@ -51,8 +51,8 @@ class Snapshot:
             _write(self.package, path, file)
         self._restore_index()
         for path, versions in result.conflicts.items() if inline else ():
-            mode = result.tree[path].mode
-            git.mark_conflict(self.package, path, mode, versions)
+            if path in wanted:
+                git.mark_conflict(self.package, path, wanted[path].mode, versions)
 
 
 def take(package: Path) -> Snapshot:

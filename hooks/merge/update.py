@@ -83,14 +83,18 @@ class Update:
             for path, target in moved.items()
             if target in new.tree and path not in new.tree
         }
-        result = merge_package(mine, old.tree, new.tree, renaming, new.is_kept)
+        trees = (mine, old.tree, new.tree, renaming, new.is_kept)
+        result = merge_package(*trees)
+        doubtful = prove(mine, old.tree, result, result.tree, renaming).lost
+        if doubtful:
+            result = merge_package(*trees, unmerged={path for path, _ in doubtful})
         self.snapshot.put(result, {self.answers_file}, inline)
         found = read_paths(self.package, result.tree)
         proof = prove(mine, old.tree, result, found, renaming)
         if proof.lost:
             raise SpecError(
                 "the update was undone, for it would have put lines of yours where you did not"
-                " write them:\n  " + "\n  ".join(proof.lost[:20])
+                " write them:" + "".join(f"\n  {path}: {line}" for path, line in proof.lost[:20])
             )
         said = changes(self.answers.get("spec") or {}, spec, dictionary)
         return self._report([*said], result, proof, new.tree, found, renaming)

@@ -127,7 +127,7 @@ def trial(random, pair, counts, mutate=None, **options):
     )
     complaints += unjustified(pair, result, edited)
     proof = prove(mine, old, result, result.tree, pair.renaming)
-    complaints += [f"proof: {line}" for line in proof.lost]
+    complaints += [f"proof: {path}: {line}" for path, line in proof.lost]
     count(counts, pair, edited, texts, complaints)
     return complaints
 
