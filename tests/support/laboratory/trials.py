@@ -199,9 +199,12 @@ def unjustified(pair, result, edited):
     complaints = [f"{path}: left, and is new" for path in result.left if path in pair.new]
     for path, parts in result.removed.items():
         target = pair.renaming.path(path)
+        taken = renamed(pair).get(path, {}).values()
         for part in parts:
             name = part.rpartition("::")[2]
-            if re.search(rf"\b{re.escape(name)}\(", pair.new.get(target, "")):
+            if name not in taken and re.search(
+                rf"\b{re.escape(name)}\(", pair.new.get(target, "")
+            ):
                 complaints.append(f"{path}: {part} removed, and is new")
     return complaints
 
