@@ -7,7 +7,7 @@ version has it, and a block of the developer's own stays after the block it foll
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from ..changes import GONE
@@ -53,16 +53,17 @@ def merge(path: str, mine: Version, old: Version | None, new: Version) -> Outcom
     """
     if mine.text == new.text or (old and mine.text == old.text):
         return Outcome(lines.split(new.text))  # type: ignore[arg-type]
-    if old and new.text == old.text:
-        return Outcome(lines.split(mine.text))  # type: ignore[arg-type]
     known = language(path, new.text)
+    if old and new.text == old.text:
+        return Outcome(lines.split(mine.text), [], _missing(known, mine, old, new))  # type: ignore[arg-type]
     if known not in (TEXT, MARKDOWN) or old is not None:
         try:
             merger = _Merger(known)
             base = old.read(known) if old else []
             merged = merger.sequence(mine.read(known), base, new.read(known), ())
             if readable(known, merged):
-                return Outcome(merged, merger.removed, merger.missing)
+                missing = _missing(known, mine, old, new) if old else []
+                return Outcome(merged, merger.removed, missing)
         except (ValueError, RecursionError):
             pass
     if old is None:
@@ -96,11 +97,32 @@ def readable(known: Language, merged: Merged) -> bool:
     return True
 
 
+def _missing(known: Language, mine: Version, old: Version, new: Version) -> list[str]:
+    """Return the parts that the developer has deleted: functions, elements, keys, sections."""
+    try:
+        return list(_deleted(*(version.read(known) for version in (mine, old, new))))
+    except (ValueError, RecursionError):
+        return []
+
+
+def _deleted(mine: Sequence[Block], old: Sequence[Block], new: Sequence[Block]) -> Iterator[str]:
+    ours, base = ({block.key: block for block in side} for side in (mine, old))
+    for block in new:
+        if block.key in ours and block.key in base:
+            inner = (ours[block.key], base[block.key], block)
+            yield from _deleted(*(found.children for found in inner))
+        elif block.key in base and not _LOOSE.match(block.key):
+            yield _name((block.key,))
+
+
+_LOOSE = re.compile(r"comment |header|docstring|empty|text|start|#|from |import |using |.* =$")
+"""Blocks that are known by what they say, or that nobody misses."""
+
+
 class _Merger:
     def __init__(self, known: Language) -> None:
         self.language = known
         self.removed: list[str] = []
-        self.missing: list[str] = []
 
     def sequence(
         self,
@@ -120,9 +142,7 @@ class _Merger:
                     self.removed.append(_name((*scope, key)))
             elif key in ours:
                 merged += lines.split(ours[key].text)
-            elif key in base:
-                self.missing.append(_name((*scope, key)))
-            else:
+            elif key not in base:
                 merged += lines.split(theirs[key].text)
         return merged
 

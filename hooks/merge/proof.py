@@ -58,6 +58,8 @@ def _prove_file(
 ) -> None:
     path, origin, target = paths
     found = tree.get(target)
+    if base and mine.data == base.data:
+        return
     if mine.text is None:
         if found is None and path not in result.left and mine != base:
             proof.lost.append((target, "the file"))

@@ -3,28 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from ..changes import changes
 from ..dictionary import Dictionary
 from ..faults import SpecError
-from . import git
-from .package import Result, merge_package
-from .proof import Proof, prove, uses
-from .renaming import Renaming, plan_renames
+from .package import merge_package
+from .proof import prove, uses
+from .renaming import plan_renames
 from .render import Renderer, recorded_answers
+from .report import Report, report
 from .transaction import Guard, Snapshot, take
-from .tree import Tree, read_paths
-
-
-@dataclass
-class Report:
-    """What an update has to say, line by line."""
-
-    lines: list[str] = field(default_factory=list)
-    conflicts: list[str] = field(default_factory=list)
+from .tree import read_paths
 
 
 class Update:
@@ -59,12 +50,12 @@ class Update:
 
         """
         try:
-            report = self._finish(answers, renderer, dictionary, moved, inline)
+            said = self._finish(answers, renderer, dictionary, moved, inline)
         except BaseException:
             self.guard.undo()
             raise
         self.guard.release()
-        return report
+        return said
 
     def _finish(
         self,
@@ -97,54 +88,5 @@ class Update:
                 " write them:" + "".join(f"\n  {path}: {line}" for path, line in proof.lost[:20])
             )
         said = changes(self.answers.get("spec") or {}, spec, dictionary)
-        return self._report([*said], result, proof, new.tree, found, renaming)
-
-    def _report(
-        self,
-        said: list[str],
-        result: Result,
-        proof: Proof,
-        new: Tree,
-        found: Tree,
-        renaming: Renaming,
-    ) -> Report:
-        commit = git.last_commit(self.package)
-        files = self.snapshot.files
-        lines = list(said)
-        sources = {after: before for before, after in result.moved.items()}
-        for path, file in sorted(found.items()):
-            before = files.get(sources.get(path, path))
-            if path in result.conflicts:
-                continue
-            if path in sources:
-                lines.append(f"moved     {sources[path]} -> {path}")
-            elif before is None:
-                lines.append(f"added     {path}{self._seen_before(path)}")
-            elif before != file:
-                lines.append(f"merged    {path}")
-        gone = sorted(set(files) - set(found) - set(result.moved) - {self.answers_file})
-        for path in gone:
-            if path in files and not (self.package / path).exists():
-                lines.append(f"removed   {path}      (see it again: git show {commit}:./{path})")
-        for path, parts in sorted(result.removed.items()):
-            lines += [
-                f"removed   {part} from {path}      (see it again: git show {commit}:./{path})"
-                for part in parts
-            ]
-        nothing = len(lines) == len(said)
-        lines += [f"missing   {path}{part and ': '}{part}" for path, part in _missing(result)]
-        lines += [f"still     {use}" for use in uses(files, new, found, renaming)]
-        conflicts = sorted(result.conflicts)
-        lines += [f"CONFLICT  {path}" for path in conflicts]
-        if nothing and not conflicts and not said:
-            lines.append("Nothing has changed.")
-        return Report([*lines, proof.sentence], conflicts)
-
-    def _seen_before(self, path: str) -> str:
-        """Name the commit that had a file which comes again."""
-        commit = git.commit_that_had(self.package, path)
-        return f"      (as it was: git show {commit}:./{path})" if commit else ""
-
-
-def _missing(result: Result) -> list[tuple[str, str]]:
-    return [(path, part) for path, parts in sorted(result.missing.items()) for part in parts]
+        still = uses(mine, new.tree, found, renaming)
+        return report(self.package, self.snapshot.files, found, result, [*said], still, proof)
