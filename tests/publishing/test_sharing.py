@@ -1,9 +1,11 @@
 """Models as git repositories of their own: `copier copy gh:org/python_model mypkg`."""
 
+import re
+
 import pytest
 
 from support.packages import QUIET, answers
-from support.repository import EXAMPLES, commit, git
+from support.repository import EXAMPLES, ROOT, commit, git
 
 EXAMPLE_OF = {
     "python_model": ("contact_analysis", "contact_evaluate"),
@@ -80,3 +82,14 @@ def test_published_model_holds_what_it_needs_and_no_more(github, tmp_path):
     assert {"copier.yml", "dictionary.yaml", "functions.py", "template", "README.md"} <= names
     assert {"hooks", "extensions", "shared", "LICENSE"} <= names
     assert not names & {"python_model", "cpp_model", "tests", "docs", "Makefile"}
+
+
+def test_readme_of_a_published_model_leads_back(github, tmp_path):
+    """To pages of the collection that are there."""
+    models = sorted(path.parent.name for path in ROOT.glob("*_model/copier.yml"))
+    for model in models:
+        readme = git(tmp_path / f"github/org/{model}.git", "show", "main:README.md")
+        assert readme.startswith(f"# {model}\n")
+        pages = re.findall(r"ros_package_models/blob/main/([\w/.]+)\)", readme)
+        assert "docs/developers.md" in pages
+        assert all((ROOT / page).is_file() for page in pages)
