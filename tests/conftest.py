@@ -137,10 +137,10 @@ def copier_command():
 @pytest.fixture
 def ros1():
     """ROS 1, or skip."""
-    return ros.ros1() or pytest.skip("ROS 1 (Debian's packages) is not installed")
+    return ros.ros1() or pytest.skip(ros.NO_ROS1)
 
 
 @pytest.fixture
 def ros2():
     """ROS 2, or skip."""
-    return ros.ros2() or pytest.skip("ROS 2 (sourced, or its wheels in .venv/ros2) is not there")
+    return ros.ros2() or pytest.skip(ros.NO_ROS2)

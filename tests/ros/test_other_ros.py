@@ -5,15 +5,14 @@ import shutil
 import pytest
 
 from support import ros
-from support.packages import DATA, LOGIC, MODELS, all_kinds, fill_in, without_tf
+from support.packages import LOGIC, all_kinds, fill_in, without_tf
 from support.repository import EXAMPLES, commit, git
 from support.ros import nodes
 
 
 @pytest.mark.ros1
 @pytest.mark.ros2
-@pytest.mark.parametrize("model", MODELS)
-def test_there_and_back(ros1, ros2, render, update, tmp_path, model):
+def test_there_and_back(ros1, ros2, ros1_interfaces, render, update, tmp_path, model):
     """The wheels of ROS 2 lack rclcpp, and for Python tf2_ros."""
     in_python = model == "python_model"
     spec = without_tf(all_kinds()) if in_python else all_kinds()
@@ -29,7 +28,7 @@ def test_there_and_back(ros1, ros2, render, update, tmp_path, model):
     if in_python or ros.has_package(ros2, "rclcpp"):
         ros2.build(tmp_path)
         with nodes(ros2, tmp_path, "all_kinds", "worker"):
-            ros2.scenario(tmp_path, *options)
+            ros2.talk(tmp_path, "all_kinds", *options)
     for folder in ("build", "install", "log"):
         shutil.rmtree(tmp_path / folder, ignore_errors=True)
     update(package, ros_distro="noetic")
@@ -37,10 +36,9 @@ def test_there_and_back(ros1, ros2, render, update, tmp_path, model):
     assert (package / LOGIC[model]).read_text() == logic
     assert git(package, "ls-files") == files
     assert git(package, "diff", "HEAD~2", "HEAD", "--stat") == ""
-    shutil.copytree(DATA / "test_msgs", tmp_path / "src/test_msgs")
-    ros1.build(tmp_path)
+    ros1.build(tmp_path, ros1_interfaces)
     with ros.master(ros1), ros1.running("roslaunch all_kinds all_kinds.launch", tmp_path):
-        ros1.scenario(tmp_path, *options)
+        ros1.talk(tmp_path, "all_kinds", *options)
 
 
 @pytest.mark.parametrize("distro", ["humble", "rolling"])

@@ -1,90 +1,66 @@
 """The models in ROS 1: packages built by catkin, started by roslaunch, talked to by rospy."""
 
 import re
-import shutil
 import xml.etree.ElementTree as ET
 
 import pytest
 
 from support import ros
-from support.packages import (
-    DATA,
-    HOSTILE,
-    LOGIC,
-    MODELS,
-    add_volume,
-    all_kinds,
-    fill_in,
-    use_volume,
-)
-from support.repository import EXAMPLES
+from support.packages import LOGIC, add_volume, all_kinds, fill_in, use_volume
 
-pytestmark = [pytest.mark.ros1, pytest.mark.parametrize("model", MODELS)]
+pytestmark = pytest.mark.ros1
 
 
-@pytest.fixture
-def workspace(tmp_path):
-    """A workspace with the interfaces that ROS 1 lacks."""
-    shutil.copytree(DATA / "test_msgs", tmp_path / "src/test_msgs")
-    return tmp_path
-
-
-def run_scenario(ros1, workspace, *options):
-    with ros.master(ros1), ros1.running("roslaunch all_kinds all_kinds.launch", workspace) as log:
-        ros1.scenario(workspace, "tf", *options)
+def launch_and_talk(ros1, workspace, package, *options):
+    """Start the nodes of a package, talk to them, and return what they print."""
+    with (
+        ros.master(ros1),
+        ros1.running(f"roslaunch {package} {package}.launch", workspace) as log,
+    ):
+        ros1.talk(workspace, package, *options)
+        assert "Traceback" not in log()
         return log()
 
 
-def test_every_interface(ros1, render, workspace, model):
-    package = render(all_kinds(), model=model, ros_distro="noetic", name="src/all_kinds")
-    fill_in(package, model)
-    built = ros1.build(workspace)
-    assert "warning:" not in built
-    log = run_scenario(ros1, workspace)
+def test_every_interface(ros1, ros1_with_logic):
+    assert "warning:" not in ros1_with_logic.printed
+    log = launch_and_talk(ros1, ros1_with_logic.workspace, "all_kinds", "tf")
     assert "Waiting for service permit, action delegate." in log
-    assert "Traceback" not in log
 
 
-def test_added_subscriber(ros1, render, update, workspace, model):
+@pytest.mark.parametrize("package", ["serving", "contact_analysis"])
+def test_other_examples(ros1, ros1_with_logic, package):
+    launch_and_talk(ros1, ros1_with_logic.workspace, package)
+
+
+def test_added_subscriber(ros1, ros1_interfaces, render, update, tmp_path, model):
     package = render(all_kinds(), model=model, ros_distro="noetic", name="src/all_kinds")
     logic = fill_in(package, model)
     add_volume(package)
     update(package)
     assert (package / LOGIC[model]).read_text() == logic
     use_volume(package, model)
-    ros1.build(workspace)
-    run_scenario(ros1, workspace, "volume")
+    ros1.build(tmp_path, ros1_interfaces)
+    launch_and_talk(ros1, tmp_path, "all_kinds", "tf", "volume")
 
 
-def test_package_tests_and_linters(ros1, render, workspace, model):
+def test_package_tests_and_linters(ros1, ros1_untouched):
     """The untouched packages pass their own tests, catkin_lint and the schema of REP 149."""
-    packages = [
-        render(spec, model=model, ros_distro="noetic", name=f"src/{name}")
-        for name, spec in (
-            ("all_kinds", EXAMPLES / "all_kinds.ros_package"),
-            ("hostile", HOSTILE),
-        )
-    ]
-    built = ros1.build(workspace)
-    assert "warning:" not in built, built
-    ros1.run("catkin_make run_tests", workspace, workspace)
-    result = ros1.run("catkin_test_results", workspace, workspace).stdout
-    assert re.search(r"Summary: [1-9]\d tests, 0 errors, 0 failures, 0 skipped", result), result
-    for package in packages:
-        lint = ros1.run("catkin_lint --strict -W1 .", package).stdout
+    assert "warning:" not in ros1_untouched.printed, ros1_untouched.printed
+    results = ros1_untouched.results
+    assert re.search(r"Summary: [1-9]\d tests, 0 errors, 0 failures, 0 skipped", results), results
+    packages = sorted((ros1_untouched.workspace / "src").glob("*/package.xml"))
+    assert len(packages) == 4
+    for file in packages:
+        lint = ros1.run("catkin_lint --strict -W1 .", file.parent).stdout
         assert "found 0 problems" in lint, lint
-        ros1.run("xmllint --noout package.xml", package)
+        ros1.run("xmllint --noout package.xml", file.parent)
 
 
-def test_installed_package_is_whole(ros1, render, workspace, model):
+def test_installed_package_is_whole(ros1, ros1_untouched):
     """`catkin_make install` brings everything the launch file needs."""
-    render(
-        HOSTILE,
-        model=model,
-        ros_distro="noetic",
-        name="src/hostile",
-    )
-    ros1.run("catkin_make install", workspace)
+    workspace = ros1_untouched.workspace
+    ros1.run("catkin_make install", workspace, workspace)
     share = workspace / "install/share/hostile"
     assert ET.parse(share / "launch/hostile.launch").getroot().tag == "launch"
     assert (share / "config/first_one.yaml").exists()

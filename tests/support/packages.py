@@ -28,6 +28,14 @@ def fill_in(package, model):
     return (package / LOGIC[model]).read_text()
 
 
+def fill_in_serving(package, model):
+    """Write the logic of the clerk, and give its parameters other values than the spec."""
+    git(package, "apply", str(DATA / f"logic/serving_{model}.patch"))
+    config = package / "config/clerk.yaml"
+    config.write_text(config.read_text().replace('"hello"', '"good day"').replace("0.5", "0.05"))
+    commit(package, "Fill in the logic")
+
+
 def add_volume(package):
     """Add a subscriber to the spec of a package."""
     file = package / "all_kinds.ros_package"

@@ -17,6 +17,8 @@ from pathlib import Path
 
 PEERS = Path(__file__).parents[1] / "ros/peers"
 WHEELS = Path(__file__).parents[2] / ".venv" / "ros2"
+NO_ROS1 = "ROS 1 (Debian's packages) is not installed"
+NO_ROS2 = "ROS 2 (sourced, or its wheels in .venv/ros2) is not there"
 # The environment before the tests change it: a ROS 2 may be sourced in it. The Makefile keeps
 # the modules of that ROS out of pytest, which has a Python of its own.
 SHELL = os.environ | {"PYTHONPATH": os.environ.get("ROS_PYTHONPATH", "")}
@@ -31,6 +33,8 @@ class Ros:
     environment: dict[str, str]
     workspace_setup: str
     build_command: str
+    test_command: str
+    result_command: str
     python: str
 
     def command(self, command, workspace=None):
@@ -83,14 +87,19 @@ class Ros:
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)
 
-    def build(self, workspace):
+    def build(self, workspace, underlay=None):
         """Build the packages of a workspace and return what the build printed."""
-        return self.run(self.build_command, workspace).stdout
+        return self.run(self.build_command, workspace, underlay, timeout=1800).stdout
 
-    def scenario(self, workspace, *options):
-        """Talk to the running nodes of a workspace; see peers/scenario.py."""
-        peer = "ros1" if "ROS_MASTER_URI" in self.environment else "ros2"
-        command = shlex.join([self.python, str(PEERS / "scenario.py"), peer, *options])
+    def test(self, workspace):
+        """Run the tests of the packages of a workspace and return their results."""
+        self.run(self.test_command, workspace, workspace, timeout=1800)
+        return self.run(self.result_command, workspace, workspace, check=False).stdout
+
+    def talk(self, workspace, example, *options):
+        """Talk to the running nodes of an example with its program in peers/."""
+        peer = f"ros{self.environment['ROS_VERSION']}"
+        command = shlex.join([self.python, str(PEERS / f"{example}.py"), peer, *options])
         return self.run(command, workspace, workspace, timeout=180)
 
 
@@ -115,9 +124,18 @@ def ros1():
         "PATH": "/usr/bin:/bin",
         "ROS_IP": "127.0.0.1",
         "ROS_MASTER_URI": f"http://127.0.0.1:{port}",
+        "ROS_VERSION": "1",
     }
-    python = "/usr/bin/python3"
-    return Ros("noetic", "", environment, "devel/setup.bash", "catkin_make", python)
+    return Ros(
+        distro="noetic",
+        setup="",
+        environment=environment,
+        workspace_setup="devel/setup.bash",
+        build_command="catkin_make",
+        test_command="catkin_make run_tests",
+        result_command="catkin_test_results",
+        python="/usr/bin/python3",
+    )
 
 
 def ros2():
@@ -131,13 +149,22 @@ def ros2():
         "ROS_HOME": str(home),
         "ROS_LOG_DIR": str(home),
         "ROS_DOMAIN_ID": str(_free_domain()),
+        "ROS_VERSION": "2",
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
         "ROS_LOCALHOST_ONLY": "1",
         "PYTHONUNBUFFERED": "1",
         "AMENT_CPPCHECK_ALLOW_SLOW_VERSIONS": "1",  # Debian's is one of them
     }
-    distro = "kilted" if setup else SHELL["ROS_DISTRO"]
-    return Ros(distro, setup, environment, "install/setup.bash", "colcon build", "python3")
+    return Ros(
+        distro="kilted" if setup else SHELL["ROS_DISTRO"],
+        setup=setup,
+        environment=environment,
+        workspace_setup="install/setup.bash",
+        build_command="colcon build",
+        test_command="colcon test --event-handlers console_cohesion+",
+        result_command="colcon test-result --all --verbose",
+        python="python3",
+    )
 
 
 @functools.cache

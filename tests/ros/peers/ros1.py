@@ -40,7 +40,7 @@ class Goal:
             assert time.monotonic() < end, "the goal does not end"
             time.sleep(0.002)
         result = self.handle.get_result()
-        return RESULTS[self.handle.get_goal_status()], list(result.sequence if result else [])
+        return RESULTS[self.handle.get_goal_status()], list(getattr(result, "sequence", []))
 
 
 class Publisher:

@@ -49,7 +49,7 @@ class Goal:
 
     def result(self):
         answer = result_of(self.handle.get_result_async(), "the goal does not end")
-        return RESULTS[answer.status], list(answer.result.sequence)
+        return RESULTS[answer.status], list(getattr(answer.result, "sequence", []))
 
 
 class Publisher:

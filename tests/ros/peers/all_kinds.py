@@ -1,6 +1,6 @@
 """Talk to the running nodes of examples/all_kinds, whose logic is tests/data/logic, through ROS.
 
-Run by the Python of a ROS: scenario.py PEER TOPIC..., where PEER is ros1 or ros2. A topic is
+Run by the Python of a ROS: all_kinds.py PEER TOPIC..., where PEER is ros1 or ros2. A topic is
 `tf` where transforms can be tested, `volume` where the subscriber of that name was added.
 Exits with 1 at the first thing that does not hold.
 """

@@ -1,0 +1,124 @@
+"""The packages of examples/, built once a session for each ROS and model.
+
+They are built and tested as examples/ shows them, with a package of traps beside them; then their
+logic is filled in. Tests that need another state of a package make their own.
+"""
+
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+import copier
+import pytest
+
+from support import ros
+from support.packages import DATA, HOSTILE, MODELS, fill_in, fill_in_serving, without_tf
+from support.repository import EXAMPLES
+
+ALL_KINDS = EXAMPLES / "all_kinds.ros_package"
+SERVING = EXAMPLES / "serving.ros_package"
+CONTACT_ANALYSIS = EXAMPLES / "contact_analysis.ros_package"
+
+
+@dataclass(frozen=True)
+class Built:
+    """A workspace, what its build printed, and what the tests of its packages gave."""
+
+    workspace: Path
+    printed: str
+    results: str
+
+
+@pytest.fixture(scope="session", params=MODELS)
+def model(request):
+    """Each model; all tests of one come together, and share its packages."""
+    return request.param
+
+
+def built_interfaces(ros_, workspace, *packages):
+    for package in packages:
+        shutil.copytree(DATA / package, workspace / "src" / package)
+    ros_.build(workspace)
+    return workspace
+
+
+@pytest.fixture(scope="session")
+def ros1_interfaces(tmp_path_factory):
+    """A workspace with the interfaces that ROS 1 lacks."""
+    ros1 = ros.ros1() or pytest.skip(ros.NO_ROS1)
+    workspace = tmp_path_factory.mktemp("ros1_interfaces")
+    return built_interfaces(ros1, workspace, "test_msgs", "contact_msgs")
+
+
+@pytest.fixture(scope="session")
+def ros2_interfaces(tmp_path_factory):
+    """A workspace with the interfaces that ROS 2 lacks."""
+    ros2 = ros.ros2() or pytest.skip(ros.NO_ROS2)
+    return built_interfaces(ros2, tmp_path_factory.mktemp("ros2_interfaces"), "contact_msgs")
+
+
+@pytest.fixture(scope="session")
+def put(collection):
+    """Put the package that stands beside a spec into a workspace; where none does, render it."""
+
+    def run(spec, model, distro, workspace):
+        package = workspace / "src" / spec.stem
+        shown = spec.with_suffix("") / model / distro
+        if shown.is_dir():
+            shutil.copytree(shown, package)
+        else:
+            data = {"model": model, "spec_file": str(spec), "ros_distro": distro}
+            options = {"defaults": True, "unsafe": True, "quiet": True}
+            copier.run_copy(str(collection), package, data=data, **options)
+
+    return run
+
+
+def untouched(ros_, put, model, workspace, interfaces, all_kinds):
+    for spec in (all_kinds, SERVING, CONTACT_ANALYSIS, HOSTILE):
+        put(spec, model, ros_.distro, workspace)
+    printed = ros_.build(workspace, interfaces)
+    return Built(workspace, printed, ros_.test(workspace))
+
+
+def with_logic(ros_, model, untouched, interfaces):
+    workspace = untouched.workspace
+    fill_in(workspace / "src/all_kinds", model)
+    fill_in_serving(workspace / "src/serving", model)
+    return Built(workspace, ros_.build(workspace, interfaces), "")
+
+
+@pytest.fixture(scope="session")
+def ros1_untouched(ros1_interfaces, put, model, tmp_path_factory):
+    workspace = tmp_path_factory.mktemp("ros1")
+    return untouched(ros.ros1(), put, model, workspace, ros1_interfaces, ALL_KINDS)
+
+
+@pytest.fixture(scope="session")
+def ros1_with_logic(ros1_untouched, ros1_interfaces, model):
+    return with_logic(ros.ros1(), model, ros1_untouched, ros1_interfaces)
+
+
+@pytest.fixture(scope="session")
+def ros2_spec(model, tmp_path_factory):
+    """The spec of all kinds, and what the peer can test of it in this ROS 2."""
+    ros2 = ros.ros2() or pytest.skip(ros.NO_ROS2)
+    if model == "cpp_model" and not ros.has_package(ros2, "rclcpp"):
+        pytest.skip("rclcpp is not installed; models/test_cpp_model.py checks what can be without")
+    if ros.has(ros2, "tf2_ros"):
+        return ALL_KINDS, ["tf"]
+    print("tf2_ros is not installed: transforms are left out")
+    spec = tmp_path_factory.mktemp("without_tf") / ALL_KINDS.name
+    spec.write_text(without_tf(ALL_KINDS.read_text()))
+    return spec, []
+
+
+@pytest.fixture(scope="session")
+def ros2_untouched(ros2_spec, ros2_interfaces, put, model, tmp_path_factory):
+    workspace = tmp_path_factory.mktemp("ros2")
+    return untouched(ros.ros2(), put, model, workspace, ros2_interfaces, ros2_spec[0])
+
+
+@pytest.fixture(scope="session")
+def ros2_with_logic(ros2_untouched, ros2_interfaces, model):
+    return with_logic(ros.ros2(), model, ros2_untouched, ros2_interfaces)
