@@ -1,5 +1,5 @@
 # The two commands of the README; each sets up what it needs, once.
-.PHONY: demo test bench lab accept debian clean
+.PHONY: demo test bench lab fuzz accept debian clean
 
 PYTHON ?= python3
 TOOLS := .venv/tools
@@ -37,6 +37,12 @@ LAB_TRIALS ?= 2000
 lab: $(TOOLS)/ready
 	LAB_TRIALS=$(LAB_TRIALS) LAB_SEED=random LAB_CHAIN=20 LAB_KILLS=200 \
 	  $(TOOLS)/bin/pytest -s tests/updates -k "place or lost or follow or killed"
+
+# Specs without number, other ones each time: each is refused with a sentence or gives a sound package.
+FUZZ_INPUTS ?= 20000
+fuzz: $(TOOLS)/ready
+	FUZZ_INPUTS=$(FUZZ_INPUTS) FUZZ_COMPILED=200 FUZZ_SEED=random PYTHONPATH= \
+	  $(TOOLS)/bin/pytest -s tests/fuzz
 
 $(TOOLS)/ready: pyproject.toml
 	@echo "Installing Copier and what the tests need with pip, into $(TOOLS)"

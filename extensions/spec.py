@@ -35,6 +35,7 @@ class SpecExtension(Extension):
         self.update: Any = None
         self.report: Any = None
         for function in (
+            self.ros_distros,
             self.read_spec,
             self.spec_changed,
             self.spec_text,
@@ -48,12 +49,19 @@ class SpecExtension(Extension):
             environment.globals[function.__name__] = pass_context(self._reporting(function))
         environment.globals |= {
             "can_ask": lambda: bool(sys.stdin and not sys.stdin.closed and sys.stdin.isatty()),
-            "ros_distros": list(self.hooks.ros.DISTROS),
             "default_ros_distro": lambda: self.hooks.ros.default_distro(os.environ),
         }
         self._register(self.hooks.model.public_functions(self.hooks.names))
         for name in ("python", "text"):
             self._register(self.hooks.model.load_functions(self.root / f"extensions/{name}.py"))
+
+    def ros_distros(self, context: Context) -> list[str]:
+        """Return the distributions to choose from.
+
+        For a choice given but not among them Copier shows a traceback, and `read_spec` a sentence.
+        """
+        given = context["_copier_conf"]["data"].get("ros_distro")
+        return list(dict.fromkeys([*self.hooks.ros.DISTROS, *([given] if given else [])]))
 
     def read_spec(self, context: Context, spec_file: str) -> dict[str, Any]:
         """Return the context of the package's spec, or of a skeleton where there is none."""

@@ -1,6 +1,9 @@
 """From a spec to the answers and back: copy, recopy, update, and every way they can fail."""
 
 import re
+import shlex
+import subprocess
+import sys
 
 import pytest
 
@@ -251,7 +254,7 @@ def test_faults_around_the_spec_file(collection, package, copier_command, tmp_pa
     for file in package.glob("*.ros_package"):
         file.unlink()
     commit(package)
-    fails(copier_command("update", *QUIET, cwd=package), "lost its spec", "git checkout")
+    fails(copier_command("update", *QUIET, cwd=package), "lost its spec", "checkout")
     assert git(package, "status", "--short") == ""
     assert not (tmp_path / "new").exists()
 
@@ -281,3 +284,18 @@ def test_notes_are_shown(collection, copier_command, tmp_path):
         in result.stderr
     )
     assert re.search(r"contact_analysis is ready for ROS 2", result.stderr)
+
+
+def test_unknown_distribution(collection, copier_command, tmp_path):
+    distro = ("-d", "ros_distro=foxy")
+    result = copier_command("copy", *QUIET, *distro, collection, "new", cwd=tmp_path)
+    fails(result, 'ros_distro: unknown "foxy"; allowed: noetic, ')
+    assert not (tmp_path / "new").exists()
+
+
+def test_copy_with_closed_input(collection, tmp_path):
+    command = [sys.executable, "-m", "copier", "copy", *QUIET, str(collection), "new"]
+    quoted = " ".join(map(shlex.quote, command))
+    found = subprocess.run(f"{quoted} <&-", shell=True, cwd=tmp_path, capture_output=True)
+    assert found.returncode == 0, found.stderr
+    assert (tmp_path / "new/new.ros_package").exists()

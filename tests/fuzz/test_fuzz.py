@@ -1,0 +1,159 @@
+"""Specs without number: each is refused with a sentence or gives a sound package.
+
+`make fuzz` tries FUZZ_INPUTS of them, other ones each time; `make test` a few, always the same.
+FUZZ_SEED=<number> chooses which.
+"""
+
+import itertools
+import os
+import re
+import subprocess
+import time
+
+import copier
+import pytest
+from copier.errors import UserMessageError
+from hypothesis import HealthCheck, given, seed, settings
+
+from hooks.faults import SpecError
+from hooks.model import Model
+from support.direct_render import Renderer, variants
+from support.fuzz import check, inputs, plain, specs
+from support.model_checks import template
+from support.repository import ROOT
+
+INPUTS = int(os.environ.get("FUZZ_INPUTS", "150"))
+COMPILED = int(os.environ.get("FUZZ_COMPILED", "2"))
+SEED = os.environ.get("FUZZ_SEED", "")
+LONGEST_MESSAGE = 20_000
+KNOWN = {"actionlib", "dynamic_reconfigure", "geometry_msgs", "nav_msgs", "roscpp", "std_msgs"}
+KNOWN |= {"std_srvs", "tf", "tf2", "tf2_ros"}
+
+MODELS = {name: Model(ROOT / name, ROOT) for name in sorted({model for model, _ in variants()})}
+DICTIONARY = MODELS["python_model"].dictionary
+
+
+def many(count):
+    """Try a test with so many inputs; a failure is made small before it is shown."""
+    chosen = settings(
+        max_examples=count,
+        deadline=None,
+        database=None,
+        derandomize=not SEED,
+        suppress_health_check=list(HealthCheck),
+    )
+    return lambda test: chosen(seed(SEED)(test) if SEED.isdigit() else test)
+
+
+@pytest.fixture(scope="module")
+def source(tmp_path_factory):
+    """The collection without its history, which Copier would clone each time."""
+    return template(tmp_path_factory.mktemp("source") / "collection")
+
+
+@pytest.fixture(scope="module")
+def renderers(source):
+    return {model: Renderer(source, model) for model, _ in variants()}
+
+
+@pytest.fixture(scope="module")
+def progress():
+    """Count the inputs, and say now and then how far it is."""
+    counts, start = {"inputs": 0, "accepted": 0}, time.monotonic()
+
+    def count(accepted):
+        counts["inputs"] += 1
+        counts["accepted"] += accepted
+        if counts["inputs"] % 1000 == 0:
+            passed = time.monotonic() - start
+            print(f"{counts['inputs']} inputs, {counts['accepted']} accepted, {passed:.0f} s")
+
+    yield count
+    print(f"{counts['inputs']} inputs, {counts['accepted']} accepted")
+
+
+def context(model, xml, distro):
+    """Return the context of an input, or None where it is refused in good form."""
+    try:
+        return MODELS[model].context(xml, "spec.xml", distro)
+    except SpecError as error:
+        message = str(error)
+        assert message
+        assert len(message) < LONGEST_MESSAGE
+        for line in message.split("\n"):
+            assert line.startswith(("spec.xml:", "... and ", "the package")), line
+            assert line.isprintable(), line
+        return None
+
+
+def test_inputs_are_refused_or_give_sound_packages(renderers, progress):
+    turn = itertools.cycle(variants())
+
+    @many(INPUTS)
+    @given(inputs(DICTIONARY))
+    def run(xml):
+        model, distro = next(turn)
+        spec = context(model, xml, distro)
+        progress(spec is not None)
+        if spec is not None:
+            renderer = renderers[model]
+            files = renderer.render(spec, distro)
+            check(files, renderer.render(plain(spec), distro), spec)
+
+    run()
+
+
+@pytest.mark.parametrize(("model", "distro"), variants())
+def test_copier_gives_the_same_files(source, renderers, tmp_path, model, distro):
+    numbers = itertools.count()
+
+    @many(max(1, INPUTS // 1000))
+    @given(inputs(DICTIONARY))
+    def run(xml):
+        folder = tmp_path / str(next(numbers))
+        file = folder.with_suffix(".xml")
+        file.write_bytes(xml)
+        data = {"model": model, "ros_distro": distro, "spec_file": str(file)}
+        try:
+            copier.run_copy(str(source), folder, data=data, defaults=True, unsafe=True, quiet=True)
+        except UserMessageError:
+            assert context(model, xml, distro) is None
+            assert not folder.exists()
+            return
+        spec = context(model, xml, distro)
+        expected = renderers[model].render(spec, distro)
+        own = ("/.copier-answers.yml", ".ros_package")
+        found = [path for path in folder.rglob("*") if path.is_file()]
+        assert expected == {
+            str(path.relative_to(folder)): path.read_text(encoding="utf-8")
+            for path in found
+            if not str(path).endswith(own)
+        }
+
+    run()
+
+
+def test_cpp_compiles(renderers, tmp_path, ros1):
+    """The interface and the logic of some packages, and their nodes that need no other header."""
+    left = itertools.count(COMPILED, -1)
+
+    @many(COMPILED * 4)
+    @given(specs(DICTIONARY))
+    def run(xml):
+        there = re.sub(rb'"(test|control)_msgs[^"]*"', b'"actionlib/TwoInts"', xml)
+        spec = context("cpp_model", there, "noetic")
+        if spec is None or not KNOWN.issuperset(spec["depends"]) or next(left) <= 0:
+            return
+        folder = tmp_path / "package"
+        for name, text in renderers["cpp_model"].render(spec, "noetic").items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_text(text)
+        for node in spec["nodes"]:
+            parts = ("impl",) if node["dynParameters"] else ("impl", "ros")
+            for part in parts:
+                file = folder / f"src/{node['name']}_{part}.cpp"
+                command = f"g++ -std=c++17 -fsyntax-only -Wall -Wextra -I{folder}/include {file}"
+                found = subprocess.run(command.split(), capture_output=True, text=True)
+                assert found.returncode == 0, found.stderr[:3000]
+
+    run()

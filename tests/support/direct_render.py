@@ -1,0 +1,86 @@
+"""Render packages by Jinja alone: what Copier does to a template, without checks and questions.
+
+Copier needs half a second for a package and this a few hundredths, with the templates and the
+extensions of the collection in place. A test sees that both give the same files.
+"""
+
+import itertools
+import re
+import tempfile
+from functools import cache
+from pathlib import Path
+
+import copier
+import pathspec
+
+from support.repository import ROOT
+
+ANSWERS = ".copier-answers.yml"
+
+
+class Renderer:
+    """A model of a collection, ready to render contexts."""
+
+    def __init__(self, source, model):
+        self.model = model
+        self.folder = source / model / "template"
+        self.env = environment(source, model)
+        found = sorted(path for path in self.folder.rglob("*") if path.is_file())
+        self.paths = [str(path.relative_to(self.folder)) for path in found]
+
+    def render(self, spec, distro):
+        """Return the text of each file by its path, without Copier's own and the spec."""
+        values = {
+            "model": self.model,
+            "ros_distro": distro,
+            "ros1": "." if spec["ros"] == 1 else "",
+            "ros2": "." if spec["ros"] == 2 else "",
+            "spec_file": "",
+            "spec": spec,
+            "_copier_answers": {},
+            "_copier_conf": {"answers_file": ANSWERS, "dst_path": "", "data": {"spec": spec}},
+        }
+        excluded = self.env.get_template("shared/files.jinja").render(values)
+        is_excluded = pathspec.GitIgnoreSpec.from_lines(excluded.splitlines())
+        files = {}
+        for source in self.paths:
+            for name, more in self.names(source, values):
+                skipped = name == ANSWERS or name.endswith(".ros_package")
+                if not skipped and not is_excluded.match_file(name):
+                    files[name] = self.text(source, {**values, **more})
+        return files
+
+    def names(self, source, values):
+        """Yield each path that a template file gives, and the component it is for."""
+        item = re.search(r"\[(\w+)\.", source)
+        components = values["spec"][f"{item[1]}s"] if item else [None]
+        for component in components:
+            more = {item[1]: component} if item else {}
+            form = re.sub(r"\[(\w+\.\w+)\]", r"{{ \1 }}", source)
+            parts = [self.string(part).render({**values, **more}) for part in form.split("/")]
+            if all(parts):
+                yield str(Path(*parts)).removesuffix(".jinja"), more
+
+    def text(self, source, values):
+        if not source.endswith(".jinja"):
+            return (self.folder / source).read_text()
+        return self.env.get_template(f"{self.model}/template/{source}").render(values)
+
+    @cache  # noqa: B019 (a renderer lives as long as the tests)
+    def string(self, text):
+        return self.env.from_string(text)
+
+
+def environment(source, model):
+    """Return the environment in which Copier renders a model, with its extensions and filters."""
+    with tempfile.TemporaryDirectory() as folder:
+        options = {"defaults": True, "unsafe": True, "quiet": True}
+        data = {"model": model, "ros_distro": "kilted"}
+        worker = copier.run_copy(str(source), Path(folder) / "package", data=data, **options)
+        return worker.jinja_env
+
+
+def variants():
+    """Yield every model with a distribution of each ROS."""
+    models = sorted(file.parent.name for file in ROOT.glob("*_model/functions.py"))
+    return list(itertools.product(models, ("noetic", "kilted")))

@@ -1,0 +1,403 @@
+"""Specs by the dozen: a grammar made from a dictionary, mutations of bytes, and what must hold."""
+
+import ast
+import re
+import unicodedata
+import warnings
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from random import Random
+from xml.sax.saxutils import quoteattr
+
+import yaml
+from hypothesis import strategies as st
+
+WORDS = """
+    a b x n out pub client action service message config goal state status pose arm arm_driver
+    driver test_n_impl test_x_node on off yes no null y max min id type input filter list self cls
+    node data log now stamp update configure x_active x_updated worker transforms logger Transform
+    name params groups value index exp time T A aB a_b A_b ros rclpy print object launch
+    Dynamic x_dynamic data_ config_ NO Null msg srv Node Impl impl out_x in_x
+""".split()
+ODD_WORDS = """
+    in test linux unix NULL EOF true str Sequence std uninstall gencfg install INSTALL edit_cache
+    preinstall LifecycleNode lifecycle None False errno stdin stdout M_PI SIGINT class private a__b
+""".split()
+TYPES = {
+    "message_type": [
+        "std_msgs::String",
+        "std_msgs/Int64",
+        "geometry_msgs::Twist",
+        "std_msgs/msg/Bool",
+    ],
+    "service_type": ["std_srvs::Trigger", "std_srvs/srv/Empty", "std_srvs::SetBool"],
+    "action_type": ["test_msgs::Fibonacci", "control_msgs/action/Grip"],
+}
+ODD_TYPES = [
+    "class::T",
+    "std_msgs::None",
+    "threading::T",
+    "pkg::T",
+    "std_msgs::Time",
+    "actionlib::TwoInts",
+    "T",
+    "a::b::c",
+    "linux::T",
+    "a/b",
+]
+TEXTS = [
+    '"""',
+    "'''",
+    "*/",
+    "/*",
+    "//",
+    "-->",
+    "<!--",
+    "]]>",
+    "{{ 7 * 7 }}",
+    "{% raw %}",
+    "{# x",
+    "${PATH}",
+    "$(id)",
+    "\\",
+    "??/",
+    "a\\",
+    "`id`",
+    "'); import os #",
+    "%s %d {0}",
+    "@name@",
+    "\t",
+    "\n\n",
+    "# x",
+    "|",
+    "||",
+    "]([x",
+    "---",
+    "...",
+    "a: b",
+    "- a",
+    "&a *b !c",
+    "\ufeff",
+    "\u200b",
+    "für",
+    "日本語" * 20,
+    "👍🏽",
+    "e\u0301",
+    "\\N{DASH}",
+    "\\u0041",
+    "x" * 300,
+    "word " * 60,
+    'R"(',
+    '"',
+    "'",
+    "<",
+    "&amp;",
+    "TODO(x)",
+    "noqa",
+    "# noqa",
+    "NOLINT",
+    "1",
+    "true",
+    "null",
+    "~",
+    "  a  ",
+]
+CONTROLS = ["\x7f", "\x85", "\x9f", "\u2028", "\u202e", "\u2066", "\x01"]
+NUMBERS = [
+    "0",
+    "1",
+    "-1",
+    "0.5",
+    "1e300",
+    "5e-324",
+    "-0.0",
+    "1e22",
+    "100",
+    "3000000000",
+    "-9223372036854775808",
+    "9223372036854775807",
+    "9223372036854775808",
+    "007",
+    "+3",
+    "inf",
+    "nan",
+    "1_0",
+    "٣",
+    "9" * 30,
+    "1e-7",
+]
+
+
+class Author(Random):
+    """Writes specs: most of what it writes is right, and all of it from the dictionary."""
+
+    def seldom(self, times):
+        return self.randrange(times) == 0
+
+    def word(self):
+        if self.seldom(60):
+            return self.choice(ODD_WORDS)
+        if self.seldom(2):
+            return self.choice(WORDS)
+        return "".join(self.choices("abcxyzABC", k=self.randint(1, 4))) + self.choice(
+            ["", "_1", "2"]
+        )
+
+    def ros_name(self):
+        path = "/".join(self.word() for _ in range(self.choice([1, 1, 1, 2, 3])))
+        return self.choice(["", "", "", "/", "~/", "~"]) + path
+
+    def text(self):
+        pieces = [self.choice([*TEXTS, self.letters()]) for _ in range(self.randint(1, 4))]
+        return "".join(pieces) + (self.choice(CONTROLS) if self.seldom(300) else "")
+
+    def letters(self):
+        signs = (
+            chr(self.choice([self.randrange(32, 0x250), self.randrange(0x20000)]))
+            for _ in "123456"
+        )
+        return "".join(sign for sign in signs if unicodedata.category(sign)[0] != "C")
+
+    def number(self):
+        if self.seldom(30):
+            return self.choice(NUMBERS)
+        return self.choice(
+            [
+                str(self.randint(-99, 99)),
+                repr(self.uniform(-1e9, 1e9)),
+                repr(10.0 ** self.randint(-300, 300)),
+            ]
+        )
+
+    def literal(self, type_name):
+        if type_name.endswith("[]"):
+            items = [_in_list(self.literal(type_name[:-2])) for _ in range(self.randint(1, 5))]
+            return f"[{', '.join(items)}]"
+        if type_name == "int":
+            whole = [str(self.randint(-99, 99)), str(self.randint(-(2**63), 2**63 - 1))]
+            return self.choice(NUMBERS) if self.seldom(30) else self.choice(whole)
+        if type_name == "bool":
+            return self.choice(["true", "false", "yes", "0"])
+        return self.number() if type_name == "double" else self.text()
+
+    def anything(self):
+        return self.choice(
+            [self.text(), self.word(), self.ros_name(), self.choice(NUMBERS), "[[1]", "[a, 'b"]
+        )
+
+    def attribute(self, given, made, others):
+        if self.seldom(300):
+            return self.anything()
+        if given.choices:
+            pairs = given.choices.items()
+            return self.choice([word for one, more in pairs for word in (one, *more)])
+        if given.format == "literal":
+            words = others[given.of].choices
+            return self.literal(
+                next((w for w in words if made.get(given.of) in (w, *words[w])), "")
+            )
+        if given.format in TYPES:
+            return self.choice(ODD_TYPES if self.seldom(100) else TYPES[given.format])
+        if given.format == "number":
+            return self.choice(NUMBERS) if self.seldom(30) else self.choice(["1", "12.5", "1000"])
+        rights = {
+            "ros_name": self.ros_name,
+            "identifier": self.word,
+            "component_name": self.word,
+            "package_name": lambda: self.choice([*["arm", "pkg", "my_arm", "on"] * 20, "test"]),
+            "email": lambda: "a@example.org",
+            "license": lambda: self.choice(["MIT", "Apache-2.0", "Our own", "BSD"]),
+        }
+        return rights.get(given.format, self.text)()
+
+    def element(self, tag, attributes, inside=""):
+        made = {}
+        for name, given in attributes.items():
+            unfit = any(made.get(other) not in words for other, words in given.when.items())
+            if not given.ignored and (not given.optional or self.seldom(100 if unfit else 2)):
+                made[name] = self.attribute(given, made, attributes)
+        if made and self.seldom(500):
+            made.pop(self.choice(list(made)))
+        shown = "".join(f" {name}={quoteattr(text)}" for name, text in made.items())
+        return f"<{tag}{shown}>{inside}</{tag}>\n"
+
+    def spec(self, dictionary):
+        """Return the XML of a spec that a dictionary may allow."""
+        parts = []
+        for _ in range(self.choice([1, 1, 2, 3])):
+            component = self.choice(list(dictionary.components.values()))
+            kinds = self.choices(list(component.interfaces.values()), k=self.randint(0, 8))
+            inside = "".join(self.element(kind.kind, kind.attributes) for kind in kinds)
+            attributes = component.attributes
+            if not self.seldom(10):  # what the interfaces require
+                required = {kind.requires for kind in kinds}
+                attributes = {
+                    name: replace(given, optional=given.optional and name not in required)
+                    for name, given in attributes.items()
+                }
+            parts.append(self.element(component.tag, attributes, f"\n{inside}"))
+        if self.seldom(4):
+            parts.append(
+                f"<depend>{self.choice(['roscpp', 'rclpy', 'nav_msgs', 'tf'])}</depend>\n"
+            )
+        return self.element("package", dictionary.package, f"\n{''.join(parts)}").encode()
+
+    def mutation(self, text):
+        """Return bytes with some of them cut, doubled, moved or exchanged."""
+        for _ in range(self.randint(1, 3)):
+            start = self.randrange(len(text) + 1)
+            piece = text[start : start + self.randint(0, 40)]
+            others = [b"", piece * 2, piece[::-1], piece * 50, self.randbytes(self.randint(1, 4))]
+            text = text[:start] + self.choice(others) + text[start + len(piece) :]
+        return text
+
+    def input(self, dictionary):
+        spec = self.spec(dictionary)
+        return self.mutation(spec) if self.seldom(3) else spec
+
+
+def authors():
+    """Return a strategy for authors, as unlike each other as their numbers."""
+    return st.randoms(use_true_random=True).map(lambda random: Author(random.getrandbits(64)))
+
+
+def inputs(dictionary):
+    return authors().map(lambda author: author.input(dictionary))
+
+
+def specs(dictionary):
+    return authors().map(lambda author: author.spec(dictionary))
+
+
+def _in_list(text):
+    plain_word = re.fullmatch(r"[\w.+-]+", text, re.ASCII)
+    return text if plain_word else "'" + text.replace("'", "''") + "'"
+
+
+def plain(value):
+    """Return a context with plain words for the texts of the user's, which have no form."""
+    if isinstance(value, dict):
+        words = ("description", "author", "copyright")
+        return {
+            k: "word" if k in words and v else _plain_value(value, k, plain(v))
+            for k, v in value.items()
+        }
+    return [plain(item) for item in value] if isinstance(value, list) else value
+
+
+def _plain_value(owner, key, value):
+    if key != "value" or "string" not in str(owner.get("type")):
+        return value
+    return ["word" for _ in value] if isinstance(value, list) else "word"
+
+
+def code(name, text):
+    """Return what a file says to a machine, without comments and texts.
+
+    Raises:
+        Exception: the file cannot be parsed, or a parser warns.
+
+    """
+    if name.endswith((".py", ".cfg")) and name != "setup.cfg":
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            compile(text, name, "exec", dont_inherit=True)
+        tree = ast.parse(text)
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                node.value = ""
+        return ast.dump(tree)
+    if name.endswith((".xml", ".launch", ".test")):
+        return [(item.tag, sorted(item.attrib)) for item in ET.fromstring(text).iter()]
+    if name.endswith(".yaml"):
+        return list(keys(yaml.safe_load(text)))
+    if name.endswith((".hpp", ".cpp")):
+        return cpp_tokens(text)
+    if name == "CMakeLists.txt":
+        return cmake_commands(text)
+    return mermaid(text) if name == "README.md" else None
+
+
+def keys(value):
+    for key, inside in value.items() if isinstance(value, dict) else ():
+        yield key
+        yield from keys(inside)
+
+
+def cpp_tokens(text):
+    """Return the tokens of C++, each text as one; comments end where a compiler sees it."""
+    spliced = re.sub(r"(\\|\?\?/)[ \t]*\n", "", text)
+    form = r'//[^\n]*|/\*.*?\*/|R"|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)*\'|\w+|[^\s\w]'
+    found = [
+        token
+        for token in re.findall(form, spliced, re.DOTALL)
+        if not token.startswith(("//", "/*"))
+    ]
+    tokens = ['"' if token.startswith('"') and len(token) > 1 else token for token in found]
+    assert 'R"' not in tokens
+    return [
+        t for t, before in zip(tokens, ["", *tokens], strict=False) if t != '"' or before != '"'
+    ]
+
+
+def cmake_commands(text):
+    """Return the commands of a CMake file with their arguments; no target may be made twice."""
+    lines = re.sub(r"#[^\n]*", "", text)
+    argument = r'"(?:[^"\\]|\\.)*"|[^\s()"#]+|\((?:[^()]*)\)'
+    form = rf"\s*(\w+)\s*\(((?:\s|{argument})*)\)"
+    commands, end = [], 0
+    while match := re.compile(form).match(lines, end):
+        commands.append((match[1], re.findall(argument, match[2])))
+        end = match.end()
+    assert not lines[end:].strip(), f"not CMake: {lines[end : end + 80]!r}"
+    adds = (
+        "add_executable",
+        "add_library",
+        "ament_add_gtest",
+        "catkin_add_gtest",
+        "add_rostest_gtest",
+    )
+    targets = [arguments[0] for command, arguments in commands if command in adds]
+    targets += [a[a.index("EXECUTABLE") + 1] for _, a in commands if "EXECUTABLE" in a]
+    assert len(set(targets)) == len(targets), targets
+    return commands
+
+
+def mermaid(text):
+    """Return the lines of the diagrams without labels; a name has one label only."""
+    lines, labels = [], {}
+    for diagram in re.findall(r"^```mermaid\n(.*?)^```", text, re.DOTALL | re.MULTILINE):
+        first, *rest = diagram.splitlines()
+        assert first == "flowchart LR"
+        shape = r'(\w+)((?:\(\[|\[\[|\{\{|\[)("(?:[^"<>#]|#\w+;)*"|tf)(?:\]\)|\]\]|\}\}|\]))?'
+        for line in rest:
+            match = re.fullmatch(rf"  {shape}(?: (-->|---|-\.->) {shape})?", line)
+            assert match, f"not Mermaid: {line!r}"
+            lines.append((match[1], match[4], match[5]))
+            for name, label in ((match[1], match[3]), (match[5], match[7])):
+                if name and label:
+                    bare = label.strip('"').removeprefix("/")
+                    assert (
+                        "~" in bare + labels.get(name, bare)
+                        or labels.setdefault(name, bare) == bare
+                    ), name
+    return lines
+
+
+def check(files, harmless, spec):
+    """Check the files of a package against those of the same spec with harmless texts.
+
+    Raises:
+        AssertionError: a file is unsound, or a text of the spec has become code.
+
+    """
+    assert files.keys() == harmless.keys()
+    for name, text in files.items():
+        assert not re.search("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]", text), name
+        assert code(name, text) == code(name, harmless[name]), f"{name}: a text has become code"
+    for node in spec["nodes"]:
+        config = yaml.safe_load(files[f"config/{node['name']}.yaml"])
+        found = config["/**"]["ros__parameters"] if spec["ros"] == 2 else config
+        for parameter in [*node["parameters"], *node["dynParameters"]]:
+            assert found[parameter["name"]] == parameter["value"], parameter["name"]
+            assert type(found[parameter["name"]]) is type(parameter["value"]), parameter["name"]
