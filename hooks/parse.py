@@ -2,26 +2,47 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
 from xml.parsers import expat
 
+import xmltodict
+
 from .faults import SpecError, quoted, shown
+
+Place = tuple[int, int]
+"""The line where an element starts, and its number in the order of the file."""
 
 
 @dataclass(eq=False)
 class Element:
-    """An XML element, and the line it starts on."""
+    """An XML element as xmltodict gives it, and where it starts."""
 
     tag: str
-    attributes: dict[str, str]
-    line: int
-    children: list[Element] = field(default_factory=list)
-    texts: list[str] = field(default_factory=list)
+    content: Mapping[str, Any]
+    place: Place
+
+    @property
+    def line(self) -> int:
+        """The line on which the element starts."""
+        return self.place[0]
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """The XML attributes in the order of the file."""
+        return {key[1:]: value for key, value in self.content.items() if key[0] == "@"}
+
+    @property
+    def children(self) -> list[Element]:
+        """The elements inside, in the order of the file."""
+        tags = (found for key, found in self.content.items() if key[0] not in "@#")
+        return sorted((child for found in tags for child in found), key=lambda c: c.place)
 
     @property
     def text(self) -> str:
         """The text between the tags, stripped."""
-        return "".join(self.texts).strip()
+        return "".join(self.content.get("#text", ()))
 
     @property
     def label(self) -> str:
@@ -37,13 +58,27 @@ def parse(xml: bytes, file: str) -> Element:
         SpecError: the text is not well-formed XML in UTF-8, or it declares entities.
 
     """
-    root = Element("", {}, 0)
-    path = [root]
+    places = iter(_places(xml, file))
+
+    def element(path: Any, key: str, value: Any) -> tuple[str, Any]:
+        return key, value if key[0] in "@#" else Element(key, value or {}, next(places))
+
+    document = xmltodict.parse(xml, postprocessor=element, force_list=True, force_cdata=True)
+    ((root,),) = document.values()
+    return root  # type: ignore[no-any-return]
+
+
+def _places(xml: bytes, file: str) -> list[Place]:
+    """Return the place of each element, in the order they end: what xmltodict does not tell."""
     parser = expat.ParserCreate("UTF-8")
+    count = 0
+    begun: list[Place] = []
+    ended: list[Place] = []
 
     def start(tag: str, attributes: dict[str, str]) -> None:
-        path.append(Element(tag, attributes, parser.CurrentLineNumber))
-        path[-2].children.append(path[-1])
+        nonlocal count
+        count += 1
+        begun.append((parser.CurrentLineNumber, count))
 
     def declaration(version: str, encoding: str | None, standalone: int) -> None:
         if encoding and encoding.upper() not in ("UTF-8", "UTF8", "ASCII", "US-ASCII"):
@@ -57,8 +92,7 @@ def parse(xml: bytes, file: str) -> Element:
         raise SpecError(f"{file}:{parser.CurrentLineNumber}: {fault}")
 
     parser.StartElementHandler = start
-    parser.EndElementHandler = lambda tag: path.pop()
-    parser.CharacterDataHandler = lambda text: path[-1].texts.append(text)
+    parser.EndElementHandler = lambda tag: ended.append(begun.pop())
     parser.XmlDeclHandler = declaration
     parser.EntityDeclHandler = lambda *_: refuse("entities are disabled; write the text itself")
     parser.StartDoctypeDeclHandler = doctype
@@ -72,4 +106,4 @@ def parse(xml: bytes, file: str) -> Element:
         raise SpecError(
             f"{file}:{error.lineno}: not well-formed XML: {reason} (column {error.offset + 1})"
         ) from None
-    return root.children[0]
+    return ended
