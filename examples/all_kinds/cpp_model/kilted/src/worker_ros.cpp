@@ -99,7 +99,7 @@ public:
     return CallbackReturn::FAILURE;
   }
 
-  /// Connect what receives, and start the loop.
+  /// Create subscriptions and servers, and start the loop.
   CallbackReturn on_activate(const rclcpp_lifecycle::State & state) override
   {
     const auto result = LifecycleNode::on_activate(state);

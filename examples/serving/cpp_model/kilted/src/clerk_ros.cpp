@@ -80,7 +80,7 @@ public:
     return CallbackReturn::FAILURE;
   }
 
-  /// Connect what receives.
+  /// Create subscriptions and servers.
   CallbackReturn on_activate(const rclcpp_lifecycle::State & state) override
   {
     const auto result = LifecycleNode::on_activate(state);
@@ -88,7 +88,7 @@ public:
     return result;
   }
 
-  /// Disconnect what receives, once the callbacks that run have ended.
+  /// Destroy subscriptions and servers, once running callbacks have returned.
   CallbackReturn on_deactivate(const rclcpp_lifecycle::State & state) override
   {
     disconnect_receivers();

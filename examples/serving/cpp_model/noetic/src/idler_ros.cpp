@@ -40,7 +40,7 @@ public:
     }
   }
 
-  /// Configure the logic, and connect what receives until ROS ends.
+  /// Configure the logic and serve until shutdown.
   bool run()
   {
     if (!impl_->configure(*config_)) {

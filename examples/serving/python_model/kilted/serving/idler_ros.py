@@ -65,13 +65,13 @@ class IdlerNode(LifecycleNode):
         return TransitionCallbackReturn.FAILURE
 
     def on_activate(self, state) -> TransitionCallbackReturn:
-        """Connect what receives."""
+        """Create subscriptions and servers."""
         result = super().on_activate(state)
         self._connect_receivers()
         return result
 
     def on_deactivate(self, state) -> TransitionCallbackReturn:
-        """Disconnect what receives."""
+        """Destroy subscriptions and servers."""
         self._active.close()
         return super().on_deactivate(state)
 

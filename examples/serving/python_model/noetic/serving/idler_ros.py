@@ -32,7 +32,7 @@ class IdlerNode:
         )
 
     def run(self):
-        """Configure the logic, and connect what receives until ROS ends."""
+        """Configure the logic and serve until shutdown."""
         if not self._impl.configure(self._config):
             rospy.logfatal('The logic rejected its configuration.')
             return
