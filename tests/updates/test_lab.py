@@ -10,12 +10,12 @@ from support.laboratory import specs
 from support.laboratory.mutants import MUTANTS
 from support.laboratory.trials import DISTROS, MODELS, Counts, Laboratory, chain, trial
 
-TRIALS = int(os.environ.get("LAB_TRIALS", "40"))
+TRIALS = int(os.environ.get("LAB_TRIALS", "20"))
 """Trials for each model and each ROS."""
 SEED = os.environ.get("LAB_SEED", "1").replace("random", str(time.time_ns()))
 CHAIN = int(os.environ.get("LAB_CHAIN", "2"))
 """How many updates follow one another in a package, with all of Copier's."""
-EACH = 20
+EACH = 5 if TRIALS < 100 else 20
 """How often one pair of renders is edited, for renders take longer than merges."""
 VARIANTS = [(model, distro) for model in MODELS for distro in DISTROS]
 

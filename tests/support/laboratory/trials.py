@@ -41,13 +41,17 @@ class Counts:
     both_changed: int = 0
     """Files that the developer and the new version have changed."""
     conflicts: Counter = field(default_factory=Counter)
+    """By file, conflicts in packages that stay with their ROS."""
+    moved: Counter = field(default_factory=Counter)
+    """The same in packages that move to the other ROS, where generated code is another."""
     wrong: list = field(default_factory=list)
 
     def row(self):
         return (
             f"{self.updates} updates, {self.lines} lines, {self.edited_files} edited files,"
             f" {self.both_changed} of them changed by both sides: {len(self.wrong)} wrong,"
-            f" {sum(self.conflicts.values())} conflicts {dict(self.conflicts)}"
+            f" {sum(self.conflicts.values())} conflicts {dict(self.conflicts)},"
+            f" {sum(self.moved.values())} in moves to the other ROS {dict(self.moved)}"
         )
 
 
@@ -61,8 +65,8 @@ class Pair:
     new: dict
     renaming: Renaming
     is_kept: object
-    answers: dict
-    version: str
+    moves: bool
+    """Whether the package moves to the other ROS."""
 
 
 class Laboratory:
@@ -108,7 +112,7 @@ class Laboratory:
         for folder in (old_folder, new_folder):
             shutil.rmtree(folder.parent)
         kept = {path for path in {*old, *new} if path.endswith((".ros_package", "CHANGELOG.md"))}
-        return Pair(spec, new_spec, old, new, renaming, kept.__contains__, answers, version)
+        return Pair(spec, new_spec, old, new, renaming, kept.__contains__, len({*distros}) > 1)
 
 
 def trial(random, pair, counts, mutate=None, **options):
@@ -243,7 +247,8 @@ def count(counts, pair, edited, texts, complaints):
             target = pair.renaming.path(path)
             counts.both_changed += pair.new.get(target) != pair.old[path]
             if CONFLICT in texts.get(target, ""):
-                counts.conflicts[re.sub(r"\w+(?=_(impl|ros|interface|node))", "node", path)] += 1
+                where = counts.moved if pair.moves else counts.conflicts
+                where[re.sub(r"\w+(?=_(impl|ros|interface|node))", "node", path)] += 1
 
 
 def _texts(folder):
