@@ -69,7 +69,8 @@ def merge(path: str, mine: Version, old: Version | None, new: Version) -> Outcom
     if old is None:
         return conflict(path, mine, old, new)
     outcome = by_line(known, mine.text, old.text, new.text)
-    if outcome.conflict or readable(known, outcome.merged):
+    could_be_read = readable(known, [*lines.split(mine.text)])
+    if outcome.conflict or not could_be_read or readable(known, outcome.merged):
         return outcome
     return conflict(path, mine, old, new)
 

@@ -9,6 +9,7 @@ from hooks.dictionary import load
 from hooks.faults import SpecError
 from hooks.merge import update as module
 from hooks.merge.package import merge_package
+from hooks.merge.renaming import Renaming
 from hooks.merge.render import Render
 from hooks.merge.tree import File, Tree
 from hooks.merge.update import Update
@@ -130,3 +131,13 @@ def test_later_update_is_not_undone_by_an_earlier_one(package):
     del earlier
     gc.collect()
     assert (package / PATH).read_text() == merged
+
+
+@pytest.mark.parametrize("path", ["a.yaml", "package.xml", "a.py", "a.hpp", "CMakeLists.txt"])
+def test_file_that_is_not_of_its_language_merges_by_line(path):
+    old = "".join(f"line {n}: of {{ (\n" for n in range(9))
+    mine, new = "mine\n" + old, old.replace("line 7", "new line")
+    trees = [{path: File(text.encode())} for text in (mine, old, new)]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    assert not result.conflicts
+    assert result.tree[path].text == "mine\n" + new
