@@ -141,3 +141,36 @@ def test_file_that_is_not_of_its_language_merges_by_line(path):
     result = merge_package(*trees, Renaming(), {""}.__contains__)
     assert not result.conflicts
     assert result.tree[path].text == "mine\n" + new
+
+
+def test_file_that_the_developer_has_moved_is_updated_where_it_is():
+    trees = [{path: File(text.encode())} for path, text in (("arm/logic/reach_impl.py", MINE),)]
+    old, new = {PATH: File(OLD.encode())}, {PATH: File(NEW.encode())}
+    result = merge_package(trees[0], old, new, Renaming(), {""}.__contains__)
+    assert list(result.tree) == ["arm/logic/reach_impl.py"]
+    text = result.tree["arm/logic/reach_impl.py"].text
+    assert text == MINE.replace("Fill in", "Complete")
+    proof = module.prove(trees[0], old, result, result.tree, Renaming())
+    assert (proof.total, proof.in_place, proof.lost) == (1, 1, [])
+
+
+@pytest.mark.parametrize("order", [[0, 1, 2], [2, 0, 1], [1, 2, 0]])
+def test_order_of_the_developer_stays(order):
+    """So does a block of their own, after the one it followed."""
+    method = "    def serve_{}(self):\n        return {}\n".format
+    methods = [method(name, name) for name in ("load", "store", "home")]
+    own = "\n    def own(self):\n        return 0\n"
+    old = "class A:\n" + "\n".join(methods)
+    mine = "class A:\n" + "\n".join(methods[i] for i in order).replace("load\n", "load\n" + own, 1)
+    new = old.replace("return store", "return 'stored'") + "\n" + method("stop", "stop")
+    trees = [{"a.py": File(text.encode())} for text in (mine, old, new)]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    text = result.tree["a.py"].text
+    assert not result.conflicts
+    wanted = [("load", "store", "home")[i] for i in order]
+    names = [line.strip()[4:-7] for line in text.splitlines() if "def " in line]
+    assert [
+        name.removeprefix("serve_") for name in names if name not in ("own", "serve_stop")
+    ] == wanted
+    assert names[names.index("serve_load") + 1] == "own"
+    assert "return 'stored'" in text
