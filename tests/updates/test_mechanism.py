@@ -294,8 +294,8 @@ def test_unknown_distribution(collection, copier_command, tmp_path):
 
 
 def test_copy_with_closed_input(collection, tmp_path):
-    command = [sys.executable, "-m", "copier", "copy", *QUIET, str(collection), "new"]
+    command = [sys.executable, "-m", "copier", "copy", *QUIET, str(collection), "robot"]
     quoted = " ".join(map(shlex.quote, command))
     found = subprocess.run(f"{quoted} <&-", shell=True, cwd=tmp_path, capture_output=True)
     assert found.returncode == 0, found.stderr
-    assert (tmp_path / "new/new.ros_package").exists()
+    assert (tmp_path / "robot/robot.ros_package").exists()
