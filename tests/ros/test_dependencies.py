@@ -16,7 +16,12 @@ from support.packages import DATA
 from support.repository import EXAMPLES
 
 SHARE, INCLUDE = Path("/usr/share"), Path("/usr/include")
-GTEST = [Path("/usr/src/googletest"), INCLUDE / "gtest"]
+CMAKE = list(Path("/usr/lib").glob("*/cmake"))
+GTEST = [
+    Path("/usr/src/googletest"),
+    INCLUDE / "gtest",
+    *(folder / "GTest" for folder in CMAKE),
+]
 
 
 @pytest.fixture(scope="module")
@@ -61,7 +66,7 @@ def test_builds_with_what_it_declares(ros1, namespace, tmp_path, model):
     installed = {file.parent.name for file in SHARE.glob("*/package.xml")}
     assert "catkin" in installed & needs
     assert "rostest" in installed - needs
-    hidden = [place / name for name in installed - needs for place in (SHARE, INCLUDE)]
+    hidden = [place / name for name in installed - needs for place in (SHARE, INCLUDE, *CMAKE)]
     mounts = [f"mount -t tmpfs none {path}" for path in [*hidden, *GTEST] if path.is_dir()]
     (tmp_path / "build.sh").write_text("\n".join(["set -e", *mounts, "exec catkin_make", ""]))
     built = ros1.run(shlex.join([*namespace, "sh", "build.sh"]), tmp_path).stdout
