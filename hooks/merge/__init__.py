@@ -10,4 +10,6 @@
     languages    what a file consists of: blocks of Python, C++, XML, YAML, CMake, Markdown
     proof        reads every line of the developer's back
     report       says what became of the files
+
+A render needs nothing of this.
 """
