@@ -14,7 +14,7 @@ class TestIdlerImpl(unittest.TestCase):
     """The logic alone; the passthrough is a mock."""
 
     def setUp(self):
-        """Create the logic with its configuration and data."""
+        """Create the logic with its configuration."""
         self.passthrough = MagicMock()
         self.config = IdlerConfig()
         self.impl = IdlerImpl(self.passthrough)

@@ -14,7 +14,7 @@ class TestClerkImpl(unittest.TestCase):
     """The logic alone; the passthrough is a mock."""
 
     def setUp(self):
-        """Create the logic with its configuration and data."""
+        """Create the logic with its configuration."""
         self.passthrough = MagicMock()
         self.config = ClerkConfig()
         self.impl = ClerkImpl(self.passthrough)
