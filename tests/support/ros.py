@@ -89,11 +89,11 @@ class Ros:
 
     def build(self, workspace, underlay=None):
         """Build the packages of a workspace and return what the build printed."""
-        return self.run(self.build_command, workspace, underlay, timeout=1800).stdout
+        return self.run(self.build_command, workspace, underlay, timeout=3600).stdout
 
     def test(self, workspace):
         """Run the tests of the packages of a workspace and return their results."""
-        self.run(self.test_command, workspace, workspace, timeout=1800)
+        self.run(self.test_command, workspace, workspace, timeout=3600)
         return self.run(self.result_command, workspace, workspace, check=False).stdout
 
     def talk(self, workspace, example, *options):
