@@ -232,9 +232,14 @@ def renamed(pair):
     for node in pair.new_spec["nodes"]:
         names = {was: name for name, was in specs.callbacks(node).items() if was != name}
         before = node.get("was") or node["name"]
-        for path in (f"lab/{before}_impl.py", f"src/{before}_impl.cpp"):
-            found[path] = names
+        constructors = {_class(before): _class(node["name"])}
+        found[f"lab/{before}_impl.py"] = names
+        found[f"src/{before}_impl.cpp"] = names | constructors
     return found
+
+
+def _class(node):
+    return "".join(word.capitalize() for word in node.split("_")) + "Impl"
 
 
 def count(counts, pair, edited, texts, complaints):
