@@ -1,7 +1,8 @@
 """The bridge from Copier to the hook: the context of a spec, and filters for the templates.
 
 Copier renders a package several times in one update, each time with the template of one
-version. So this file keeps no state, and loads the hook of its own template each time.
+version. So an instance of the extension belongs to one of these versions: it loads the hook of
+its own template, and nothing is kept in a module.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ class SpecExtension(Extension):
         super().__init__(environment)
         self.root = Path(environment.loader.searchpath[0])  # type: ignore[union-attr]
         self.hooks = _load_hooks(self.root)
-        self.models: dict[str, Any] = {}
+        self.models: dict[Path, Any] = {}
         self.update: Any = None
         self.report: Any = None
         for function in (
@@ -128,13 +129,12 @@ class SpecExtension(Extension):
             return self._finish(update, context, spec)
 
     def _finish(self, update: Any, context: Context, spec: dict[str, Any]) -> Any:
-        folder = self.root / str(context.get("model") or "")
         dictionary = self._model(context).dictionary
         return update.finish(
             {**context["_copier_answers"], "spec": spec},
             self._renderer(context),
             dictionary,
-            self._merge("moves").moved_files(folder, spec, dictionary),
+            self._merge("moves").moved_files(self._folder(context), spec, dictionary),
             context["_copier_conf"]["conflict"] == "inline",
         )
 
@@ -178,10 +178,18 @@ class SpecExtension(Extension):
         return self._model(context).skeleton(package.about()).encode(), "skeleton spec"
 
     def _model(self, context: Context) -> Any:
-        name = str(context.get("model") or "")
-        if name not in self.models:
-            self.models[name] = self.hooks.model.Model(self.root / name, self.root)
-        return self.models[name]
+        folder = self._folder(context)
+        if folder not in self.models:
+            self.models[folder] = self.hooks.model.Model(folder, self.root)
+        return self.models[folder]
+
+    def _folder(self, context: Context) -> Path:
+        """Return the folder of the model: of the template itself, or the one chosen in it.
+
+        A package of the collection may follow a published model later; its choice stays recorded.
+        """
+        is_model = (self.root / "dictionary.yaml").exists()
+        return self.root if is_model else self.root / str(context.get("model") or "")
 
     def _register(self, functions: dict[str, Callable[..., Any]]) -> None:
         """Make functions filters of this render, and those called `is_x` tests."""

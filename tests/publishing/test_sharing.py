@@ -93,3 +93,18 @@ def test_readme_of_a_published_model_leads_back(github, tmp_path):
         pages = re.findall(r"ros_package_models/blob/main/([\w/.]+)\)", readme)
         assert "docs/developers.md" in pages
         assert all((ROOT / page).is_file() for page in pages)
+
+
+def test_package_of_the_collection_follows_the_published_model(
+    github, render, copier_command, tmp_path
+):
+    """As docs/developers.md says of an adopted package."""
+    collection, _, environment = github
+    package = render(template=collection, vcs_ref="1.0.0", name="mypkg")
+    recorded = package / ".copier-answers.yml"
+    text = re.sub(r"(?m)^_src_path: .*$", "_src_path: gh:org/python_model", recorded.read_text())
+    recorded.write_text(text)
+    commit(package, "Follow the published model")
+    result = copier_command("update", *QUIET, cwd=package, **environment)
+    assert result.returncode == 0, result.stderr
+    assert answers(package)["_src_path"] == "gh:org/python_model"
