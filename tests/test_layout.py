@@ -1,6 +1,7 @@
 """The tests are as tidy as what they test."""
 
 import ast
+import re
 from pathlib import Path
 
 import pytest
@@ -33,3 +34,21 @@ def test_readme_names_every_folder():
     assert folders
     for folder in folders:
         assert f"\n{folder}/ " in readme, folder
+
+
+ROOT = TESTS.parent
+PAGES = [ROOT / "README.md", *ROOT.glob("docs/*.md"), *ROOT.glob("*/README.md")]
+
+
+def test_make_targets_of_the_documentation():
+    makefile = (ROOT / "Makefile").read_text()
+    targets = re.search(r"^\.PHONY: (.*)$", makefile, re.MULTILINE)[1].split()
+    texts = [re.sub(r"\s+", " ", page.read_text()) for page in PAGES]
+    told = {name for text in texts for name in re.findall(r"[`(]make ([a-z]+)", text)}
+    assert {"demo", "test", "accept", "lab"} <= told <= {*targets}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_links_of_the_documentation(page):
+    for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text()):
+        assert (page.parent / link).exists(), link
