@@ -81,7 +81,7 @@ def added_packages(spec: dict[str, Any]) -> list[str]:
 
 
 def other_packages(spec: dict[str, Any]) -> list[str]:
-    """Return those of the added packages that CMake may not find: names of the system's, say.
+    """Return those of the added packages that CMake may not find: system packages, say.
 
     In ROS 1 every package has a CMake configuration; in ROS 2 those for Python alone have none.
     """

@@ -1,4 +1,4 @@
-"""The names that a spec makes in a package: no two alike in one place, none reserved there.
+"""The names that a spec has in a package: unique in their scope, and not reserved there.
 
 Which names those are, the dictionary says under `names`; docs/designers describes it.
 """

@@ -19,7 +19,8 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
     needed, `notes` what the user should know.
 
     Raises:
-        SpecError: a function of the model failed.
+        SpecError: the distribution is unknown or lacks a package or type, or a function of the
+            model failed or refused the spec.
 
     """
     if distro not in DISTROS:

@@ -49,7 +49,7 @@ class Attribute:
 
 
 NAME_BEFORE = Attribute(WAS, "the name before, so that the code of a renamed one is kept")
-"""The attribute that every component and every interface may have."""
+"""The attribute that the package, every component and every interface may have."""
 
 
 @dataclass(frozen=True)

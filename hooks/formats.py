@@ -220,7 +220,7 @@ def _items(value: str) -> Iterator[str]:
 
 
 _COMPARED: dict[str, Callable[[str], str]] = {
-    # It names files and classes, and some file systems take `a` and `A` for the same.
+    # An identifier used for file and class names; unique ignoring case and underscores.
     "component_name": lambda name: name.replace("_", "").lower(),
 }
 

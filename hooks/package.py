@@ -40,7 +40,7 @@ class Package:
         `given` is the file that the user names, which a package with a spec does not need.
 
         Raises:
-            SpecError: there is more than one, or none where there was one.
+            SpecError: there is more than one, none where there was one, or another one is given.
 
         """
         found = self.specs

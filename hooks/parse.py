@@ -55,7 +55,7 @@ def parse(xml: bytes, file: str) -> Element:
     """Return the outermost element.
 
     Raises:
-        SpecError: the text is not well-formed XML in UTF-8, or it declares entities.
+        SpecError: the text is not well-formed XML in UTF-8, or it declares entities or a DTD file.
 
     """
     places = iter(_places(xml, file))

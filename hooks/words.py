@@ -1,4 +1,4 @@
-"""Words that have a meaning already where a name of a spec would land."""
+"""Words that already have a meaning in generated code, so that no name of a spec can be one."""
 
 from __future__ import annotations
 

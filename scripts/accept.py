@@ -38,7 +38,7 @@ def render(target: Path) -> None:
 
 
 def make(source: Path, spec: Path, distro: str, package: Path) -> None:
-    """Make one package, whose answers tell nothing of this machine."""
+    """Make one package, whose answers name the published model and no path of this machine."""
     copier.run_copy(
         str(source),
         package,

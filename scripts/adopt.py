@@ -534,12 +534,21 @@ def _told(report: Report, new: Path) -> Iterator[str]:
 def main() -> int:
     """Adopt what the command line names."""
     parser = argparse.ArgumentParser(description="Adopt a package of the original generator.")
-    parser.add_argument("legacy", type=Path, metavar="LEGACY_FOLDER", help="it is only read")
-    parser.add_argument("new", type=Path, metavar="NEW_FOLDER", help="must not be there yet")
     parser.add_argument(
-        "--model", default="", choices=MODELS, help="default: that of its language"
+        "legacy",
+        type=Path,
+        metavar="LEGACY_FOLDER",
+        help="the original package, which is only read",
     )
-    parser.add_argument("--ros-distro", default="noetic", help="default: noetic")
+    parser.add_argument(
+        "new", type=Path, metavar="NEW_FOLDER", help="the new package; must not exist yet"
+    )
+    parser.add_argument(
+        "--model", default="", choices=MODELS, help="default: that of the language of its logic"
+    )
+    parser.add_argument(
+        "--ros-distro", default="noetic", help="of the new package; default: noetic"
+    )
     arguments = parser.parse_args()
     try:
         report = adopt(arguments.legacy, arguments.new, arguments.model, arguments.ros_distro)

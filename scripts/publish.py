@@ -2,10 +2,10 @@
 
     python scripts/publish.py python_model git@github.com:org/python_model.git
 
-Every version tag of the collection becomes one commit there, with the same tag, message,
-author and date: the model's folder is its root, and what the models share stands beside it. A
-link out of the model's folder becomes what it leads to. The commits are the same whoever
-publishes them, so publishing again adds only what is new.
+Every version tag of the collection that has the model becomes one commit there, with the same tag,
+message, author and date: the model's folder is its root, beside hooks, extensions, shared and the
+licence. A link out of the model's folder becomes the file or folder it leads to. The commits are
+the same whoever publishes them, so publishing again adds only what is new.
 """
 
 from __future__ import annotations

@@ -2,14 +2,17 @@
 
     update       the order of all that follows
     preflight    refuses what git could not bring back, before the first write
-    transaction  takes a snapshot, puts a result in place, or brings the snapshot back
-    render       the old and the new version, from recorded answers
-    renaming     which identifiers, paths and keys a rename exchanges; moves, those of a model
+    transaction  takes a snapshot, puts the result in place, or restores the snapshot
+    render       renders the old and the new version
+    renaming     which identifiers, paths and keys a rename exchanges; tokens, the words of code
+    moves        the files that a new version of the model calls otherwise
     package      three versions of a package merged file by file
     merging      three versions of a file merged by block, lines inside of a block
+    lines        three lists of lines merged
     languages    what a file consists of: blocks of Python, C++, XML, YAML, CMake, Markdown
-    proof        reads every line of the developer's back
+    proof        finds every line of the developer again
     report       says what became of the files
+    tree, git    files in memory; git
 
-A render needs nothing of this.
+Only an update and a recopy import this.
 """

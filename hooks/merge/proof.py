@@ -1,4 +1,4 @@
-"""Read every line of the developer's back, in the function, list or section it was written in."""
+"""Find every line of the developer again, in the function, list or section it was written in."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ SUBMODULE = "160000"
 PLAIN = "100644"
 EXECUTABLE = "100755"
 TOO_LARGE = 5_000_000
-"""Files of more bytes are data: nothing a model writes, and nothing to merge."""
+"""Larger files, in bytes, are data: no model writes them, and they are not merged."""
 
 
 @dataclass(frozen=True)
