@@ -429,5 +429,5 @@ def test_nothing_is_written_over(collection, legacy, tmp_path):
 def test_unknown_ros_is_refused(collection, legacy, tmp_path):
     result = run(collection, legacy(), tmp_path / "new", "--ros-distro", "foxy")
     assert result.returncode == 1
-    assert "'foxy' is not in ['noetic'," in result.stderr
+    assert 'unknown "foxy"; allowed: noetic, ' in result.stderr
     assert "Traceback" not in result.stderr
