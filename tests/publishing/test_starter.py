@@ -89,11 +89,11 @@ def test_faults_of_a_model_are_found(team):
     assert f"template/README.md.jinja:{line}: 'dict object' has no attribute 'nam'" in result
     change(model / "template/README.md.jinja", "timer.nam }", "timer.name }")
     assert "package.xml: mismatched tag" in run_tests(model, "-k", "alone and publisher")
-    conflicting = "{{ spec.nodes[0].publishers | length }}\n" * 2
-    change(model / "template/README.md.jinja", "# {{", conflicting + "# {{")
-    result = run_tests(model, "-k", "keep_edits")
-    assert "README.md" in result
-    assert "<<<<<<<" in result
+    change(model / "template/package.xml.jinja", "</exported>", "</export>")
+    timers = "spec.nodes | sum(attribute='timers', start=[]) | length"
+    leaving = f"{{% if {timers} == 1 %}}notes.txt{{% endif %}}"
+    (model / "template" / leaving).write_text("Notes\n")
+    assert "notes.txt" in run_tests(model, "-k", "keep_edits")
 
 
 def test_life_of_a_model(team, github, tmp_path):
