@@ -22,7 +22,7 @@ controller_interface:
     attributes:
       - label: {format: identifier, unique: true}
       - limit: {format: double, default: 1.0}
-starter: [joint]
+skeleton: [joint]
 """,
     "functions.py": '''"""What the templates of this model need."""
 
