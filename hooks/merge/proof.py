@@ -64,8 +64,10 @@ def _prove_file(
         if found is None and path not in result.left and mine != base:
             proof.lost.append((target, "the file"))
         return
-    known = language(path, mine.text)
     ours, old = _plain(mine.text), (base.text if base else None) or ""
+    known = language(path, mine.text)
+    if not _parses(known, ours):
+        known = TEXT
     lines = list(developer_lines(known, ours, old, origin, renaming))
     proof.total += len(lines)
     if path in result.left:
