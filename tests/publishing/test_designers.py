@@ -71,7 +71,7 @@ def lagging(own_collection, shell, tmp_path):
     shell("copier copy --trust --defaults gh:org/python_model src/arm", tmp_path)
     commit(tmp_path / "src/arm")
     gitignore = own_collection / "shared/gitignore"
-    gitignore.write_text(gitignore.read_text() + "*.bag\n")
+    gitignore.write_text(gitignore.read_text().replace("log/", "/log/") + "*.bag\n")
     commit(own_collection, tag="1.1.0")
     publish = yaml.safe_load((ROOT / ".github/workflows/publish.yml").read_text())
     rewrite = f"url.file://{tmp_path}/github/.insteadOf"
@@ -108,7 +108,7 @@ def test_workflow_that_updates(lagging, shell, tmp_path):
 def test_workflow_that_updates_says_where_conflicts_are(lagging, shell, tmp_path):
     (text,) = blocks(PAGE, "Which packages lag behind", "yaml")
     gitignore = lagging / ".gitignore"
-    gitignore.write_text(gitignore.read_text() + "*.mine\n")
+    gitignore.write_text(gitignore.read_text().replace("log/", "*.log"))
     commit(lagging)
     git(lagging, "remote", "add", "origin", bare_repository(tmp_path / "github/org/arm.git"))
     shell(script_of(yaml.safe_load(text)), lagging)
