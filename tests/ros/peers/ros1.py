@@ -95,6 +95,10 @@ class Peer:
         server.start()
 
     def get_parameter(self, node, name):
+        end = time.monotonic() + TIMEOUT  # roslaunch may not have set it yet
+        while not rospy.has_param(f"/{node}/{name}"):
+            assert time.monotonic() < end, f"no parameter {name} of {node}"
+            time.sleep(0.05)
         return rospy.get_param(f"/{node}/{name}")
 
     def set_parameter(self, node, name, value):
