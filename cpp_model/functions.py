@@ -14,7 +14,7 @@ _RESERVED = ("config", "groups", "name", "params", "state", "val")
 def dependencies_from_template(ros_distro: str) -> list[str]:
     """Return the packages every package of this model needs."""
     if ros_distro == "noetic":
-        return ["roscpp"]
+        return ["roscpp", "rosgraph_msgs", "roslaunch"]
     return [
         "launch_ros",
         "launch_xml",
@@ -24,6 +24,13 @@ def dependencies_from_template(ros_distro: str) -> list[str]:
         "rclcpp_components",
         "rclcpp_lifecycle",
     ]
+
+
+def dependencies_from_component(
+    kind: str, attributes: dict[str, Any], ros_distro: str
+) -> list[str]:
+    """Return the packages that a node needs besides those of its interfaces."""
+    return ["diagnostic_msgs"] if attributes["diagnostics"] else []
 
 
 def dependencies_from_interface(
@@ -36,12 +43,15 @@ def dependencies_from_interface(
         raise ValueError(f'dynamic_reconfigure cannot make a parameter "{name}"; choose another')
     if ros1 and kind == "dynParameter":
         _check_32_bits(attributes)
+    if ros_distro == "humble":
+        _check_qos_of_humble(attributes)
+    tf2_msgs = [] if ros1 else ["tf2_msgs"]
     packages = {
         "actionServer": ["actionlib" if ros1 else "rclcpp_action"],
-        "actionClient": ["actionlib" if ros1 else "rclcpp_action"],
+        "actionClient": ["actionlib", "actionlib_msgs"] if ros1 else ["rclcpp_action"],
         "dynParameter": ["dynamic_reconfigure"] if ros1 else [],
-        "listener": ["geometry_msgs", "tf2", "tf2_ros"],
-        "broadcaster": ["geometry_msgs", "tf2_ros"],
+        "listener": ["geometry_msgs", "tf2", "tf2_ros", *tf2_msgs],
+        "broadcaster": ["geometry_msgs", "tf2_ros", *tf2_msgs],
     }.get(kind, [])
     type_ = attributes.get("type", "")
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
@@ -54,10 +64,18 @@ def _check_32_bits(attributes: dict[str, Any]) -> None:
             raise ValueError(f"{name}: {value} does not fit the 32 bits of dynamic_reconfigure")
 
 
+def _check_qos_of_humble(attributes: dict[str, Any]) -> None:
+    for name in ("qos", "reliability", "durability"):
+        if attributes.get(name) == "best_available":
+            raise ValueError(f'{name}: Humble has no "best_available"; ROS 2 has it since Iron')
+
+
 def added_packages(spec: dict[str, Any]) -> list[str]:
     """Return the packages that only <depend> names; others than libraries may be among them."""
     names = {
         "actionlib",
+        "actionlib_msgs",
+        "diagnostic_msgs",
         "dynamic_reconfigure",
         "launch_ros",
         "launch_xml",
@@ -68,7 +86,9 @@ def added_packages(spec: dict[str, Any]) -> list[str]:
         "rclcpp_components",
         "rclcpp_lifecycle",
         "roscpp",
+        "rosgraph_msgs",
         "tf2",
+        "tf2_msgs",
         "tf2_ros",
     }
     for node in spec["nodes"]:
@@ -102,6 +122,19 @@ def required_packages(spec: dict[str, Any]) -> list[str]:
     ]
 
 
+def exported_packages(spec: dict[str, Any]) -> list[str]:
+    """Return the dependencies that the headers of the package show, sorted."""
+    shown = {package for node in spec["nodes"] for package in message_packages(node)}
+    added = set(added_packages(spec)) - set(other_packages(spec))
+    return sorted(shown | added)
+
+
+def private_packages(spec: dict[str, Any]) -> list[str]:
+    """Return the dependencies that CMake must find and no header of the package shows."""
+    shown = exported_packages(spec)
+    return [package for package in required_packages(spec) if package not in shown]
+
+
 def message_packages(node: dict[str, Any]) -> list[str]:
     """Return the packages whose messages the interface of a node shows, sorted."""
     packages = {
@@ -129,17 +162,6 @@ def ros1_name(name: str) -> str:
 def cpp_guard(file: str) -> str:
     """Return the include guard of a header: `all_kinds/goal.hpp` gives `ALL_KINDS__GOAL_HPP_`."""
     return re.sub(r"[^A-Z0-9]", "_", file.upper().replace("/", "__")) + "_"
-
-
-def cpp_alias(name: str) -> str:
-    """Return a ROS name as part of the name of a type: `~/arm/pose` gives `ArmPose`.
-
-    Different names give different types: only `_` before a small letter is dropped.
-    """
-    word = name.lstrip("~/").replace("/", "_")
-    if re.fullmatch(r"[a-z][a-z0-9]*(_[a-z][a-z0-9]*)*", word):
-        return "".join(part.capitalize() for part in word.split("_"))
-    return word + "_"
 
 
 def cpp_type(type_: str, ros: int = 2) -> str:
@@ -215,9 +237,9 @@ def cpp_comment(text: str) -> str:
     return re.sub(r"(\\|\?\?/)$", r"\1.", text, flags=re.MULTILINE)
 
 
-def logic_file(node: str, package: str) -> str:
+def logic_file(node: dict[str, Any], package: str) -> str:
     """Return where the logic of a node stands."""
-    return f"src/{node}_impl.cpp"
+    return f"src/{node['name']}_impl.cpp"
 
 
 def cfg_name(node: dict[str, Any]) -> str:

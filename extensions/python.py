@@ -18,9 +18,19 @@ def python_type(type_: str) -> str:
     return names.get(type_, type_.replace("/", "."))
 
 
-def python_module(type_: str) -> str:
-    """Return the module of a ROS type: `std_msgs/msg/String` gives `std_msgs.msg`."""
-    return ".".join(type_.split("/")[:-1])
+def python_module(type_: str, ros: int = 2) -> str:
+    """Return the module of a ROS type: `std_msgs/msg/String` gives `std_msgs.msg`.
+
+    In ROS 1 actions are messages.
+    """
+    module = ".".join(type_.split("/")[:-1])
+    return module.replace(".action", ".msg") if ros == 1 else module
+
+
+def python_part(type_: str, part: str, ros: int) -> str:
+    """Return the Python name of a part of a service or an action, such as its `Request`."""
+    name = type_.split("/")[-1]
+    return f"{python_module(type_, ros)}.{name}{'' if ros == 1 else '.'}{part}"
 
 
 def ros1_action(type_: str) -> str:
@@ -51,6 +61,25 @@ def python_value(value: Any, indent: int, used: int = 0) -> str:
         return line
     margin = " " * (indent + 4)
     return "(\n" + "".join(f"{margin}{item},\n" for item in items) + " " * indent + ")"
+
+
+def other_value(value: Any, low: Any = None, high: Any = None) -> Any:
+    """Return another value than this one, within the bounds that are numbers, or None."""
+    if isinstance(value, list):
+        return [other_value(value[0])] if value else None
+    if isinstance(value, bool):
+        return not value
+    if isinstance(value, str):
+        return "other" if value != "other" else "another"
+    low, high = (each if isinstance(each, int | float) else None for each in (low, high))
+    near = (low, high, 0, 1, value - 1, value + 1)
+    candidates = [type(value)(each) for each in near if each is not None]
+    fit = (
+        each
+        for each in candidates
+        if each != value and (low is None or low <= each) and (high is None or each <= high)
+    )
+    return next(fit, None)
 
 
 def python_text(text: str, indent: int, used: int = 0) -> str:
@@ -87,7 +116,7 @@ def sort_imports(text: str) -> str:
     """Return import statements, each once, in the order and groups ament_flake8 wants."""
     statements = set(re.findall(r"^\S.*\n(?:[ )].*\n)*", text.strip() + "\n", re.MULTILINE))
     modules = {statement: statement.split()[1] for statement in statements}
-    in_order = sorted(statements, key=lambda statement: modules[statement].lower())
+    in_order = sorted(statements, key=lambda s: (modules[s].lower(), s.startswith("from"), s))
     standard = [s for s in in_order if modules[s].split(".")[0] in sys.stdlib_module_names]
     others = [s for s in in_order if s not in standard]
     groups = [map(_unfolded, group) for group in (standard, others) if group]

@@ -33,16 +33,20 @@ class SpecExtension(Extension):
         self.root = Path(environment.loader.searchpath[0])  # type: ignore[union-attr]
         self.hooks = _load_hooks(self.root)
         self.models: dict[Path, Any] = {}
+        self.specs: dict[Path, bytes] = {}
         self.update: Any = None
         self.report: Any = None
+        self.renders: dict[str, Any] = {}
         for function in (
             self.ros_distros,
+            self.check_answers,
             self.read_spec,
             self.spec_changed,
             self.spec_text,
             self.has_spec,
             self.has_file,
             self.package_name,
+            self.template_notes,
             self.begin_update,
             self.finish_update,
             self.update_report,
@@ -53,22 +57,39 @@ class SpecExtension(Extension):
             "default_ros_distro": lambda: self.hooks.ros.default_distro(os.environ),
         }
         self._register(self.hooks.model.public_functions(self.hooks.names))
-        for name in ("python", "text"):
+        for name in ("python", "qos", "text"):
             self._register(self.hooks.model.load_functions(self.root / f"extensions/{name}.py"))
 
     def ros_distros(self, context: Context) -> list[str]:
-        """Return the distributions to choose from.
+        """Return the distributions to choose from."""
+        self.check_answers(context)
+        return list(self.hooks.ros.DISTROS)
 
-        For a choice given but not among them Copier shows a traceback, and `read_spec` a sentence.
+    def check_answers(self, context: Context) -> str:
+        """Check the answers that are given or recorded; return nothing.
+
+        For one that is no choice Copier shows a traceback, or takes the default. The first
+        question calls this: an update asks in the version before, too, where no spec is read.
         """
-        given = context["_copier_conf"]["data"].get("ros_distro")
-        return list(dict.fromkeys([*self.hooks.ros.DISTROS, *([given] if given else [])]))
+        data = context["_copier_conf"]["data"]
+        if isinstance(data.get("spec"), str):  # Copier itself gives a mapping
+            self.hooks.questions.check_options(["spec"], self.root)
+        known = {"model": self._models(), "ros_distro": list(self.hooks.ros.DISTROS)}
+        self.hooks.questions.check_choices(self._answers(context), self.root, known)
+        return ""
+
+    def _answers(self, context: Context) -> dict[str, Any]:
+        """Return the answers that are recorded, and over them those that `-d` gives."""
+        return {**self._package(context).answers(), **context["_copier_conf"]["data"]}
 
     def read_spec(self, context: Context, spec_file: str) -> dict[str, Any]:
         """Return the context of the package's spec, or of a skeleton where there is none."""
+        given = map(str, context["_copier_conf"]["data"])
+        self.hooks.questions.check_options(given, self.root)
         model, package = self._model(context), self._package(context)
         self._register(model.functions)
         xml, shown = self._spec(context, spec_file)
+        self.specs[package.folder] = xml
         values = dict(model.context(xml, shown, str(context["ros_distro"])))
         package.check_file_name(model.name(values))
         self._check_update(context, values, shown)
@@ -85,10 +106,14 @@ class SpecExtension(Extension):
         return "changed"
 
     def spec_text(self, context: Context, spec_file: str) -> str:
-        """Return the XML to write into a new package. It is never written again."""
+        """Return the XML to write into a new package. It is never written again.
+
+        It was read before the first file was written, in an order that each file system chooses.
+        """
         if self._is_given(context):
             return ""
-        xml, _ = self._spec(context, spec_file)
+        folder = self._package(context).folder
+        xml = self.specs[folder] if folder in self.specs else self._spec(context, spec_file)[0]
         return xml.decode("utf-8-sig")
 
     def has_spec(self, context: Context) -> bool:
@@ -102,6 +127,16 @@ class SpecExtension(Extension):
     def package_name(self, context: Context, spec: dict[str, Any]) -> str:
         """Return the name of the package, by whatever attribute the model's specs give it."""
         return str(self._model(context).name(spec))
+
+    def template_notes(self, context: Context) -> list[str]:
+        """Say that an update will not find a template whose path is relative."""
+        source = str(context["_copier_answers"].get("_src_path") or "")
+        path = Path(source)
+        if not source or path.is_absolute() or not path.is_dir():
+            return []
+        return [
+            f"an update looks for {source} from within the package; copy from {path.absolute()}"
+        ]
 
     def begin_update(self, context: Context) -> bool:
         """Take the snapshot that a failing update brings back. Always false: there is no task."""
@@ -129,14 +164,17 @@ class SpecExtension(Extension):
             return self._finish(update, context, spec)
 
     def _finish(self, update: Any, context: Context, spec: dict[str, Any]) -> Any:
-        dictionary = self._model(context).dictionary
         return update.finish(
             {**context["_copier_answers"], "spec": spec},
             self._renderer(context),
-            dictionary,
-            self._merge("moves").moved_files(self._folder(context), spec, dictionary),
+            self._model(context).dictionary,
+            self._moved_files(context, spec),
             context["_copier_conf"]["conflict"] == "inline",
         )
+
+    def _moved_files(self, context: Context, spec: dict[str, Any]) -> Any:
+        dictionary = self._model(context).dictionary
+        return self._merge("moves").moved_files(spec, dictionary)
 
     def _renderer(self, context: Context) -> Any:
         package, answers = self._package(context), context["_copier_answers"]
@@ -146,6 +184,7 @@ class SpecExtension(Extension):
             answers.get("_commit"),
             package.folder.name,
             package.answers_file,
+            self.renders,
         )
 
     def _check_update(self, context: Context, values: dict[str, Any], shown: str) -> None:
@@ -153,12 +192,14 @@ class SpecExtension(Extension):
         package = self._package(context)
         answers = package.folder / package.answers_file
         if answers.exists() and not context["_copier_conf"]["pretend"]:
+            model = self._model(context)
             self._merge("preflight").check(
                 package.folder,
-                shown,
+                model.places(self.specs[package.folder], shown),
                 {**context["_copier_answers"], "spec": values},
-                self._model(context).dictionary,
+                model.dictionary,
                 self._renderer(context),
+                self._moved_files(context, values),
             )
 
     def _merge(self, name: str) -> Any:
@@ -188,8 +229,13 @@ class SpecExtension(Extension):
 
         A package of the collection may follow a published model later; its choice stays recorded.
         """
-        is_model = (self.root / "dictionary.yaml").exists()
-        return self.root if is_model else self.root / str(context.get("model") or "")
+        if (self.root / "dictionary.yaml").exists():
+            return self.root
+        return self.root / str(context.get("model") or "")
+
+    def _models(self) -> list[str]:
+        folders = sorted(file.parent for file in self.root.glob("*/dictionary.yaml"))
+        return [folder.name for folder in folders if (folder / "copier.yml").exists()]
 
     def _register(self, functions: dict[str, Callable[..., Any]]) -> None:
         """Make functions filters of this render, and those called `is_x` tests."""

@@ -1,8 +1,7 @@
 """Notes on interfaces that contradict each other within a package. Nothing here refuses a spec.
 
-An interface has a place in the ROS graph where its dictionary gives it a name of the format
-`ros_name` and a type of a message, service or action. Which side of it an interface is on does
-not matter here: all that share a name must share the type.
+Which side of a place in the ROS graph an interface is on does not matter here: all that share a
+name must share the type.
 """
 
 from __future__ import annotations
@@ -10,33 +9,23 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from .dictionary import Component, Dictionary, Interface
+from .endpoints import Endpoint, endpoint
 
-_GRAPHS = {"message_type": "topic", "service_type": "service", "action_type": "action"}
 _SHORTEST = 4
 """The shortest word in which one letter more, less or other is taken for a slip."""
 _MOST_COMPARED = 300
 """How many names are compared, each with each other; no package has as many."""
 
 
-@dataclass(frozen=True)
-class _Endpoint:
-    graph: str
-    name: str
-    type: str
-    owner: str
-
-
 def contradictions(context: Mapping[str, Any], dictionary: Dictionary) -> list[str]:
     """Return a note for each name with two types, and each pair of names that look like one."""
-    endpoints = list(_endpoints(context, dictionary))
     groups: dict[tuple[str, str], dict[str, str]] = {}
-    for endpoint in endpoints:
-        types = groups.setdefault((endpoint.graph, endpoint.name), {})
-        types.setdefault(endpoint.type, endpoint.owner)
+    for owner, found in _endpoints(context, dictionary):
+        types = groups.setdefault((found.graph, found.name), {})
+        types.setdefault(found.type, owner)
     notes = []
     for (graph, name), types in groups.items():
         if len(types) > 1:
@@ -54,37 +43,26 @@ def contradictions(context: Mapping[str, Any], dictionary: Dictionary) -> list[s
     return notes
 
 
-def _endpoints(context: Mapping[str, Any], dictionary: Dictionary) -> Iterator[_Endpoint]:
+def _endpoints(
+    context: Mapping[str, Any], dictionary: Dictionary
+) -> Iterator[tuple[str, Endpoint]]:
+    """Yield what is in the ROS graph, each after the component it belongs to."""
     for component in dictionary.components.values():
         for values in context[component.key]:
-            for interface in component.interfaces.values():
-                for item in values[interface.key]:
-                    endpoint = _endpoint(component, values, interface, item)
-                    if endpoint:
-                        yield endpoint
+            owner = str(values[next(iter(component.attributes))])
+            for interface, item in _inside(component, values):
+                if found := endpoint(owner, interface, item):
+                    yield f"{component.tag} {owner}", found
 
 
-def _endpoint(
-    component: Component,
-    values: Mapping[str, Any],
-    interface: Interface,
-    item: Mapping[str, Any],
-) -> _Endpoint | None:
-    """Return where an interface is in the ROS graph, or nothing where it is not in it."""
-    found = {a.format: item[a.name] for a in interface.attributes.values() if a.name in item}
-    graph = next((format_ for format_ in _GRAPHS if found.get(format_)), None)
-    if not graph or not found.get("ros_name"):
-        return None
-    owner = str(values[next(iter(component.attributes))])
-    name = _resolved(found["ros_name"], owner)
-    return _Endpoint(_GRAPHS[graph], name, found[graph], f"{component.tag} {owner}")
-
-
-def _resolved(name: str, owner: str) -> str:
-    """Return a name as ROS resolves it where the component runs without a namespace."""
-    if name.startswith("~/"):
-        return f"/{owner}/{name[2:]}"
-    return f"/{name.removeprefix('/')}"
+def _inside(
+    kind: Component | Interface, values: Mapping[str, Any]
+) -> Iterator[tuple[Interface, Mapping[str, Any]]]:
+    """Yield the interfaces inside of a component or an interface, at any depth."""
+    for interface in kind.interfaces.values():
+        for item in interface.of(values):
+            yield interface, item
+            yield from _inside(interface, item)
 
 
 def _differ_by_a_letter(one: str, other: str) -> bool:

@@ -7,11 +7,20 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from .dictionary import PACKAGE, WAS, Attribute, Component, Dictionary, Interface
-from .faults import SpecError, allowed
+from .check import CheckedSpec
+from .dictionary import PACKAGE, WAS, Attribute, Component, Dictionary, Interface, nested
+from .faults import SpecError, nearest
+from .literals import spelled
 from .names import class_name
 
 Values = Mapping[str, Any]
+
+
+def changed_answers(old: Values, new: Values) -> Iterator[str]:
+    """Say in a line which of the answers changed, other than the spec and Copier's own."""
+    for name in new:
+        if name != "spec" and not name.startswith("_") and old.get(name, new[name]) != new[name]:
+            yield f"~ {name}: {_shown(old[name])} -> {_shown(new[name])}"
 
 
 def changes(old: Values, new: Values, dictionary: Dictionary) -> Iterator[str]:
@@ -24,7 +33,7 @@ def changes(old: Values, new: Values, dictionary: Dictionary) -> Iterator[str]:
         else:
             if pair.was != pair.name and pair.is_renamed:
                 yield f"> {pair.label}, was {pair.was}"
-            yield from _attributes(pair.label, pair.before, pair.after, pair.attributes)
+            yield from _attributes(pair, pair.before, pair.after)
 
 
 @dataclass(frozen=True)
@@ -79,17 +88,35 @@ def _mark(pair: _Pair, marks: list[Mark], owner: int | None) -> int:
     marks.append(Mark(name, after, pair.level, owner, is_gone))
     item: Any = pair.before
     mark = f"zq{len(marks) - 1}x"
-    item[next(iter(pair.attributes))] = prefix + mark
+    item[pair.naming] = prefix + mark
     if "class_name" in item:
         item["class_name"] = class_name(mark)
     return len(marks) - 1
 
 
-def check_names_before(old: Values, new: Values, dictionary: Dictionary, file: str) -> None:
+def places(spec: CheckedSpec, dictionary: Dictionary) -> dict[str, str]:
+    """Return where each element of a spec is, for messages, by what `changes` calls it."""
+    kinds: dict[str, Component | Interface] = {}
+    for component in dictionary.components.values():
+        kinds[component.tag] = component
+        kinds |= {kind.kind: kind for kind in nested(component.interfaces)}
+    found = {}
+    for item in spec.elements:
+        owners = [each for each in item.owners.values() if each.tag in kinds]
+        names = [_name(each.values, kinds[each.tag].naming) or each.tag for each in owners]
+        kind = kinds.get(item.tag)
+        own = _name(item.values, kind.naming) if kind else ""
+        found[_label(item.tag, own, ".".join(names))] = spec.place(item.element)
+    return found
+
+
+def check_names_before(
+    old: Values, new: Values, dictionary: Dictionary, places: Mapping[str, str]
+) -> None:
     """Insist that every `was` names something, and no two the same.
 
     Raises:
-        SpecError: one does not; `file` is the name of the spec in messages.
+        SpecError: one does not; `places` says where it is, as the function of this name gives it.
 
     """
     for pair in _pairs(old, new, dictionary):
@@ -99,30 +126,41 @@ def check_names_before(old: Values, new: Values, dictionary: Dictionary, file: s
         if pair.before is not None and pair.before.get(WAS) == was:
             continue  # carried out by an earlier update
         others = [name for name in pair.others if name != pair.name]
+        remedy = f", or name one that is renamed: {', '.join(others)}" if others else ""
         raise SpecError(
-            f'{file}: {pair.label}: was="{was}": the last update knew no such'
-            f" {pair.label.split()[0]}, or it has gone to another; {allowed(str(was), others)}"
+            f'{places[pair.label]}: was="{was}": the last update knew no such'
+            f" {pair.label.split()[0]}, or it has gone to another;"
+            f" {nearest(str(was), others)}remove was{remedy}"
         )
+
+
+def _label(kind: str, name: str, path: str) -> str:
+    """Name an item in a line: `node arm`, `publisher pose on arm`."""
+    return " ".join(filter(None, (kind, name, path and f"on {path}")))
 
 
 @dataclass(frozen=True)
 class _Pair:
-    """An item of the old context and the same item of the new one, where there is one."""
+    """An item of the old context and the same item of the new one, where there is one.
+
+    `others` are the names that left.
+    """
 
     before: Values | None
     after: Values | None
     attributes: Mapping[str, Attribute]
+    naming: str | None
     others: tuple[str, ...] = ()
     label: str = PACKAGE
     level: str = "interface"
 
     @property
     def was(self) -> str | None:
-        return _name(self.before, self.attributes) if self.before and self.after else None
+        return _name(self.before, self.naming) if self.before and self.after else None
 
     @property
     def name(self) -> str:
-        return _name(self.after or self.before or {}, self.attributes)
+        return _name(self.after or self.before or {}, self.naming)
 
     @property
     def is_renamed(self) -> bool:
@@ -131,20 +169,27 @@ class _Pair:
 
 def _pairs(old: Values, new: Values, dictionary: Dictionary) -> Iterator[_Pair]:
     """Pair the packages, components, and inside of those that stayed, interfaces."""
-    name, was = _name(old, dictionary.package), str(new.get(WAS))
-    package = _Pair(old, new, dictionary.package, (name,), level=PACKAGE)
+    naming = next(iter(dictionary.package))
+    name, was = _name(old, naming), str(new.get(WAS))
+    package = _Pair(old, new, dictionary.package, naming, (name,), level=PACKAGE)
     if package.is_renamed and was != name:  # another package, as far as anybody has said
-        same = {**new, next(iter(dictionary.package)): name}
+        same = {**new, naming: name}
         package = replace(package, after=same)
     yield package
     for component in dictionary.components.values():
         for pair in _partners(old, new, component):
-            yield replace(pair, label=f"{component.tag} {pair.name}", level="component")
-            if pair.before is not None and pair.after is not None:
-                for kind in component.interfaces.values():
-                    for inner in _partners(pair.before, pair.after, kind):
-                        label = f"{kind.kind} {inner.name} on {pair.name}"
-                        yield replace(inner, label=label)
+            yield replace(pair, label=_label(component.tag, pair.name, ""), level="component")
+            yield from _inside(pair, component, pair.name)
+
+
+def _inside(pair: _Pair, kind: Component | Interface, path: str) -> Iterator[_Pair]:
+    """Pair what stands inside of two items of a kind, where both are there; `path` names them."""
+    if pair.before is None or pair.after is None:
+        return
+    for inner_kind in kind.interfaces.values():
+        for inner in _partners(pair.before, pair.after, inner_kind):
+            yield replace(inner, label=_label(inner_kind.kind, inner.name, path))
+            yield from _inside(inner, inner_kind, f"{path}.{inner.name or inner_kind.kind}")
 
 
 def _partners(old: Values, new: Values, kind: Component | Interface) -> Iterator[_Pair]:
@@ -152,37 +197,34 @@ def _partners(old: Values, new: Values, kind: Component | Interface) -> Iterator
 
     A `was` counts once: the context that an update has recorded has it already.
     """
-    left = {_name(item, kind.attributes): item for item in old.get(kind.key, [])}
-    known = tuple(left)
-    items = list(new.get(kind.key, []))
+    left = {_name(item, kind.naming): item for item in kind.of(old)}
+    items = kind.of(new)
     partners: dict[int, Values | None] = {}
     for number, item in enumerate(items):
-        name, was = _name(item, kind.attributes), item.get(WAS)
+        name, was = _name(item, kind.naming), item.get(WAS)
         if was in left and was != name and (left.get(name) or {}).get(WAS) != was:
             partners[number] = left.pop(str(was))
     for number, item in enumerate(items):
-        name = _name(item, kind.attributes)
-        yield _Pair(partners.get(number) or left.pop(name, None), item, kind.attributes, known)
+        if number not in partners:
+            partners[number] = left.pop(_name(item, kind.naming), None)
+    for number, item in enumerate(items):
+        yield _Pair(partners[number], item, kind.attributes, kind.naming, tuple(left))
     for item in left.values():
-        yield _Pair(item, None, kind.attributes, known)
+        yield _Pair(item, None, kind.attributes, kind.naming)
 
 
-def _attributes(
-    label: str, before: Values, after: Values, attributes: Mapping[str, Attribute]
-) -> Iterator[str]:
+def _attributes(pair: _Pair, before: Values, after: Values) -> Iterator[str]:
     """Compare the values of two items, but for their names."""
-    for name in list(attributes)[1:]:
-        if name in before and before[name] != after.get(name):
-            yield f"~ {label}: {name} {_shown(before[name])} -> {_shown(after.get(name))}"
+    for name in pair.attributes:
+        if name != pair.naming and name in before and before[name] != after.get(name):
+            yield f"~ {pair.label}: {name} {_shown(before[name])} -> {_shown(after.get(name))}"
 
 
 def _shown(value: Any) -> str:
-    if isinstance(value, float) and value.is_integer():
-        return str(int(value))
-    text = " ".join(str(value).split())
+    text = " ".join(spelled(value).split())
     return f'"{text[:37]}..."' if len(text) > 40 else text or '""'
 
 
-def _name(item: Values, attributes: Mapping[str, Attribute]) -> str:
-    """Return the value that names an item: its first attribute, as the dictionary has them."""
-    return str(item.get(next(iter(attributes), "")))
+def _name(item: Values, naming: str | None) -> str:
+    """Return the value of the attribute that names an item."""
+    return str(item.get(naming)) if naming else ""

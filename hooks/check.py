@@ -4,14 +4,26 @@ from __future__ import annotations
 
 import operator
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from .collisions import Checked, Filters, collisions
-from .dictionary import DEPEND, NAME_BEFORE, PACKAGE, WAS, Attribute, Component, Dictionary
+from .dictionary import (
+    DEPEND,
+    NAME_BEFORE,
+    PACKAGE,
+    WAS,
+    Attribute,
+    Component,
+    Dictionary,
+    Interface,
+    nested,
+)
+from .endpoints import clashes
 from .faults import SpecError, allowed, first_of, quoted, shown
-from .formats import FORMATS, comparable, dependency, literal
+from .formats import FORMATS, TYPES, comparable, dependency, split_type
+from .literals import literal
 from .names import class_name
 from .parse import Element
 
@@ -25,6 +37,10 @@ class CheckedSpec:
     file: str
     package: Values = field(default_factory=dict)
     depends: list[str] = field(default_factory=list)
+    declared: set[str] = field(default_factory=set)
+    """The types that the spec itself declares: `msg/PointArray`."""
+    types: list[tuple[Element, str, tuple[str, str, str]]] = field(default_factory=list)
+    """Each type that the spec names: by which element and attribute; its parts."""
     elements: list[Checked] = field(default_factory=list)
 
     def place(self, element: Element) -> str:
@@ -32,8 +48,13 @@ class CheckedSpec:
         return f"{self.file}:{element.line}: {element.label}"
 
     @property
+    def components(self) -> list[Checked]:
+        """The components, in the order of the file."""
+        return [element for element in self.elements if len(element.owners) == 1]
+
+    @property
     def interfaces(self) -> list[Checked]:
-        """The elements inside of components, in the order of the file."""
+        """The elements inside of components, at any depth, in the order of the file."""
         return [element for element in self.elements if len(element.owners) > 1]
 
 
@@ -47,7 +68,10 @@ def check(root: Element, dictionary: Dictionary, filters: Filters, file: str) ->
     checker = _Checker(dictionary, file)
     checker.check_package(root)
     if not checker.faults:
+        checker.check_own_types()
         for element, fault in collisions(checker.spec.elements, dictionary.scopes, filters):
+            checker.fault(element, fault)
+        for element, fault in clashes(checker.spec.interfaces, dictionary):
             checker.fault(element, fault)
     if checker.faults:
         faults = sorted(checker.faults, key=lambda fault: fault[0])
@@ -61,6 +85,9 @@ class _Checker:
         self.spec = CheckedSpec(file)
         self.faults: list[tuple[int, str]] = []
         self.owners: dict[tuple[Any, ...], Element] = {}
+        self.holders: dict[Element, str] = {}
+        """By element with a type, the declared type that it is a part of, or nothing."""
+        self.declaring = ""
 
     def check_package(self, element: Element) -> None:
         if element.tag != PACKAGE:
@@ -86,25 +113,71 @@ class _Checker:
 
     def component(self, element: Element, component: Component, package: Checked) -> Values:
         values: Values = {"tag": component.tag}
+        self.declaring = ""
         given = self.values(element, component.attributes, (component.tag,))
         values |= {**given, "class_name": class_name(str(next(iter(given.values()), "")))}
         owner = self.checked(component.tag, element, {**values}, package)
-        values |= {interface.key: [] for interface in component.interfaces.values()}
+        return values | self.interfaces(element, component, given, (package, owner))
+
+    def interfaces(
+        self,
+        element: Element,
+        kind: Component | Interface,
+        given: Values,
+        owners: tuple[Checked, ...],
+    ) -> Values:
+        """Return what stands inside of an element, which is one of `kind` with values `given`."""
+        values: Values = {each.key: None if each.once else [] for each in kind.interfaces.values()}
         for child in element.children:
-            if child.tag not in component.interfaces:
-                self.unknown_tag(child, list(component.interfaces))
+            if child.tag not in kind.interfaces:
+                self.unknown_tag(child, list(kind.interfaces))
                 continue
-            kind = component.interfaces[child.tag]
-            found = self.values(child, kind.attributes, (element, kind.kind))
-            needed = kind.requires
+            inner = kind.interfaces[child.tag]
+            scope = (element, inner.kind)
+            found = self.values(child, inner.attributes, scope, has_name=not inner.once)
+            needed = inner.requires
             if needed and needed not in element.attributes and given.get(needed) is None:
                 what = f"its <{element.tag}> at line {element.line} must have the attribute"
-                self.fault(child, f'{what} "{needed}"{_doc(component.attributes[needed])}')
-            for nested in child.children:
-                self.unknown_tag(nested, [])
-            values[kind.key].append(found)
-            self.checked(kind.kind, child, found, owner, package)
+                instead = _instead(inner, kind.interfaces)
+                self.fault(child, f'{what} "{needed}"{_doc(kind.attributes[needed])}{instead}')
+            item = self.checked(inner.kind, child, {**found}, *owners)
+            found |= self.interfaces(child, inner, found, (*owners, item))
+            if not inner.once:
+                values[inner.key].append(found)
+                continue
+            first = self.owners.setdefault((element, inner.kind), child)
+            if first is not child:
+                self.fault(child, f"there is one at line {first.line}; put all into one")
+            values[inner.key] = found
         return values
+
+    def check_own_types(self) -> None:
+        """Insist that a type of the package itself is one that the spec declares."""
+        kinds: list[Component | Interface] = []
+        for component in self.dictionary.components.values():
+            kinds += [component, *nested(component.interfaces)]
+        attributes = [attribute for kind in kinds for attribute in kind.attributes.values()]
+        if not any(attribute.declares for attribute in attributes):
+            return
+        package = str(next(iter(self.spec.package.values())))
+        parts: dict[str, set[str]] = {}
+        for element, name, (owner, folder, word) in self.spec.types:
+            own, holder = f"{folder}/{word}", self.holders[element]
+            if owner not in ("", package):
+                continue
+            if holder:
+                parts.setdefault(holder, set()).add(own)
+            if holder and holder in _reached(parts, own):
+                fault = f"{quoted(word)} would contain itself"
+                self.fault(element, f"{name}: {fault}; choose another type")
+            elif own not in self.spec.declared:
+                known = sorted(
+                    declared.split("/")[1]
+                    for declared in self.spec.declared
+                    if declared.startswith(f"{folder}/")
+                )
+                fault = f"{quoted(word)} is not declared in this package"
+                self.fault(element, f"{name}: {fault}; {allowed(word, known)}")
 
     def checked(self, tag: str, element: Element, values: Values, *owners: Checked) -> Checked:
         """Keep an element for the checks of the whole."""
@@ -121,12 +194,16 @@ class _Checker:
             self.fault(element, str(error))
 
     def values(
-        self, element: Element, known: Mapping[str, Attribute], scope: tuple[Any, ...] = ()
+        self,
+        element: Element,
+        known: Mapping[str, Attribute],
+        scope: tuple[Any, ...] = (),
+        has_name: bool = True,
     ) -> Values:
         """Return the values of one element; `scope` is where those that name it are unique."""
         if element.text:
             self.fault(element, f"text is not allowed here: {quoted(element.text)}")
-        known = {**known, WAS: NAME_BEFORE}
+        known = {**known, WAS: NAME_BEFORE} if has_name else known
         for name in element.attributes:
             if name not in known:
                 self.fault(element, f"unknown attribute {quoted(name)}; {allowed(name, known)}")
@@ -140,7 +217,13 @@ class _Checker:
                 self.fault(element, f'attribute "{name}" is missing{_doc(attribute)}')
             elif given is not None:
                 try:
-                    values[name] = _value(attribute, given, values)
+                    values[name] = value = _value(attribute, given, values)
+                    if attribute.format in TYPES and (parts := split_type(value)):
+                        self.spec.types.append((element, name, parts))
+                        self.holders[element] = self.declaring
+                    if attribute.declares:
+                        self.declaring = f"{attribute.declares}/{value}"
+                        self.spec.declared.add(self.declaring)
                     if attribute.unique and scope:
                         self.check_unique(element, attribute, values[name], scope)
                 except ValueError as error:
@@ -164,13 +247,43 @@ class _Checker:
 
     def unknown_tag(self, element: Element, known: list[str]) -> None:
         tag, components = element.tag, self.dictionary.components
-        homes = [name for name, component in components.items() if tag in component.interfaces]
+        homes = [
+            owner
+            for name, component in components.items()
+            for owner, kinds in _holders(name, component)
+            if tag in kinds
+        ]
         homes = [PACKAGE] if tag in {DEPEND, *components} else homes
         where = f"it belongs inside <{homes[0]}>" if homes else allowed(tag, known)
         self.fault(element, f"<{shown(tag)}> is not known here; {where}")
 
     def fault(self, element: Element, message: str) -> None:
         self.faults.append((element.line, f"{self.spec.place(element)}: {message}"))
+
+
+def _reached(parts: Mapping[str, set[str]], start: str) -> set[str]:
+    """Return a type and all that it contains."""
+    found, left = {start}, [start]
+    while left:
+        new = parts.get(left.pop(), set()) - found
+        found |= new
+        left += new
+    return found
+
+
+def _instead(kind: Interface, kinds: Mapping[str, Interface]) -> str:
+    """Name the kind that requires nothing, of two such as `dynParameter` and `parameter`."""
+    word = kind.kind.lower()
+    names = [each.kind for each in kinds.values() if not each.requires]
+    near = [n for n in names if n.lower().endswith(word) or word.endswith(n.lower())]
+    return f", or use <{near[0]}>" if near else ""
+
+
+def _holders(tag: str, kind: Component | Interface) -> Iterator[tuple[str, Iterable[str]]]:
+    """Yield a tag and those below it, each with the kinds that may stand inside."""
+    yield tag, kind.interfaces
+    for each in nested(kind.interfaces):
+        yield each.kind, each.interfaces
 
 
 def _value(attribute: Attribute, text: str, values: Values) -> Any:

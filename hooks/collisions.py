@@ -23,22 +23,28 @@ class Scope:
     """A place where names land, such as the files of the package or the members of a class."""
 
     label: str
-    owner: str
-    """The tag of what has such a place of its own."""
+    owners: Sequence[str]
+    """The tags of what has such a place of its own."""
     made_by: Mapping[str, Sequence[str]]
     """The tag of an element, and forms of the names that it makes: `in_{name:identifier}`."""
     reserved: Sequence[str] = ()
     """Forms or regular expressions of names, or meanings that `hooks.words` knows."""
+    ignore_case: bool = False
+
+    def place(self, item: Checked) -> Checked:
+        """Return the innermost of what an element stands in that has such a place."""
+        found = (item.owners[tag] for tag in reversed(item.owners) if tag in self.owners)
+        return next(found, item)
 
 
 @dataclass(frozen=True)
 class Checked:
-    """An element of the spec with its values, and those it stands in, by their tags."""
+    """An element of the spec with its values, and those it stands in, outermost first, by tag."""
 
     tag: str
     element: Element
     values: Mapping[str, Any]
-    owners: Mapping[str, Checked] = field(default_factory=dict)
+    owners: dict[str, Checked] = field(default_factory=dict)
 
 
 def collisions(
@@ -50,11 +56,12 @@ def collisions(
         for item in elements:
             forms = scope.made_by.get(item.tag, ())
             reserved = [_made(form, item, filters, scope) for form in scope.reserved if forms]
-            owner = item.owners.get(scope.owner, item).element
+            owner = scope.place(item).element
             for form in forms:
                 name = _made(form, item, filters, scope)
                 why = next(filter(None, (_reservation(name, word) for word in reserved)), "")
-                first = taken.setdefault((id(owner), name), item.element)
+                key = name.lower() if scope.ignore_case else name
+                first = taken.setdefault((id(owner), key), item.element)
                 if why:
                     yield (
                         item.element,

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from .check import CheckedSpec, Values
-from .faults import SpecError, allowed, quoted
+from .faults import SpecError, allowed, first_of, quoted
+from .formats import check_capital, type_of, with_capital
 from .ros import DISTROS, nearest_available, translate_dependency
 
 Functions = dict[str, Callable[..., Any]]
@@ -29,26 +30,47 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
     translated = [translate_dependency(name, generation) for name in spec.depends]
     found = {name for name, _ in translated if name}
     found |= _call(functions, "dependencies_from_template", "the package", distro)
+    for component in spec.components:
+        arguments = (component.tag, component.values, distro)
+        place = spec.place(component.element)
+        found |= _call(functions, "dependencies_from_component", place, *arguments)
     own_name = str(next(iter(spec.package.values())))
     for item in spec.interfaces:
         place = spec.place(item.element)
-        arguments = (item.tag, item.values, distro)
+        owners = {tag: owner.values for tag, owner in item.owners.items()}
+        arguments = (item.tag, {**owners, **item.values}, distro)
         needed = _call(functions, "dependencies_from_interface", place, *arguments)
-        types = [str(value) for value in item.values.values() if str(value).count("/") == 2]
+        types = [name for value in item.values.values() if (name := type_of(value))]
         for name in sorted(needed) + [name for name in types if name.split("/")[0] in needed]:
             if nearest := nearest_available(name, generation):
                 what = f"ROS {generation} has no {name}; the nearest it has is {nearest}"
                 raise SpecError(f"{place}: {what}")
-        if own_name in needed:
+        if own_name in needed and not spec.declared:
             raise SpecError(f"{place}: needs {own_name}, which is this package; name another")
         found |= needed
+    notes = [note for _, note in translated if note] + list(_small_types(spec, generation))
     return {
         **spec.package,
         "ros": generation,
         "kinds": sorted({item.tag for item in spec.interfaces}),
         "depends": sorted(found - {own_name}),
-        "notes": list(dict.fromkeys(note for _, note in translated if note)),
+        "notes": list(dict.fromkeys(notes)),
     }
+
+
+def _small_types(spec: CheckedSpec, generation: int) -> Iterator[str]:
+    """Refuse types that begin with a small letter in ROS 2; note them in ROS 1, which has some."""
+    faults = []
+    for element, name, _ in spec.types:
+        type_ = element.attributes[name]
+        try:
+            check_capital(type_)
+        except ValueError as error:
+            faults.append(f"{spec.place(element)}: {name}: {error}")
+            meant = quoted(with_capital(type_))
+            yield f"{element.label}: {quoted(type_)} begins with a small letter; is {meant} meant?"
+    if faults and generation == 2:
+        raise SpecError(first_of(faults))
 
 
 def _call(functions: Functions, name: str, place: str, *arguments: Any) -> set[str]:

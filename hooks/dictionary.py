@@ -6,7 +6,7 @@ mapping, which says more than a name. docs/designers describes it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
@@ -43,28 +43,41 @@ class Attribute:
     maximum: float | str | None = None
     when: Mapping[str, list[str]] = field(default_factory=dict)
     unique: bool | str = False
+    declares: str | None = None
     reserved: list[str] = field(default_factory=list)
     ignored: bool = False
     example: Any = ""
 
 
 NAME_BEFORE = Attribute(WAS, "the name before, so that the code of a renamed one is kept")
-"""The attribute that the package, every component and every interface may have."""
+"""The attribute that the package, every component and every interface with a name may have."""
 
 
 @dataclass(frozen=True)
 class Interface:
-    """One interface kind: its attributes and what it is for."""
+    """One interface kind: its attributes, what it is for, and the kinds inside of it."""
 
     kind: str
     attributes: Mapping[str, Attribute]
     doc: str = ""
     requires: str | None = None
+    once: bool = False
+    interfaces: Mapping[str, Interface] = field(default_factory=dict)
+
+    @property
+    def naming(self) -> str | None:
+        """The attribute that names one: the first, but none where there is one at most."""
+        return None if self.once else next(iter(self.attributes))
 
     @property
     def key(self) -> str:
         """Where the context keeps the interfaces of this kind: `publishers`."""
-        return self.kind + "s"
+        return self.kind if self.once else self.kind + "s"
+
+    def of(self, owner: Mapping[str, Any]) -> list[Any]:
+        """Return the interfaces of this kind that an owner has in the context."""
+        found = owner.get(self.key) or []
+        return [found] if isinstance(found, Mapping) else list(found)
 
 
 @dataclass(frozen=True)
@@ -76,9 +89,25 @@ class Component:
     interfaces: Mapping[str, Interface]
 
     @property
+    def naming(self) -> str | None:
+        """The attribute that names one: the first."""
+        return next(iter(self.attributes))
+
+    @property
     def key(self) -> str:
         """Where the context keeps the components of this tag: `nodes`."""
         return self.tag + "s"
+
+    def of(self, package: Mapping[str, Any]) -> list[Any]:
+        """Return the components of this tag that a package has in the context."""
+        return list(package.get(self.key, []))
+
+
+def nested(interfaces: Mapping[str, Interface]) -> Iterator[Interface]:
+    """Yield interface kinds, each followed by those inside of it."""
+    for interface in interfaces.values():
+        yield interface
+        yield from nested(interface.interfaces)
 
 
 @dataclass(frozen=True)
@@ -90,6 +119,8 @@ class Dictionary:
     aliases: Mapping[str, str]
     skeleton: list[str]
     scopes: list[Scope]
+    files: list[Path]
+    """Where all of this is said: each dictionary after those that it includes."""
 
 
 _KEYS = {"package_attributes", "aliases", "skeleton", "names", "definitions", "include"}
@@ -102,12 +133,9 @@ def load(file: Path, root: Path) -> Dictionary:
         SpecError: the file is not YAML or says what no dictionary can say.
 
     """
-    content = _read(file)
+    files: list[Path] = []
+    content = _read(file, root, files)
     names = content.get("names") or {}
-    while isinstance(content.get("include"), str):
-        included = _read(root / content.pop("include"))
-        names = {**included.get("names", {}), **names}
-        content = {**included, **content}
     tags = [key.removesuffix("_interface") for key in content if key.endswith("_interface")]
     own = {f"{tag}_{part}" for tag in tags for part in ("attributes", "interface")}
     forms = {"<component>_attributes", "<component>_interface"}
@@ -118,37 +146,49 @@ def load(file: Path, root: Path) -> Dictionary:
             tag: Component(
                 tag,
                 _attributes(f"{file}: {tag}", content.get(f"{tag}_attributes") or ["name"]),
-                {
-                    kind: _interface(f"{file}: {kind}", kind, item)
-                    for kind, item in (content[f"{tag}_interface"] or {}).items()
-                },
+                _interfaces(str(file), content[f"{tag}_interface"]),
             )
             for tag in tags
         },
         content.get("aliases") or {},
         content.get("skeleton") or [],
         [_scope(f"{file}: names: {label}", label, item) for label, item in names.items()],
+        files,
     )
     components = dictionary.components.values()
     owners = {PACKAGE, *dictionary.components}
-    kinds = {kind for component in components for kind in component.interfaces}
+    owners |= {each.kind for component in components for each in nested(component.interfaces)}
     for scope in dictionary.scopes:
         place = f"{file}: names: {scope.label}"
-        _check_keys(place, {scope.owner: ()}, owners)
-        _check_keys(place, scope.made_by, owners | kinds)
+        _check_keys(place, {**dict.fromkeys(scope.owners), **scope.made_by}, owners)
     _check_hidden(file, PACKAGE, dictionary.package, {c.key for c in components} | RESERVED_KEYS)
     for component in components:
-        keys = {interface.key for interface in component.interfaces.values()} | COMPONENT_KEYS
-        _check_hidden(file, component.tag, component.attributes, keys)
-        for kind in component.interfaces.values():
-            if kind.requires and kind.requires not in component.attributes:
-                hint = f"<{component.tag}>; {allowed(kind.requires, component.attributes)}"
-                word = f'requires "{kind.requires}", which is no attribute of'
-                raise SpecError(f"{file}: {kind.kind}: {word} {hint}")
+        _check_inside(file, component.tag, component, COMPONENT_KEYS)
     return dictionary
 
 
-def _read(file: Path) -> dict[str, Any]:
+def _read(file: Path, root: Path, files: list[Path]) -> dict[str, Any]:
+    """Return what a dictionary says, added to what those that it includes say; note its file."""
+    content = _mapping(file)
+    included: dict[str, Any] = {}
+    names = content.pop("include", None) or []
+    for name in names if isinstance(names, list) else [names]:
+        included = _added(included, _read(root / str(name), root, files))
+    files.append(file)
+    return dict(_added(included, content))
+
+
+def _added(first: Any, second: Any) -> Any:
+    """Return both, of mappings and lists; of what can only be one thing, the second."""
+    if isinstance(first, dict) and isinstance(second, dict):
+        common = {key: _added(first[key], second[key]) for key in first.keys() & second.keys()}
+        return {**first, **second, **common}
+    if isinstance(first, list) and isinstance(second, list):
+        return [*first, *(item for item in second if item not in first)]
+    return second
+
+
+def _mapping(file: Path) -> dict[str, Any]:
     try:
         content = yaml.safe_load(file.read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -160,24 +200,39 @@ def _read(file: Path) -> dict[str, Any]:
     return content
 
 
-def _interface(place: str, kind: str, item: Any) -> Interface:
+def _interfaces(file: str, items: Any) -> dict[str, Interface]:
+    if not isinstance(items or {}, dict):
+        raise SpecError(f"{file}: {items!r} must be a mapping of interface kinds")
+    return {kind: _interface(file, kind, item) for kind, item in (items or {}).items()}
+
+
+_INTERFACE_KEYS = ("attributes", "doc", "requires", "once", "interface")
+
+
+def _interface(file: str, kind: str, item: Any) -> Interface:
     """Read an interface kind, which is a list of attributes or a mapping that has one."""
+    place = f"{file}: {kind}"
     item = {"attributes": item} if isinstance(item, list) else item
-    if not isinstance(item, dict) or not set(item) <= {"attributes", "doc", "requires"}:
-        raise SpecError(f"{place}: must be a list of attributes, or attributes, doc and requires")
-    return Interface(
-        kind, **{**item, "attributes": _attributes(place, item.get("attributes", []))}
-    )
+    if not isinstance(item, dict) or not set(item) <= {*_INTERFACE_KEYS}:
+        keys = ", ".join(_INTERFACE_KEYS)
+        raise SpecError(f"{place}: must be a list of attributes, or a mapping of {keys}")
+    inside = _interfaces(file, item.get("interface"))
+    attributes = _attributes(place, item.get("attributes", []))
+    options = {key: item[key] for key in ("doc", "requires", "once") if key in item}
+    return Interface(kind, attributes, interfaces=inside, **options)
 
 
 def _scope(place: str, label: str, item: Any) -> Scope:
     """Read where names land, which is a mapping from tags to the names that they make there."""
+    own = ("in", "ignore_case", "reserved")
     if not isinstance(item, dict) or not all(
-        isinstance(forms, list) for key, forms in item.items() if key != "in"
+        isinstance(forms, list) for key, forms in item.items() if key not in own[:2]
     ):
         raise SpecError(f"{place}: must be a mapping with lists of names, or in and a tag")
-    made_by = {tag: forms for tag, forms in item.items() if tag not in ("in", "reserved")}
-    return Scope(label, item.get("in", PACKAGE), made_by, item.get("reserved", []))
+    made_by = {tag: forms for tag, forms in item.items() if tag not in own}
+    owners = item.get("in", PACKAGE)
+    owners = owners if isinstance(owners, list) else [owners]
+    return Scope(label, owners, made_by, item.get("reserved", []), bool(item.get("ignore_case")))
 
 
 def _attributes(place: str, items: Any) -> dict[str, Attribute]:
@@ -213,6 +268,23 @@ def _check_keys(
         if key not in known:
             hint = allowed(str(key), sorted(told or known))
             raise SpecError(f'{place}: unknown key "{key}"; {hint}')
+
+
+def _check_inside(
+    file: Path, owner: str, kind: Component | Interface, keys: Set[str] = frozenset()
+) -> None:
+    """Check what stands inside of a component or an interface against its attributes."""
+    inside = kind.interfaces.values()
+    _check_hidden(file, owner, kind.attributes, {each.key for each in inside} | keys)
+    for each in inside:
+        if each.requires and each.requires not in kind.attributes:
+            hint = f"<{owner}>; {allowed(each.requires, kind.attributes)}"
+            word = f'requires "{each.requires}", which is no attribute of'
+            raise SpecError(f"{file}: {each.kind}: {word} {hint}")
+        if not each.attributes and not each.once:
+            word = "has no attributes to tell one from another; it needs once"
+            raise SpecError(f"{file}: {each.kind}: {word}")
+        _check_inside(file, each.kind, each)
 
 
 def _check_hidden(

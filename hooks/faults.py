@@ -32,7 +32,12 @@ def first_of(faults: Sequence[str]) -> str:
 
 def allowed(word: str, words: Iterable[str]) -> str:
     """Say which `words` are allowed in place of `word`, the nearest one first."""
+    known = list(words)
+    return nearest(word, known) + (f"allowed: {', '.join(known)}" if known else "none is allowed")
+
+
+def nearest(word: str, words: Iterable[str]) -> str:
+    """Ask whether one of the `words` is meant by `word`, where one is near; a blank follows."""
     known, word = list(words), word[:_LONGEST]
     near = difflib.get_close_matches(word.lower(), {known_word.lower() for known_word in known}, 1)
-    hint = next((f'did you mean "{w}"? ' for w in known if [w.lower()] == near), "")
-    return hint + (f"allowed: {', '.join(known)}" if known else "none is allowed")
+    return next((f'did you mean "{w}"? ' for w in known if [w.lower()] == near), "")

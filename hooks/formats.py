@@ -8,21 +8,21 @@ from __future__ import annotations
 
 import math
 import re
+import sys
 import unicodedata
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from typing import Any
 
-import yaml
 from packaging.licenses import InvalidLicenseExpression, canonicalize_license_expression
 
 from .data import load_data
-from .faults import quoted
+from .faults import allowed, quoted
+from .names import class_name
 from .names import identifier as identifier_of
-from .words import CPP_NAMES, KEYWORDS, PACKAGES, meaning
+from .words import CPP_NAMES, KEYWORDS, MODULES, PACKAGES, meaning
 
 _LICENSES = {name: spdx for spdx, names in load_data("licenses.yaml").items() for name in names}
 _LONGEST_NAME = 100
-_LONGEST_LIST = 100_000
 _BIDIRECTIONAL = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
 
 
@@ -34,6 +34,8 @@ def raw(value: str) -> str:
             category in ("Cc", "Cs", "Zl", "Zp") and sign not in "\t\n\r"
         ):
             raise ValueError(f"U+{ord(sign):04X} is a control character; drop it")
+        if sign in "\ufffe\uffff":  # which YAML does not read
+            raise ValueError(f"U+{ord(sign):04X} is no character; drop it")
     return value
 
 
@@ -97,6 +99,23 @@ def ros_name(value: str) -> str:
     return ("~/" if prefix.startswith("~") else prefix) + name
 
 
+def with_capital(type_: str) -> str:
+    """Return what a type that begins with a small letter is for: `std_msgs/uint8`, for `UInt8`.
+
+    Nothing where it begins with a capital.
+    """
+    name = re.split("[/:]", type_)[-1]
+    meant = class_name(name).replace("Uint", "UInt")
+    return type_.removesuffix(name) + meant if name[0].islower() else ""
+
+
+def check_capital(type_: str) -> None:
+    """Insist that the name of a type begins with a capital."""
+    if meant := with_capital(type_):
+        rule = f"a type begins with a capital; did you mean {quoted(meant)}?"
+        raise ValueError(f"{quoted(type_)}: {rule}")
+
+
 def _type(folder: str, example: str) -> Callable[[str], str]:
     """Return the format of a type in a folder of a package; it gives `package/folder/Type`."""
     forms = f"package::Type, package/Type, package/{folder}/Type, such as {example}"
@@ -104,10 +123,98 @@ def _type(folder: str, example: str) -> Callable[[str], str]:
     def parse(value: str) -> str:
         pattern = rf"([A-Za-z]\w*)(::|/)(?:{folder}\2)?([A-Za-z]\w*)"
         match = _match(pattern, value, f"not a type; allowed: {forms}")
-        package = _free(match[1], (*CPP_NAMES, "a module of Python"))
+        package = _free(match[1], (*CPP_NAMES, *MODULES))
+        if meaning(match[3], CPP_NAMES):
+            check_capital(value)
         return f"{package}/{folder}/{_free(match[3], CPP_NAMES)}"
 
     return parse
+
+
+PRIMITIVES = (
+    *("bool", "byte", "char", "float32", "float64"),
+    *(f"{sign}int{bits}" for bits in (8, 16, 32, 64) for sign in ("", "u")),
+    *("string", "wstring", "time", "duration"),
+)
+"""The types of fields that ROS has built in; time and duration in ROS 1 alone."""
+_FIELD_TYPE = r"([\w:/]+)(?:<=([0-9]+))?(?:\[(<=)?([0-9]*)\])?"
+_SYNONYMS = {
+    "Header": "std_msgs/msg/Header",
+    "builtin_interfaces/msg/Time": "time",
+    "builtin_interfaces/msg/Duration": "duration",
+}
+_BIGGEST_SIZE = 2**31 - 1
+
+
+def interface_name(value: str) -> str:
+    """The name of a message, service or action: words with capitals, as `SetString`."""
+    complaint = "not a name of a type; allowed: letters and digits, a capital first"
+    return _free(_match(r"[A-Z][A-Za-z0-9]*", value, complaint)[0], CPP_NAMES)
+
+
+def field_name(value: str) -> str:
+    """The name of a field: a-z, 0-9 and single underscores, a letter first."""
+    complaint = "not a field name; allowed: a-z, 0-9 and single underscores, a letter first"
+    return _free(_match(r"[a-z][a-z0-9]*(_[a-z0-9]+)*", value, complaint)[0], CPP_NAMES)
+
+
+def constant_name(value: str) -> str:
+    """The name of a constant: A-Z, 0-9 and single underscores, a letter first."""
+    complaint = "not a constant name; allowed: A-Z, 0-9 and single underscores, a letter first"
+    return _free(_match(r"[A-Z][A-Z0-9]*(_[A-Z0-9]+)*", value, complaint)[0], CPP_NAMES)
+
+
+def field_type(value: str) -> str:
+    """The type of a field: primitive, `Type` of the package itself, or as a message type.
+
+    A string may have a bound (`string<=10`), and every type may be an array: `T[3]`, `T[]`,
+    `T[<=3]`. Time, duration and header have one form for both ROS, that of ROS 1.
+    """
+    forms = "allowed: a primitive type, Type, package::Type; [], [3] or [<=3] after it"
+    base, bound, limit, size = _match(_FIELD_TYPE, value, f"not a field type; {forms}").groups()
+    for number_ in filter(None, (bound, size)):
+        if not 0 < int(number_) <= _BIGGEST_SIZE:
+            raise ValueError(f"{quoted(value)}: a size must be from 1 to {_BIGGEST_SIZE}")
+    if limit and not size:
+        raise ValueError(f"{quoted(value)} is not a field type; {forms}")
+    if bound and base not in ("string", "wstring"):
+        raise ValueError(f"{quoted(value)}: only a string has a bound; {forms}")
+    if base not in (*PRIMITIVES, *_SYNONYMS):
+        base = _message(base)
+    base = _SYNONYMS.get(base, base)
+    bound = f"<={int(bound)}" if bound else ""
+    size = f"[{limit or ''}{int(size) if size else ''}]" if "[" in value else ""
+    return f"{base}{bound}{size}"
+
+
+def _message(type_: str) -> str:
+    """Return a message type; one of the package itself has no package."""
+    if "/" in type_ or ":" in type_:
+        parsed = _type("msg", "std_msgs/String")(type_)
+        check_capital(type_)
+        interface_name(parsed.split("/")[2])
+        return parsed
+    if not re.match("[A-Z]", type_):
+        raise ValueError(f"{quoted(type_)} is no primitive type; {allowed(type_, PRIMITIVES)}")
+    return interface_name(type_)
+
+
+def split_type(value: str) -> tuple[str, str, str] | None:
+    """Return the package, folder and name of a type; no package where it is the spec's own.
+
+    None for a primitive type.
+    """
+    base = re.split(r"[<\[]", value)[0]
+    if base in PRIMITIVES:
+        return None
+    package, folder, name = base.split("/") if "/" in base else ("", "msg", base)
+    return package, folder, name
+
+
+def type_of(value: Any) -> str:
+    """Return the type of another package that a value of a context names, or nothing."""
+    match = re.match(r"\w+/(msg|srv|action)/\w+(?![^<\[])", str(value))
+    return match[0] if match else ""
 
 
 def number(value: str) -> float:
@@ -119,6 +226,10 @@ def number(value: str) -> float:
     if not math.isfinite(result) or "_" in value:
         raise ValueError(
             f"{quoted(value)} is not a number; allowed: a finite number, such as 12.5"
+        )
+    if 0 < abs(result) < sys.float_info.min:  # which the YAML parser of ROS 2 takes for a text
+        raise ValueError(
+            f"{quoted(value)} is too small; allowed: 0, or at least {sys.float_info.min}"
         )
     return result
 
@@ -132,10 +243,15 @@ def boolean(value: str) -> bool:
     return spellings.index(word) < 4
 
 
+def whole(value: str) -> int:
+    """A whole number of any size."""
+    complaint = "not an int; allowed: a whole number, such as -3"
+    return int(_match(r"\s*[+-]?[0-9]+\s*", value, complaint)[0])
+
+
 def integer(value: str) -> int:
     """A whole number of 64 bits."""
-    complaint = "not an int; allowed: a whole number, such as -3"
-    result = int(_match(r"\s*[+-]?[0-9]+\s*", value, complaint)[0])
+    result = whole(value)
     if not -(2**63) <= result < 2**63:
         raise ValueError(f'"{value}" does not fit 64 bits; allowed: {-(2**63)} to {2**63 - 1}')
     return result
@@ -161,7 +277,11 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "ros_name": ros_name,
     "message_type": _type("msg", "std_msgs/String"),
     "service_type": _type("srv", "std_srvs/Trigger"),
-    "action_type": _type("action", "test_msgs/Fibonacci"),
+    "action_type": _type("action", "tf2_msgs/LookupTransform"),
+    "interface_name": interface_name,
+    "field_name": field_name,
+    "constant_name": constant_name,
+    "field_type": field_type,
     "number": number,
     "bool": boolean,
     "int": integer,
@@ -171,57 +291,14 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "license": license_name,
 }
 """The names a dictionary may write after `format:`."""
-
-
-def literal(value: str, type_name: str) -> Any:
-    """Return the value that `value` writes, of the type `bool`, `int`, `double`, `string`.
-
-    With `[]` after the type, a list written as `[a, b]`.
-
-    Raises:
-        ValueError: the text is not a value of that type.
-
-    """
-    element_type, is_list = re.fullmatch(r"(\w+)(\[\])?", type_name).groups()  # type: ignore[union-attr]
-    if not is_list:
-        return FORMATS[element_type](value)
-    if len(value) > _LONGEST_LIST:
-        raise ValueError(
-            f"a list of {len(value)} characters is too long; allowed: {_LONGEST_LIST}"
-        )
-    try:
-        items = list(_items(value))
-    except (yaml.YAMLError, ValueError, OverflowError):
-        form = "allowed: a list such as [first, second]"
-        raise ValueError(f"{quoted(value)} is not a {type_name}; {form}") from None
-    if not items:
-        raise ValueError(
-            "a list must not be empty, for ROS 2 could not tell the type of its values"
-        )
-    return [FORMATS[element_type](item) for item in items]
-
-
-def _items(value: str) -> Iterator[str]:
-    """Yield the values of one YAML list, which has no other inside."""
-    events = yaml.parse(value, Loader=yaml.SafeLoader)
-    kinds = [yaml.StreamStartEvent, yaml.DocumentStartEvent, yaml.SequenceStartEvent]
-    if not all(isinstance(next(events), kind) for kind in kinds):
-        raise ValueError
-    for event in events:
-        if isinstance(event, yaml.SequenceEndEvent):
-            break
-        if not isinstance(event, yaml.ScalarEvent):
-            raise ValueError
-        yield event.value
-    if not isinstance(next(events), yaml.DocumentEndEvent) or not isinstance(
-        next(events), yaml.StreamEndEvent
-    ):
-        raise ValueError
+TYPES = ("message_type", "service_type", "action_type", "field_type")
+"""The formats of types, which may be types that the spec itself declares."""
 
 
 _COMPARED: dict[str, Callable[[str], str]] = {
     # An identifier used for file and class names; unique ignoring case and underscores.
     "component_name": lambda name: name.replace("_", "").lower(),
+    "interface_name": str.lower,
 }
 
 

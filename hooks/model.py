@@ -12,7 +12,8 @@ from typing import Any
 
 from . import names
 from .advice import contradictions
-from .check import check
+from .changes import places
+from .check import CheckedSpec, check
 from .complete import Functions, complete
 from .dictionary import Dictionary, load
 from .faults import SpecError
@@ -31,7 +32,9 @@ class Model:
 
         """
         self.dictionary: Dictionary = load(folder / "dictionary.yaml", root)
-        self.functions: Functions = load_functions(folder / "functions.py")
+        self.functions: Functions = {}
+        for file in self.dictionary.files:
+            self.functions |= load_functions(file.with_name("functions.py"))
 
     def context(self, xml: bytes, file: str, distro: str) -> dict[str, Any]:
         """Return the context of a spec; `file` is its name in messages.
@@ -40,11 +43,17 @@ class Model:
             SpecError: the spec is not well-formed, or the dictionary does not allow it.
 
         """
-        filters = {**public_functions(names), **self.functions}
-        spec = check(parse(xml, file), self.dictionary, filters, file)
-        context = complete(spec, self.functions, distro)
+        context = complete(self._checked(xml, file), self.functions, distro)
         context["notes"] += contradictions(context, self.dictionary)
         return context
+
+    def places(self, xml: bytes, file: str) -> dict[str, str]:
+        """Return where the elements of a spec are, by the labels of `hooks.changes`."""
+        return places(self._checked(xml, file), self.dictionary)
+
+    def _checked(self, xml: bytes, file: str) -> CheckedSpec:
+        filters = {**public_functions(names), **self.functions}
+        return check(parse(xml, file), self.dictionary, filters, file)
 
     def name(self, context: Mapping[str, Any]) -> str:
         """Return the name of the package: the value of its first attribute."""

@@ -36,3 +36,14 @@ def type_name(type_: str) -> str:
 def class_name(name: str) -> str:
     """Return the name of a class for a name: `contact_evaluate` gives `ContactEvaluate`."""
     return "".join(word[0].upper() + word[1:] for word in re.split(r"[_/~]+", name) if word)
+
+
+def type_alias(name: str) -> str:
+    """Return a ROS name as part of the name of a type: `~/arm/pose` gives `ArmPose`.
+
+    Different names give different types: only `_` before a small letter is dropped.
+    """
+    word = identifier(name)
+    if re.fullmatch(r"[a-z][a-z0-9]*(_[a-z][a-z0-9]*)*", word):
+        return "".join(part.capitalize() for part in word.split("_"))
+    return word + "_"

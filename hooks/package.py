@@ -11,6 +11,9 @@ import subprocess
 from collections.abc import Callable
 from datetime import date
 from pathlib import Path
+from typing import Any
+
+import yaml
 
 from . import faults, formats
 from .faults import SpecError
@@ -58,6 +61,12 @@ class Package:
             lost = f"the package has lost its spec (*{SUFFIX}); {self._remedy()}"
             raise SpecError(f"{shown(self.folder)}: {lost}")
         return found[0] if found else None
+
+    def answers(self) -> dict[str, Any]:
+        """Return the answers that Copier has recorded; none for a new package."""
+        file = self.folder / self.answers_file
+        found = yaml.safe_load(file.read_bytes()) if file.is_file() else None
+        return found if isinstance(found, dict) else {}
 
     def _remedy(self) -> str:
         """Return the command that brings a lost spec back from git, where it is there."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NoReturn
 from xml.parsers import expat
 
 import xmltodict
@@ -13,6 +13,8 @@ from .faults import SpecError, quoted, shown
 
 Place = tuple[int, int]
 """The line where an element starts, and its number in the order of the file."""
+
+_NOT_CLOSED = (expat.errors.XML_ERROR_NO_ELEMENTS, expat.errors.XML_ERROR_TAG_MISMATCH)
 
 
 @dataclass(eq=False)
@@ -72,29 +74,33 @@ def _places(xml: bytes, file: str) -> list[Place]:
     """Return the place of each element, in the order they end: what xmltodict does not tell."""
     parser = expat.ParserCreate("UTF-8")
     count = 0
-    begun: list[Place] = []
+    begun: list[tuple[str, Place]] = []
     ended: list[Place] = []
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         nonlocal count
         count += 1
-        begun.append((parser.CurrentLineNumber, count))
+        begun.append((tag, (parser.CurrentLineNumber, count)))
 
     def declaration(version: str, encoding: str | None, standalone: int) -> None:
-        if encoding and encoding.upper() not in ("UTF-8", "UTF8", "ASCII", "US-ASCII"):
+        if encoding and encoding.upper() != "UTF-8":
             refuse(f"encoding {quoted(encoding)} is not read; save the spec as UTF-8 and say so")
 
     def doctype(name: str, system: str | None, public: str | None, internal: bool) -> None:
         if system:
-            refuse(f"a DOCTYPE in another file, {quoted(system)}, is not read; drop it")
+            elsewhere()
 
-    def refuse(fault: str) -> None:
+    def elsewhere() -> NoReturn:
+        refuse("a DOCTYPE with parts in another file is not read; drop it")
+
+    def refuse(fault: str) -> NoReturn:
         raise SpecError(f"{file}:{parser.CurrentLineNumber}: {fault}")
 
     parser.StartElementHandler = start
-    parser.EndElementHandler = lambda tag: ended.append(begun.pop())
+    parser.EndElementHandler = lambda tag: ended.append(begun.pop()[1])
     parser.XmlDeclHandler = declaration
     parser.EntityDeclHandler = lambda *_: refuse("entities are disabled; write the text itself")
+    parser.NotStandaloneHandler = elsewhere
     parser.StartDoctypeDeclHandler = doctype
     try:
         xml.decode("utf-8-sig")
@@ -102,8 +108,9 @@ def _places(xml: bytes, file: str) -> list[Place]:
     except UnicodeDecodeError:
         raise SpecError(f"{file}:1: not UTF-8 text; save the spec as UTF-8") from None
     except expat.ExpatError as error:
-        reason = expat.ErrorString(error.code)
-        raise SpecError(
-            f"{file}:{error.lineno}: not well-formed XML: {reason} (column {error.offset + 1})"
-        ) from None
+        reason = f"{expat.ErrorString(error.code)} (column {error.offset + 1})"
+        if begun and expat.ErrorString(error.code) in _NOT_CLOSED:
+            tag, (line, _) = begun[-1]
+            reason = f"<{shown(tag)}> of line {line} is not closed"
+        raise SpecError(f"{file}:{error.lineno}: not well-formed XML: {reason}") from None
     return ended

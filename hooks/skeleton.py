@@ -7,7 +7,8 @@ from collections.abc import Iterable, Mapping
 from string import Template
 from xml.sax.saxutils import quoteattr
 
-from .dictionary import DEPEND, PACKAGE, Attribute, Component, Dictionary
+from .dictionary import DEPEND, PACKAGE, Attribute, Component, Dictionary, Interface
+from .literals import spelled
 
 _WIDTH = 96
 
@@ -25,31 +26,64 @@ def skeleton(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
         ),
         *_tag(PACKAGE, package, "", ">", sources),
     ]
+    told: list[Interface] = []
     for component in dictionary.components.values():
-        lines += _component(component, dictionary)
+        lines += _component(component, dictionary, told)
     lines += ["", *_comment("A package that no interface above names:", "  ")]
     return "\n".join(
         [*lines, f"  <!-- <{DEPEND}>package_name</{DEPEND}> -->", f"</{PACKAGE}>", ""]
     )
 
 
-def _component(component: Component, dictionary: Dictionary) -> list[str]:
-    lines = [
+def _component(component: Component, dictionary: Dictionary, told: list[Interface]) -> list[str]:
+    return [
         *_comment(component.tag, "  ", component.attributes.values()),
         *_tag(component.tag, component.attributes.values(), "  ", ">"),
+        *_kinds(component, dictionary, "    ", told),
+        f"  </{component.tag}>",
     ]
+
+
+def _kinds(
+    owner: Component | Interface, dictionary: Dictionary, indent: str, told: list[Interface]
+) -> list[str]:
+    """Write an example of each kind, after a comment; what `told` has already, says no more."""
+    lines: list[str] = []
     others: list[str] = []
-    for kind in component.interfaces.values():
-        attributes = kind.attributes.values()
+    for kind in owner.interfaces.values():
         title = f"{kind.kind}: {kind.doc}" if kind.doc else kind.kind
-        comment = _comment(title, "    ", attributes)
+        is_told = kind in told
+        comment = [] if is_told else _comment(title, indent, kind.attributes.values())
+        told.append(kind)
         if kind.kind in dictionary.skeleton:
-            lines += [*comment, *_tag(kind.kind, attributes, "    ", "/>")]
-        else:
-            others += ["", *comment, *_tag(kind.kind, attributes, "    <!-- ", "/> -->")]
+            inside = _kinds(kind, dictionary, indent + "  ", told)
+            lines += [*comment, *_example(kind, indent, inside)]
+        elif not is_told:
+            example = _example(kind, indent, _examples(kind, indent + "  "), "<!-- ")
+            example[-1] += " -->"
+            others += ["", *comment, *example]
     if others:
-        lines += ["", *_comment("The other interface kinds, to uncomment where needed.", "    ")]
-    return [*lines, *others, f"  </{component.tag}>"]
+        hint = "The other interface kinds, to uncomment where needed."
+        lines += ["", *_comment(hint, indent)]
+    return [*lines, *others]
+
+
+def _examples(owner: Interface, indent: str) -> list[str]:
+    """Write an example of each kind inside of an interface, without comments."""
+    return [
+        line
+        for kind in owner.interfaces.values()
+        for line in _example(kind, indent, _examples(kind, indent + "  "))
+    ]
+
+
+def _example(kind: Interface, indent: str, inside: list[str], start: str = "") -> list[str]:
+    """Write one element; `start` is what begins a comment, where it is one."""
+    attributes = kind.attributes.values()
+    if not inside:
+        return _tag(kind.kind, attributes, indent + start, "/>")
+    first = _tag(kind.kind, attributes, indent + start, ">")
+    return [*first, *inside, f"{indent}</{kind.kind}>"]
 
 
 def _comment(title: str, indent: str, attributes: Iterable[Attribute] = ()) -> list[str]:
@@ -75,7 +109,7 @@ def _meaning(attribute: Attribute) -> str:
         words.append("one of " + ", ".join(attribute.choices))
     if attribute.optional:
         default = attribute.default
-        words.append("optional" if default in (None, "") else f"default {default}")
+        words.append("optional" if default in (None, "") else f"default {spelled(default)}")
     return "; ".join(words)
 
 

@@ -12,7 +12,8 @@ from .data import load_data
 
 KEYWORDS = ("a keyword of Python", "a keyword of C++")
 CPP_NAMES = (*KEYWORDS, "a macro of C++")
-PACKAGES = (*CPP_NAMES, "a module of Python", "a name of C or C++", "a package of ROS itself")
+MODULES = ("a module of Python", "a module that packages import")
+PACKAGES = (*CPP_NAMES, *MODULES, "a name of C or C++", "a package of ROS itself")
 
 
 @functools.cache
@@ -20,7 +21,7 @@ def _lists() -> dict[str, tuple[frozenset[str], re.Pattern[str]]]:
     """Return for each meaning the words that have it, and a pattern for others that have it."""
     words = {meaning: text.split() for meaning, text in load_data("words.yaml").items()}
     words["a keyword of Python"] = list(keyword.kwlist)
-    words["a module of Python"] = [*sys.stdlib_module_names, "conftest", "setup", "test", "tests"]
+    words["a module of Python"] = list(sys.stdlib_module_names)
     return {
         meaning: (
             frozenset(filter(str.isidentifier, found)),

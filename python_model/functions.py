@@ -8,8 +8,15 @@ from typing import Any
 def dependencies_from_template(ros_distro: str) -> list[str]:
     """Return the packages every package of this model needs at run time."""
     if ros_distro == "noetic":
-        return ["rospy"]
-    return ["launch_ros", "launch_xml", "rcl_interfaces", "rclpy"]
+        return ["rosgraph_msgs", "roslaunch", "rospy"]
+    return ["builtin_interfaces", "launch_ros", "launch_xml", "rcl_interfaces", "rclpy"]
+
+
+def dependencies_from_component(
+    kind: str, attributes: dict[str, Any], ros_distro: str
+) -> list[str]:
+    """Return the packages that a node needs besides those of its interfaces."""
+    return ["diagnostic_msgs"] if attributes["diagnostics"] else []
 
 
 def dependencies_from_interface(
@@ -18,22 +25,28 @@ def dependencies_from_interface(
     """Return the packages that one interface needs: that of its type, and that of its kind."""
     ros1 = ros_distro == "noetic"
     if ros1 and kind == "dynParameter":
+        if attributes["name"] == "groups":
+            raise ValueError('dynamic_reconfigure overwrites a parameter "groups"; choose another')
         _check_32_bits(attributes)
+    if ros_distro == "humble":
+        _check_qos_of_humble(attributes)
     packages = {
-        "actionServer": ["actionlib"] if ros1 else [],
-        "actionClient": ["actionlib" if ros1 else "action_msgs"],
+        "actionServer": ["actionlib", "actionlib_msgs"] if ros1 else [],
+        "actionClient": (
+            ["actionlib", "actionlib_msgs"] if ros1 else ["action_msgs", "unique_identifier_msgs"]
+        ),
         "serviceClient": ["rosgraph"] if ros1 else [],
         "dynParameter": ["dynamic_reconfigure"] if ros1 else [],
-        "listener": ["geometry_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
-        "broadcaster": ["geometry_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
+        "listener": ["geometry_msgs", "tf2_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
+        "broadcaster": ["geometry_msgs", "tf2_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
     }.get(kind, [])
     type_ = attributes.get("type", "")
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
 
 
-def logic_file(node: str, package: str) -> str:
+def logic_file(node: dict[str, Any], package: str) -> str:
     """Return where the logic of a node stands."""
-    return f"{package}/{node}_impl.py"
+    return f"{package}/{node['name']}_impl.py"
 
 
 def cfg_name(node: dict[str, Any]) -> str:
@@ -46,3 +59,9 @@ def _check_32_bits(attributes: dict[str, Any]) -> None:
         value = attributes[name]
         if isinstance(value, int) and not -(2**31) <= value < 2**31:
             raise ValueError(f"{name}: {value} does not fit the 32 bits of dynamic_reconfigure")
+
+
+def _check_qos_of_humble(attributes: dict[str, Any]) -> None:
+    for name in ("qos", "reliability", "durability"):
+        if attributes.get(name) == "best_available":
+            raise ValueError(f'{name}: Humble has no "best_available"; ROS 2 has it since Iron')

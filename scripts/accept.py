@@ -20,21 +20,35 @@ import copier
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "examples"
-MODELS = ("python_model", "cpp_model")
 DISTROS = ("noetic", "kilted")
+PACKAGES = "*/*_model/*"
+
+
+def models(spec: Path) -> tuple[str, ...]:
+    """Return the models that a spec is for: by ROS's custom, *_msgs has interfaces alone."""
+    if spec.stem.endswith("_msgs"):
+        return ("interfaces_model",)
+    is_mixed = ' language="' in spec.read_text(encoding="utf-8")
+    return ("mixed_model",) if is_mixed else ("python_model", "cpp_model")
 
 
 def render(target: Path) -> None:
     """Make every package of the examples below `target`."""
     with tempfile.TemporaryDirectory() as folder:
-        for model in MODELS:
-            source = Path(folder) / model
-            shutil.copytree(ROOT / model, source)
-            for shared in ("hooks", "extensions", "shared"):
-                shutil.copytree(ROOT / shared, source / shared)
-            for spec in sorted(EXAMPLES.glob("*.ros_package")):
+        for spec in sorted(EXAMPLES.glob("*.ros_package")):
+            for model in models(spec):
+                source = Path(folder) / model
+                if not source.exists():
+                    publish(model, source)
                 for distro in DISTROS:
                     make(source, spec, distro, target / spec.stem / model / distro)
+
+
+def publish(model: str, source: Path) -> None:
+    """Put a model into a folder, with all that it has as a repository of its own."""
+    shutil.copytree(ROOT / model, source)
+    for shared in ("hooks", "extensions", "shared"):
+        shutil.copytree(ROOT / shared, source / shared)
 
 
 def make(source: Path, spec: Path, distro: str, package: Path) -> None:
@@ -55,9 +69,8 @@ def make(source: Path, spec: Path, distro: str, package: Path) -> None:
 
 def accept(made: Path) -> None:
     """Put the packages below `made` in the place of those in examples/."""
-    for old in EXAMPLES.iterdir():
-        if old.is_dir():
-            shutil.rmtree(old)
+    for old in EXAMPLES.glob(PACKAGES):
+        shutil.rmtree(old)
     shutil.copytree(made, EXAMPLES, dirs_exist_ok=True)
 
 
@@ -84,8 +97,7 @@ def files(folder: Path) -> dict[str, tuple[bool, str]]:
     """Return the files of packages, each with whether it is executable and its text."""
     return {
         str(path.relative_to(folder)): (bool(path.stat().st_mode & 0o100), path.read_text("utf-8"))
-        for package in folder.iterdir()
-        if package.is_dir()
+        for package in folder.glob(PACKAGES)
         for path in package.rglob("*")
         if path.is_file() and "__pycache__" not in path.parts and ".ruff_cache" not in path.parts
     }

@@ -134,7 +134,7 @@ def _choose_model(legacy: Path) -> str:
 def _without_dynamic(spec: Path, folder: Path, report: Report) -> Path:
     """Return the spec, or of a service server a copy whose parameters are static.
 
-    It has no update here, which alone gets a dynamic parameter that is set.
+    It has no `update` here, and only `update` receives a dynamic parameter.
     """
     old = spec.read_bytes()
     new, number = re.subn(rb"(</?)dynParameter\b", rb"\1parameter", old)
@@ -195,7 +195,7 @@ def _moved(name: str, report: Report) -> str:
 
 
 def _files(legacy: Path, top: Path) -> Iterator[str]:
-    """Yield the files at or below `top`, relative to the package, without those git has."""
+    """Yield the files at or below `top`, relative to the package; not git's, nor compiled ones."""
     for path in [top] if top.is_file() or top.is_symlink() else sorted(top.rglob("*")):
         name = path.relative_to(legacy)
         is_junk = {".git", "__pycache__"} & set(name.parts) or name.suffix == ".pyc"

@@ -1,14 +1,30 @@
 """The fixtures of all tests: the collection, rendering, updating, and ROS."""
 
 import os
+import shutil
 import subprocess
 import sys
 
 import copier
 import pytest
+from hypothesis import settings
 
 from support import ros
-from support.repository import GIT, bare_repository, commit, copy_collection, git
+from support.packages import DATA
+from support.repository import EXAMPLES, GIT, bare_repository, commit, copy_collection, git
+
+settings.register_profile("any machine", deadline=None)
+settings.load_profile("any machine")
+
+LONGEST = """
+  test_contract test_ros1 test_models test_mutants test_update test_ros2 test_mixed test_lab
+""".split()
+
+
+def pytest_collection_modifyitems(items):
+    """Begin with the files that take minutes, so that no process is left with one at the end."""
+    place = {name: number for number, name in enumerate(LONGEST)}
+    items.sort(key=lambda item: place.get(item.path.stem, len(LONGEST)))
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -38,9 +54,9 @@ def collection(tmp_path_factory):
 
 
 @pytest.fixture
-def own_collection(tmp_path):
+def own_collection(collection, tmp_path):
     """A collection that the test may change and tag."""
-    return copy_collection(tmp_path / "own_collection")
+    return shutil.copytree(collection, tmp_path / "own_collection", symlinks=True)
 
 
 @pytest.fixture
@@ -144,3 +160,31 @@ def ros1():
 def ros2():
     """ROS 2, or skip."""
     return ros.ros2() or pytest.skip(ros.NO_ROS2)
+
+
+@pytest.fixture(scope="session")
+def put(collection):
+    """Put the package that stands beside a spec into a workspace; where none does, render it."""
+
+    def run(spec, model, distro, workspace):
+        package = workspace / "src" / spec.stem
+        shown = spec.with_suffix("") / model / distro
+        if shown.is_dir():
+            shutil.copytree(shown, package)
+        else:
+            data = {"model": model, "spec_file": str(spec), "ros_distro": distro}
+            options = {"defaults": True, "unsafe": True, "quiet": True}
+            copier.run_copy(str(collection), package, data=data, **options)
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def ros1_interfaces(put, tmp_path_factory):
+    """A workspace with the interfaces that ROS 1 lacks."""
+    ros1 = ros.ros1() or pytest.skip(ros.NO_ROS1)
+    workspace = tmp_path_factory.mktemp("ros1_interfaces")
+    shutil.copytree(DATA / "test_msgs", workspace / "src/test_msgs")
+    put(EXAMPLES / "contact_msgs.ros_package", "interfaces_model", ros1.distro, workspace)
+    ros1.build(workspace)
+    return workspace

@@ -5,9 +5,10 @@
     transaction  takes a snapshot, puts the result in place, or restores the snapshot
     render       renders the old and the new version
     renaming     which identifiers, paths and keys a rename exchanges; tokens, the words of code
-    moves        the files that a new version of the model calls otherwise
+    moves        the files that a new version of the model renames
     package      three versions of a package merged file by file
     merging      three versions of a file merged by block, lines inside of a block
+    matching     which block is which, wherever the developer has put it
     lines        three lists of lines merged
     languages    what a file consists of: blocks of Python, C++, XML, YAML, CMake, Markdown
     proof        finds every line of the developer again

@@ -6,6 +6,7 @@ The texts of the blocks, one after the other, are the text of the file.
 
 from __future__ import annotations
 
+import functools
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -15,7 +16,10 @@ from .lines import Lines
 
 @dataclass
 class Block:
-    """Some lines with a name; a container has other blocks between its head and its tail."""
+    """Some lines with a name; a container has other blocks between its head and its tail.
+
+    One without any line stands for a container that the developer has put around others.
+    """
 
     key: str
     lines: Lines
@@ -28,6 +32,11 @@ class Block:
         inner = "".join(child.text for child in self.children)
         return "".join(self.lines) + inner + "".join(self.tail)
 
+    def copy(self) -> Block:
+        """Return a block that can be changed alone."""
+        children = [child.copy() for child in self.children]
+        return Block(self.key, list(self.lines), children, list(self.tail))
+
 
 @dataclass(frozen=True)
 class Span:
@@ -39,6 +48,57 @@ class Span:
     body: tuple[int, int] | None = None
     """Of a container: the lines between its head and its tail."""
     items: tuple[Span, ...] = ()
+
+
+def nested(spans: Iterable[Span], role: Callable[[Span], tuple[str, str]]) -> list[Span]:
+    """Put what stands between the beginning and the end of a condition inside of one item.
+
+    `role` says of an item which statement it belongs to, and whether it is the `start`, another
+    `branch` or the `end` of that; of any other item, two empty texts. Each branch is an item, too.
+
+    Raises:
+        ValueError: something ends that has not begun, or does not end.
+
+    """
+    found: list[Span] = []
+    open_: list[tuple[str, list[Span]]] = [("", found)]
+    for span in spans:
+        statement, part = role(span)
+        if part == "start":
+            open_.append((statement, [span]))
+            continue
+        if part and open_[-1][0] != statement:
+            raise ValueError(f"line {span.start + 1}: {span.key}, without its beginning")
+        open_[-1][1].append(span)
+        if part == "end":
+            inside = open_.pop()[1]
+            open_[-1][1].append(_condition(inside, [role(one)[1] == "branch" for one in inside]))
+    if len(open_) > 1:
+        raise ValueError(f"line {open_[-1][1][0].start + 1}: {open_[-1][1][0].key}, without end")
+    return found
+
+
+def _condition(spans: list[Span], is_branch: list[bool]) -> Span:
+    """Make one item of those from a beginning to its end."""
+    first, last = spans[0], spans[-1]
+    if any(one.end > other.start for one, other in zip(spans, spans[1:], strict=False)):
+        return Span(first.key, first.start, last.end)
+    heads = [0, *(i for i, found in enumerate(is_branch) if found), len(spans) - 1]
+    branches = []
+    for at, until in zip(heads, heads[1:], strict=False):
+        body = (spans[at].end, spans[until].start)
+        start, key = (spans[at].start, spans[at].key) if at else (body[0], THEN)
+        branches.append(Span(key, start, body[1], body, tuple(spans[at + 1 : until])))
+    return Span(first.key, first.start, last.end, (first.end, last.start), tuple(branches))
+
+
+THEN = "then"
+"""What the first branch of a condition is called."""
+
+
+def is_condition(block: Block) -> bool:
+    """Say whether a block has branches."""
+    return bool(block.children) and block.children[0].key == THEN
 
 
 def arrange(
@@ -145,17 +205,55 @@ def walk(blocks: Iterable[Block], scope: tuple[str, ...] = ()) -> Iterator[tuple
 
 
 def checked(blocks: Callable[[str], list[Block]]) -> Callable[[str], list[Block]]:
-    """Insist that the blocks are the whole text."""
+    """Insist that the blocks are the whole text; the merge and the proof read the same texts."""
 
-    def check(text: str) -> list[Block]:
+    @functools.lru_cache(maxsize=512)
+    def check(text: str) -> tuple[Block, ...]:
         found = blocks(text)
         if "".join(block.text for block in found) != text:
             raise ValueError("the blocks are not the text")
-        return found
+        return tuple(found)
 
-    return check
+    return lambda text: [block.copy() for block in check(text)]
 
 
-def squeezed(text: str) -> str:
-    """Return a text without the blanks around its words, and with one sort of quotes."""
-    return re.sub(r"\s+", " ", text).strip().replace("'", '"')
+_QUOTED = re.compile(
+    r"""(?P<exact> "(?: \\. | [^"\\] )*"
+      | (?: (?<!\w) | (?<=\b[bfruBFRU]) ) '(?: \\. | '' | [^'\\] )*' )""",
+    re.VERBOSE | re.DOTALL,
+)
+"""What is between quotes; an apostrophe is none."""
+
+
+def squeezed(text: str, quoted: re.Pattern[str] = _QUOTED) -> str:
+    """Return a text without the blanks around its words, and with one sort of quotes.
+
+    What a pattern finds and calls `exact` keeps its blanks, for they belong to a value.
+    """
+    parts: list[str] = []
+    at = 0
+    for match in quoted.finditer(text):
+        exact = match["exact"]
+        inside = collapsed(match[0]).strip() if exact is None else one_sort(exact)
+        parts += [collapsed(text[at : match.start()]), inside]
+        at = match.end()
+    return "".join([*parts, collapsed(text[at:])]).strip()
+
+
+def collapsed(text: str) -> str:
+    """Return a text with one blank where there are several."""
+    return re.sub(r"\s+", " ", text)
+
+
+def one_sort(quoted: str) -> str:
+    """Return a quoted text between the one sort of quotes, where that means the same."""
+    inner = quoted[1:-1]
+    return f'"{inner}"' if quoted[0] == "'" and not re.search("[\"']", inner) else quoted
+
+
+_PRIVATE = {code: code - 0xDC80 + 0xE080 for code in range(0xDC80, 0xDD00)}
+
+
+def unicode(text: str) -> str:
+    """Return a text for parsers: private characters stand for the bytes of other encodings."""
+    return text.translate(_PRIVATE)

@@ -6,11 +6,12 @@ is known by the name before its first parenthesis. That is enough to tell one fr
 
 from __future__ import annotations
 
+import functools
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from .blocks import Block, Span, arrange, squeezed
+from .blocks import Block, Span, arrange, nested, squeezed
 from .lines import split
 
 COMMENT = "//"
@@ -44,16 +45,49 @@ class _Token:
 def blocks(text: str) -> list[Block]:
     """Return the blocks of a source or header; those of a class or namespace are inside of it.
 
+    So are those of an `#if`, but for the one that keeps a header from being included twice.
+
     Raises:
-        ValueError: its braces do not match.
+        ValueError: its braces, or its conditions, do not match.
 
     """
     lines = split(text)
     tokens = [token for token in tokenize(text) if token.kind not in ("blank", "comment")]
+    nested([_directive(token) for token in tokens if token.kind == "directive"], _role)
     spans, rest = _scope(tokens, 0)
     if rest < len(tokens):
         raise ValueError(f"line {tokens[rest].line + 1}: a brace that nothing opens")
     return arrange(lines, spans, 0, len(lines), COMMENT)
+
+
+def _directive(token: _Token) -> Span:
+    return Span(squeezed(token.text), token.line, token.last + 1)
+
+
+def _role(span: Span) -> tuple[str, str]:
+    """Say whether a directive begins a condition, goes on with it or ends it."""
+    match = re.match(r"#\s*(\w+)", span.key)
+    part = _ROLES.get(match[1], "") if match else ""
+    return ("if", part) if part else ("", "")
+
+
+_ROLES = dict.fromkeys(("if", "ifdef", "ifndef"), "start")
+_ROLES |= dict.fromkeys(("elif", "elifdef", "elifndef", "else"), "branch") | {"endif": "end"}
+
+
+def _with_conditions(spans: list[Span]) -> list[Span]:
+    """Put what stands in a condition inside of it; what a guard of a header holds stays."""
+    heads = [span.key.split() for span in spans[:2]]
+    if len(heads) < 2 or heads[0][:1] + heads[1] != ["#ifndef", "#define", *heads[0][1:]]:
+        return nested(spans, _role)
+    depth = 0
+    for at, span in enumerate(spans):
+        part = _role(span)[1]
+        depth += (part == "start") - (part == "end")
+        if not depth:
+            inside, rest = spans[1:at], spans[at + 1 :]
+            return [spans[0], *nested(inside, _role), span, *nested(rest, _role)]
+    return nested(spans, _role)
 
 
 def same(one: str, other: str) -> bool:
@@ -61,6 +95,7 @@ def same(one: str, other: str) -> bool:
     return _words(one) == _words(other)
 
 
+@functools.lru_cache(maxsize=2048)
 def _words(text: str) -> list[str]:
     words: list[str] = []
     for token in tokenize(text):
@@ -88,7 +123,7 @@ def _scope(tokens: list[_Token], at: int) -> tuple[list[Span], int]:
     while at < len(tokens) and tokens[at].text != "}":
         token = tokens[at]
         if token.kind == "directive":
-            spans.append(Span(squeezed(token.text), token.line, token.last + 1))
+            spans.append(_directive(token))
             at += 1
         elif token.text in _ACCESS and at + 1 < len(tokens) and tokens[at + 1].text == ":":
             spans.append(Span(f"{token.text}:", token.line, tokens[at + 1].last + 1))
@@ -96,7 +131,7 @@ def _scope(tokens: list[_Token], at: int) -> tuple[list[Span], int]:
         else:
             span, at = _item(tokens, at)
             spans.append(span)
-    return spans, at
+    return _with_conditions(spans), at
 
 
 def _item(tokens: list[_Token], start: int) -> tuple[Span, int]:

@@ -6,7 +6,12 @@ import os
 import subprocess
 from pathlib import Path
 
-_NEUTRAL = ("core.quotePath=false", "core.fsmonitor=false", f"core.hooksPath={os.devnull}")
+_NEUTRAL = (
+    "core.quotePath=false",
+    "core.fsmonitor=false",
+    f"core.hooksPath={os.devnull}",
+    "log.showSignature=false",
+)
 
 
 def git(folder: Path, *arguments: str, given: bytes = b"", check: bool = True) -> str:
@@ -56,9 +61,9 @@ def index_file(folder: Path) -> Path:
     return folder / git(folder, "rev-parse", "--git-path", "index").rstrip("\n")
 
 
-def committed(folder: Path, path: str) -> bytes:
-    """Return a file of the last commit; nothing where it has none."""
-    return os.fsencode(git(folder, "show", f"HEAD:./{path}", check=False))
+def committed(folder: Path, path: str, commit: str = "HEAD") -> bytes:
+    """Return a file of a commit, by default the last one; nothing where it has none."""
+    return os.fsencode(git(folder, "show", f"{commit}:./{path}", check=False))
 
 
 def last_commit(folder: Path) -> str:
@@ -66,11 +71,13 @@ def last_commit(folder: Path) -> str:
     return git(folder, "rev-parse", "--short", "HEAD", check=False).strip()
 
 
-def commit_that_had(folder: Path, path: str) -> str:
-    """Return the last commit that had a file which git has no longer, or an empty text."""
-    found = git(
-        folder, "log", "-1", "--format=%h", "--diff-filter=D", "--", path, check=False
-    ).strip()
+def commit_that_had(folder: Path, path: str, word: str = "") -> str:
+    """Return the last commit that had a file which git has no longer, or an empty text.
+
+    With a `word`, the last one in which the file had this word, which it has no longer.
+    """
+    sought = f"-S{word}" if word else "--diff-filter=D"
+    found = git(folder, "log", "-1", "--format=%h", sought, "--", path, check=False).strip()
     parents = git(folder, "rev-parse", "--short", f"{found}^", check=False) if found else ""
     return parents.strip()
 

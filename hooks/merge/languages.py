@@ -39,9 +39,11 @@ TEXT = Language("text", _lines, _exactly, str.rstrip)
 PYTHON = Language("python", checked(python_blocks.blocks), python_blocks.same, _margin_counts)
 CPP = Language("c++", checked(cpp_blocks.blocks), cpp_blocks.same, squeezed)
 XML = Language("xml", checked(xml_blocks.blocks), xml_blocks.same, squeezed)
-YAML = Language("yaml", checked(outlines.yaml_blocks), outlines.same, _margin_counts)
-CMAKE = Language("cmake", checked(outlines.cmake_blocks), outlines.same, squeezed)
-MARKDOWN = Language("markdown", checked(outlines.markdown_blocks), outlines.same, str.rstrip)
+YAML = Language("yaml", checked(outlines.yaml_blocks), outlines.same_yaml, _margin_counts)
+CMAKE = Language("cmake", checked(outlines.cmake_blocks), outlines.same_cmake, squeezed)
+MARKDOWN = Language(
+    "markdown", checked(outlines.markdown_blocks), outlines.same_markdown, str.rstrip
+)
 
 _SUFFIXES = {
     PYTHON: ".py .cfg .pyi",

@@ -12,9 +12,10 @@ from dataclasses import dataclass, field
 
 from ..changes import GONE
 from . import lines
-from .blocks import Block
-from .languages import MARKDOWN, TEXT, Language, language
+from .blocks import Block, walk
+from .languages import CPP, MARKDOWN, PYTHON, TEXT, Language, language
 from .lines import Conflict, Merged
+from .matching import align
 
 
 @dataclass
@@ -60,16 +61,19 @@ def merge(path: str, mine: Version, old: Version | None, new: Version) -> Outcom
         try:
             merger = _Merger(known)
             base = old.read(known) if old else []
-            merged = merger.sequence(mine.read(known), base, new.read(known), ())
+            sides = align(mine.read(known), base, new.read(known))
+            merged = merger.sequence(*sides)
             if readable(known, merged):
-                missing = _missing(known, mine, old, new) if old else []
-                return Outcome(merged, merger.removed, missing)
+                return Outcome(merged, merger.removed, list(_deleted(*sides)))
         except (ValueError, RecursionError):
             pass
     if old is None:
         return conflict(path, mine, old, new)
     outcome = by_line(known, mine.text, old.text, new.text)
     could_be_read = readable(known, [*lines.split(mine.text)])
+    is_code = known in (CPP, PYTHON)
+    if is_code and not could_be_read and _names(known, old) != _names(known, new):
+        return conflict(path, mine, old, new)  # lines alone do not tell whose a body is
     if outcome.conflict or not could_be_read or readable(known, outcome.merged):
         return outcome
     return conflict(path, mine, old, new)
@@ -98,10 +102,19 @@ def readable(known: Language, merged: Merged) -> bool:
     return True
 
 
+def _names(known: Language, version: Version) -> set[str]:
+    """Return the names of the blocks of a version; none where it cannot be read."""
+    try:
+        return {name for name, _ in walk(version.read(known))}
+    except (ValueError, RecursionError):
+        return set()
+
+
 def _missing(known: Language, mine: Version, old: Version, new: Version) -> list[str]:
     """Return the parts that the developer has deleted: functions, elements, keys, sections."""
     try:
-        return list(_deleted(*(version.read(known) for version in (mine, old, new))))
+        sides = (version.read(known) for version in (mine, old, new))
+        return list(_deleted(*align(*sides)))
     except (ValueError, RecursionError):
         return []
 
@@ -113,10 +126,12 @@ def _deleted(mine: Sequence[Block], old: Sequence[Block], new: Sequence[Block]) 
             inner = (ours[block.key], base[block.key], block)
             yield from _deleted(*(found.children for found in inner))
         elif block.key in base and not _LOOSE.match(block.key):
-            yield _name((block.key,))
+            yield block_name(block.key)
 
 
-_LOOSE = re.compile(r"comment |header|docstring|empty|text|start|#|from |import |using |.* =$")
+_LOOSE = re.compile(
+    r"then$|comment |header|docstring|empty|text|start|#|from |import |using |.* =$"
+)
 """Blocks that are known by what they say, or that nobody misses."""
 
 
@@ -130,24 +145,25 @@ class _Merger:
         mine: Sequence[Block],
         old: Sequence[Block],
         new: Sequence[Block],
-        scope: tuple[str, ...],
     ) -> Merged:
         """Merge the blocks of a file, a class, an element."""
         ours, base, theirs = ({block.key: block for block in side} for side in (mine, old, new))
         merged: Merged = []
         for key in _order(list(ours), list(base), list(theirs)):
             if key in ours and key in theirs:
-                merged += self.block(ours[key], base.get(key), theirs[key], scope)
+                merged += self.block(ours[key], base.get(key), theirs[key])
+            elif key in ours and key in base and not base[key].lines:
+                merged += self.emptied(ours[key], base[key])
             elif key in ours and key in base:
                 if not self.is_same(ours[key], base[key]):
-                    self.removed.append(_name((*scope, key)))
+                    self.removed.append(block_name(key))
             elif key in ours:
                 merged += lines.split(ours[key].text)
             elif key not in base:
                 merged += lines.split(theirs[key].text)
         return merged
 
-    def block(self, mine: Block, old: Block | None, new: Block, scope: tuple[str, ...]) -> Merged:
+    def block(self, mine: Block, old: Block | None, new: Block) -> Merged:
         """Merge one block; the developer's counts where there was none before."""
         if old is None:
             old = Block(mine.key, mine.lines, [], mine.tail)
@@ -158,11 +174,24 @@ class _Merger:
             return list(lines.split(mine.text))
         if self.is_same(mine, old):
             return list(lines.split(new.text))
-        if not (mine.children and new.children):
+        if not mine.children or (new.lines and not new.children):
             return self.lines(*(lines.split(block.text) for block in (mine, old, new)))
         head = self.lines(mine.lines, old.lines, new.lines)
-        inner = self.sequence(mine.children, old.children, new.children, (*scope, mine.key))
+        inner = self.sequence(mine.children, old.children, new.children)
         return [*head, *inner, *self.lines(mine.tail, old.tail, new.tail)]
+
+    def emptied(self, mine: Block, old: Block) -> Merged:
+        """Take out of a container of the developer's what leaves, which is all that is generated.
+
+        In Python one that is empty cannot stay.
+        """
+        merged = self.block(mine, old, Block(mine.key, []))
+        held = {block.key for block in old.children}
+        own = [block.key for block in mine.children if block.key not in held]
+        if self.language is PYTHON and all(key.startswith("comment ") for key in own):
+            self.removed.append(block_name(mine.key))
+            return []
+        return merged
 
     def lines(self, mine: lines.Lines, old: lines.Lines, new: lines.Lines) -> Merged:
         return lines.merge_lines(mine, old, new, self.language.key, self.language.same)
@@ -193,7 +222,7 @@ def _inserted(keys: list[str], others: Iterable[str]) -> list[str]:
     return result
 
 
-def _name(scope: Sequence[str]) -> str:
+def block_name(key: str) -> str:
     """Name a block as a person would: `serve_load`, `exec_depend rclpy`."""
-    name = re.sub(r"( #\d+)?$", "", scope[-1]).replace(GONE, "")
+    name = re.sub(r"( #\d+)?$", "", key).replace(GONE, "")
     return name.removeprefix("def ").removesuffix("()")

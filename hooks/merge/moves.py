@@ -1,4 +1,4 @@
-"""Files that a version of a model calls otherwise than versions before: its `moved_files.yaml`.
+"""Files that a version of a model has renamed: its `moved_files.yaml`.
 
 "{package}/callbacks.py": "{package}/worker.py"     # new: old
 "src/{node}_node.cpp": "src/{node}_ros.cpp"
@@ -18,19 +18,26 @@ from ..faults import SpecError
 FILE = "moved_files.yaml"
 
 
-def moved_files(folder: Path, spec: Mapping[str, Any], dictionary: Dictionary) -> dict[str, str]:
+def moved_files(spec: Mapping[str, Any], dictionary: Dictionary) -> dict[str, str]:
     """Return the new path of each old one, for the components of a spec.
+
+    What a model says counts for those whose dictionaries include its own.
 
     Raises:
         SpecError: the file is not a mapping of paths.
 
     """
-    file = folder / FILE
+    moved: dict[str, str] = {}
+    for file in dictionary.files:
+        moved |= _moved(file.with_name(FILE), list(_names(spec, dictionary)))
+    return moved
+
+
+def _moved(file: Path, names: list[dict[str, str]]) -> dict[str, str]:
     if not file.exists():
         return {}
     try:
         content = yaml.safe_load(file.read_text(encoding="utf-8")) or {}
-        names = list(_names(spec, dictionary))
         return {
             str(old).format_map(name): str(new).format_map(name)
             for new, old in content.items()

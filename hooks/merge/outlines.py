@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from collections.abc import Sequence
 
 import yaml
 
-from .blocks import Block, Span, arrange, squeezed
+from .blocks import Block, Span, arrange, nested, squeezed, unicode
 from .lines import split
 
 COMMENT = "#"
@@ -21,11 +22,28 @@ def yaml_blocks(text: str) -> list[Block]:
 
     """
     try:
-        list(yaml.compose_all(text, yaml.SafeLoader))
+        list(yaml.compose_all(unicode(text), yaml.SafeLoader))
+        inside = _inside_of_values(text)
     except yaml.YAMLError as error:
         raise ValueError(str(error)) from error
     lines = split(text)
-    return arrange(lines, _keys(lines, 0, len(lines)), 0, len(lines), COMMENT)
+    spans = _keys(lines, 0, len(lines), inside)
+    return arrange(lines, spans, 0, len(lines), COMMENT)
+
+
+def _inside_of_values(text: str) -> set[int]:
+    """Return the lines that go on with a value: nothing there is a key or a comment."""
+    found: set[int] = set()
+    for event in yaml.parse(unicode(text), yaml.SafeLoader):
+        if isinstance(event, yaml.ScalarEvent):
+            start, end = _index(event.start_mark), _index(event.end_mark)
+            value = text[start:end]
+            if event.style in ("|", ">"):
+                header = value.split("\n")[0].split("#")[0]
+                value = value.rstrip(" ").removesuffix("\n") if "+" in header else value.rstrip()
+            first = text.count("\n", 0, start)
+            found.update(range(first + 1, first + 1 + value.count("\n")))
+    return found
 
 
 _KEY = re.compile(
@@ -33,12 +51,16 @@ _KEY = re.compile(
 )
 
 
-def _keys(lines: Sequence[str], start: int, end: int) -> list[Span]:
-    found = [i for i in range(start, end) if lines[i].strip() and not _is_comment(lines[i])]
+def _keys(lines: Sequence[str], start: int, end: int, inside: set[int]) -> list[Span]:
+    found = [
+        i
+        for i in range(start, end)
+        if i in inside or (lines[i].strip() and not _is_comment(lines[i]))
+    ]
     if not found:
         return []
     margin = _margin(lines[found[0]])
-    heads = [i for i in found if _margin(lines[i]) <= margin]
+    heads = [i for i in found if i not in inside and _margin(lines[i]) <= margin]
     spans = []
     for i, head in enumerate(heads):
         until = heads[i + 1] if i + 1 < len(heads) else end
@@ -47,7 +69,7 @@ def _keys(lines: Sequence[str], start: int, end: int) -> list[Span]:
         value = (match["value"] or "").strip() if match else "-"
         key = match["key"].strip("\"'") if match else squeezed("".join(lines[head:last]))
         if match and last > head + 1 and (not value or value.startswith("#")):
-            inner = tuple(_keys(lines, head + 1, last))
+            inner = tuple(_keys(lines, head + 1, last, inside))
             spans.append(Span(key, head, last, (head + 1, last), inner))
         else:
             spans.append(Span(key, head, last))
@@ -76,11 +98,11 @@ def cmake_blocks(text: str) -> list[Block]:
     """Return the commands of a file, each known by its name and its first argument.
 
     Raises:
-        ValueError: its parentheses do not match.
+        ValueError: its parentheses, or its conditions, do not match.
 
     """
     lines = split(text)
-    spans = []
+    spans: list[Span] = []
     depth, start, name = 0, 0, ""
     for match in _COMMAND.finditer(text):
         if match["name"] and not depth:
@@ -98,7 +120,21 @@ def cmake_blocks(text: str) -> list[Block]:
             spans.append(Span(key, text.count("\n", 0, start), ends))
     if depth:
         raise ValueError("a parenthesis that nothing closes")
-    return arrange(lines, spans, 0, len(lines), COMMENT)
+    return arrange(lines, nested(spans, _role), 0, len(lines), COMMENT)
+
+
+_STATEMENTS = ("if", "foreach", "while", "function", "macro", "block")
+
+
+def _role(span: Span) -> tuple[str, str]:
+    """Say which statement a command begins, goes on with or ends."""
+    name = re.match(r"\w*", span.key)[0].lower()  # type: ignore[index]
+    if name in _STATEMENTS:
+        return name, "start"
+    if name in ("else", "elseif"):
+        return "if", "branch"
+    statement = name.removeprefix("end")
+    return (statement, "end") if name != statement in _STATEMENTS else ("", "")
 
 
 def markdown_blocks(text: str) -> list[Block]:
@@ -121,6 +157,59 @@ def markdown_blocks(text: str) -> list[Block]:
     return [block for block in blocks if block.lines]
 
 
-def same(one: str, other: str) -> bool:
-    """Say whether two texts differ in blanks and quotes alone."""
-    return squeezed(one) == squeezed(other)
+def same_yaml(one: str, other: str) -> bool:
+    """Say whether two texts differ in form alone: their values, their comments are the same."""
+    try:
+        return _meaning(one) == _meaning(other)
+    except yaml.YAMLError:
+        return squeezed(one) == squeezed(other)
+
+
+@functools.lru_cache(maxsize=2048)
+def _meaning(text: str) -> list[object]:
+    text = unicode(text)
+    resolve = yaml.SafeLoader("").resolve
+    found: list[object] = []
+    at = 0
+    for event in yaml.parse(text, yaml.SafeLoader):
+        facts: list[object] = [type(event), getattr(event, "anchor", None)]
+        facts.append(getattr(event, "tag", None))
+        if isinstance(event, yaml.ScalarEvent):
+            start, end = _index(event.start_mark), _index(event.end_mark)
+            found += _comments(text[at:start])
+            if event.style in ("|", ">"):
+                found += _comments(text[start:end].split("\n")[0])
+            tag = resolve(yaml.ScalarNode, event.value, event.implicit)  # type: ignore[no-untyped-call]
+            facts += [tag, event.value]
+            at = end
+        found.append(facts)
+    return [*found, *_comments(text[at:])]
+
+
+def _index(mark: object) -> int:
+    """Return which character a mark of the parser stands for, in a text it has been given."""
+    return int(getattr(mark, "index", 0))
+
+
+def _comments(text: str) -> list[str]:
+    """Return the comments between two values."""
+    return [squeezed(words) for words in re.findall(r"(?:^|(?<=\s))#([^\n]*)", text)]
+
+
+_CMAKE_EXACT = re.compile(
+    r"""(?P<exact> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] | "(?: \\. | [^"\\] )*" ) | \#[^\n]*""",
+    re.VERBOSE | re.DOTALL,
+)
+
+
+def same_cmake(one: str, other: str) -> bool:
+    """Say whether two texts differ in blanks alone, but for those of an argument."""
+    return squeezed(one, _CMAKE_EXACT) == squeezed(other, _CMAKE_EXACT)
+
+
+_CODE = re.compile(r"(?P<exact>^[ ]*```.*?^[ ]*```|`[^`\n]+`)", re.DOTALL | re.MULTILINE)
+
+
+def same_markdown(one: str, other: str) -> bool:
+    """Say whether two texts differ in blanks alone, but for those of code."""
+    return squeezed(one, _CODE) == squeezed(other, _CODE)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import posixpath
 from collections.abc import Callable, Collection
 from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
@@ -79,17 +81,26 @@ class _Package:
                 self.result.moved[source] = path
 
     def _follow_moves(self) -> None:
-        """Take a file that the developer has moved for the one that the model makes."""
+        """Find the files that the developer has moved; a link may lead there."""
         away = [path for path in self.old if path in self.new and path not in self.mine]
         own = [path for path in self.mine if path not in self.old and path not in self.new]
+        for path, file in self.mine.items():
+            target = _target(path, file)
+            if target in own and path in self.old and path in self.new:
+                self._follow(path, target)
+                own.remove(target)
         for path in away:
             found = max(((_likeness(self.old[path], self.mine[o]), o) for o in own), default=None)
             if found and found[0] > 0.6 and PurePosixPath(found[1]).suffix == _suffix(path):
-                self.old[found[1]] = self.old.pop(path)
-                self.new = {**self.new, found[1]: self.new[path]}
-                del self.new[path]
-                self.origin[found[1]] = path
+                self._follow(path, found[1])
                 own.remove(found[1])
+
+    def _follow(self, path: str, target: str) -> None:
+        """Take the developer's file at `target` for the one that the model makes at `path`."""
+        self.old[target] = self.old.pop(path)
+        self.new = {**self.new, target: self.new[path]}
+        del self.new[path]
+        self.origin[target] = self.source[path]
 
     def _file(self, path: str, is_kept: bool) -> None:
         mine, old, new = (tree.get(path) for tree in (self.mine, self.old, self.new))
@@ -161,7 +172,9 @@ class _Package:
         """Choose between versions that are links, or no text."""
         if mine in (old, new):
             return new
-        if new != old:
+        if mine.mode == LINK:
+            self.result.missing[path] = [""]
+        elif new != old:
             versions = {2: mine.data, 3: new.data} | ({1: old.data} if old else {})
             self.result.conflicts[path] = versions
         return mine
@@ -180,6 +193,13 @@ def _likeness(one: File, other: File) -> float:
     have = {line.strip() for line in other.text.splitlines()}
     wanted = [line.strip() for line in one.text.splitlines() if line.strip()]
     return sum(line in have for line in wanted) / len(wanted) if wanted else 0.0
+
+
+def _target(path: str, file: File) -> str:
+    """Return where in the package a link leads; nothing of a file."""
+    if file.mode != LINK:
+        return ""
+    return posixpath.normpath(posixpath.join(posixpath.dirname(path), os.fsdecode(file.data)))
 
 
 def _suffix(path: str) -> str:

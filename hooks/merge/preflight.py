@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -12,21 +13,23 @@ from ..faults import SpecError
 from .git import changed, is_repository, tracked, untracked
 from .renaming import plan_renames
 from .render import Renderer, recorded_answers
-from .transaction import is_guarded
-from .tree import LINK, SUBMODULE
+from .tree import LINK, SUBMODULE, TOO_LARGE, is_too_large
 
 
 def check(
     package: Path,
-    spec_file: str,
+    places: Mapping[str, str],
     new_answers: Mapping[str, Any],
     dictionary: Dictionary,
     renderer: Renderer,
+    moved: Mapping[str, str],
 ) -> None:
-    """Check that a package can be updated or made again; `spec_file` is for messages.
+    """Check that a package can be updated or made again.
 
-    The new version is rendered where that is needed: to see which files it would write, and, with
-    no guard that brings the package back, to see that it can be rendered at all.
+    `places` has where the elements of the spec are, as `Model.places` gives it.
+    `moved` has the new paths of files that the new version of the model renames.
+    The new version is rendered to see which files it would write, and that it can be rendered at
+    all; the old one where that is needed.
 
     Raises:
         SpecError: it cannot; the message has the remedy.
@@ -36,18 +39,23 @@ def check(
     answers = recorded_answers(package, renderer.answers_file)
     recorded = answers.get("spec") or {}
     if answers:
-        check_names_before(recorded, spec, dictionary, spec_file)
+        check_names_before(recorded, spec, dictionary, places)
     modes = tracked(package) if is_repository(package) else {}
-    renamed = any(mark.before != mark.after for mark in marked(recorded, spec, dictionary)[1])
+    renamed = bool(moved) or any(
+        mark.before != mark.after for mark in marked(recorded, spec, dictionary)[1]
+    )
     at_risk = not modes or bool(untracked(package)) or LINK in modes.values()
-    touched = {renderer.answers_file}
+    at_risk = at_risk or any(is_too_large(package / path) for path in modes)
+    refuse_names(modes)
+    touched = {renderer.answers_file, *renderer.fresh(new_answers).tree}
+    refuse_places(package, touched)
     moves: dict[str, str] = {}
-    if at_risk or renamed or not is_guarded(package):
-        touched |= set(renderer.fresh(new_answers).tree)
     if answers and (at_risk or renamed):
         old = renderer.recorded(answers)
         touched |= set(old.tree)
+        _refuse_large(package, old.tree)
         renaming = plan_renames(answers, spec, dictionary, old.tree, modes, renderer)
+        renaming.follow(moved, old.tree, renderer.fresh(new_answers).tree)
         moves = {path: renaming.path(path) for path in modes}
         moves = {path: after for path, after in moves.items() if after != path}
     refuse(package, touched | set(moves.values()), moves)
@@ -82,6 +90,52 @@ def refuse(package: Path, paths: Iterable[str], moves: dict[str, str]) -> None:
         if before in modes and after in modes and after not in moves:
             raise SpecError(
                 f"{after}: {before} is to have this name; give {after} another one and commit"
+            )
+
+
+def refuse_names(paths: Iterable[str]) -> None:
+    """Insist that Copier can read the names of files.
+
+    Raises:
+        SpecError: it could not; the message has the remedy.
+
+    """
+    for path in paths:
+        if any("\udc80" <= letter <= "\udcff" for letter in path):
+            shown = os.fsencode(path).decode(errors="backslashreplace")
+            raise SpecError(f"{shown}: a name that is not UTF-8; give it another one and commit")
+
+
+def refuse_places(package: Path, paths: Iterable[str]) -> None:
+    """Insist that each of the `paths` can be written: no file is where a folder has to be.
+
+    Nor may one be too large, for the snapshot and the merge would be without it.
+
+    Raises:
+        SpecError: one could not; the message has the remedy.
+
+    """
+    for path in sorted(paths):
+        for parent in _parents(path):
+            if (package / parent).is_file():
+                raise SpecError(
+                    f"{parent}: a file, and {path} needs a folder of this name; give the file"
+                    " another name and commit"
+                )
+        if (package / path).is_dir():
+            raise SpecError(
+                f"{path}: a folder, and a generated file has this name; give the folder another"
+                " name and commit"
+            )
+    _refuse_large(package, paths)
+
+
+def _refuse_large(package: Path, paths: Iterable[str]) -> None:
+    for path in sorted(paths):
+        if is_too_large(package / path):
+            raise SpecError(
+                f"{path}: larger than {TOO_LARGE // 1_000_000} MB, which is too large to merge;"
+                " put its data in a file of your own and commit"
             )
 
 

@@ -8,13 +8,17 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 
+from ..dictionary import WAS
+from ..package import SUFFIX
 from .blocks import Block, walk
-from .languages import TEXT, Language, language
+from .languages import TEXT, XML, Language, language
 from .lines import MARKS, split
+from .matching import match, wrap
 from .package import Result
-from .renaming import Renaming
+from .renaming import Renaming, rename
 from .tree import File, Tree
 
+_NAME_BEFORE = re.compile(rf"""\b{WAS}\s*=\s*("[^"]*"|'[^']*')""")
 _SCOPES = dict[str, list[str]]
 
 
@@ -68,16 +72,32 @@ def _prove_file(
     known = language(path, mine.text)
     if not _parses(known, ours):
         known = TEXT
-    lines = list(developer_lines(known, ours, old, origin, renaming))
+    before, after = (_blocks(known, text, origin, renaming) for text in (old, ours))
+    match(after, before)
+    lines = list(_developer_lines(known, after, before))
     proof.total += len(lines)
     if path in result.left:
         proof.named += len(lines)
         return
     text = _my_side(_plain(found.text or "")) if found else ""
-    _read_back(proof, target, known, lines, text, result.removed.get(path, []))
+    there = _blocks(known, text, "", Renaming())
+    if known is XML and target in result.conflicts:
+        rename(there, there, renaming.keys.get(origin, {}))  # whose text has the names of before
+    match(there, before, after)
+    _read_back(proof, target, known, lines, there, result.removed.get(path, []))
     changed = found is not None and target not in result.conflicts and text != ours
     if changed and _parses(known, ours) and not _parses(known, text):
         proof.lost.append((target, "cannot be read any more"))
+
+
+def places(mine: Tree, lost: list[tuple[str, str]], renaming: Renaming) -> Iterator[str]:
+    """Say of lines that would be lost where the developer has them."""
+    for target, line in lost:
+        path = next((path for path in mine if renaming.path(path) == target), target)
+        text = mine[path].text if path in mine else None
+        lines = split(renaming.text(path, _plain(text or "")))
+        numbers = [str(n) for n, found in enumerate(lines, 1) if found.strip() == line]
+        yield ":".join([path, *numbers[:1], f" {line}"])
 
 
 def _read_back(
@@ -85,11 +105,11 @@ def _read_back(
     target: str,
     known: Language,
     lines: list[tuple[str, str]],
-    text: str,
+    found: list[Block],
     removed: list[str],
 ) -> None:
-    scopes = _scopes(known, text, "", Renaming())
-    counts = {scope: Counter(map(known.key, inside)) for scope, inside in scopes.items()}
+    scopes = _scopes(found).items()
+    counts = {scope: Counter(map(known.key, inside)) for scope, inside in scopes}
     for scope, line in lines:
         have = counts.get(scope, Counter())
         if have[known.key(line)]:
@@ -101,15 +121,15 @@ def _read_back(
             proof.lost.append((target, line.strip()))
 
 
-def developer_lines(
-    known: Language, mine: str, old: str, path: str, renaming: Renaming
+def _developer_lines(
+    known: Language, mine: list[Block], old: list[Block]
 ) -> Iterator[tuple[str, str]]:
     """Yield the lines that the developer wrote, each with the blocks it is in.
 
     What a formatter made of generated lines is not the developer's.
     """
-    before = _scopes(known, old, path, renaming)
-    for scope, inside in _scopes(known, mine, path, renaming).items():
+    before = _scopes(wrap(old, mine, old))
+    for scope, inside in _scopes(mine).items():
         base = before.get(scope, [])
         if base and known.same("".join(inside), "".join(base)):
             continue
@@ -122,11 +142,14 @@ def developer_lines(
                 yield from ((scope, line) for line in inside[first:last] if line.strip())
 
 
-def _scopes(known: Language, text: str, path: str, renaming: Renaming) -> _SCOPES:
+def _blocks(known: Language, text: str, path: str, renaming: Renaming) -> list[Block]:
     try:
-        blocks = renaming.blocks(known, path, text)
+        return renaming.blocks(known, path, text)
     except (ValueError, RecursionError):
-        blocks = [Block("text", split(renaming.text(path, text)))]
+        return [Block("text", split(renaming.text(path, text)))]
+
+
+def _scopes(blocks: list[Block]) -> _SCOPES:
     scopes: _SCOPES = {}
     for scope, line in walk(blocks):
         scopes.setdefault(scope, []).append(line)
@@ -157,14 +180,36 @@ def _my_side(text: str) -> str:
     return "".join(lines)
 
 
-def uses(mine: Tree, new: Tree, found: Tree, renaming: Renaming) -> Iterator[str]:
-    """Yield `file:line: word` for each old name that the developer's lines still have."""
+def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> Iterator[str]:
+    """Yield `file:line: word` for each old name that the developer's lines still have.
+
+    Likewise for each identifier that now belongs to another interface. The spec's own `was` is
+    what has said so.
+    """
     words = set(renaming.words())
+    taken = _uses_of_taken(mine, old, renaming)
     for path, file in sorted(found.items()):
-        if not words or file.text is None:
+        if not (words or taken) or file.text is None:
             continue
         generated = set(split((new.get(path) or File(b"")).text or ""))
+        is_spec = path.endswith(SUFFIX)
         for number, line in enumerate(split(_plain(file.text)), 1):
             if line not in generated:
-                for word in sorted(words & set(re.findall(r"\w+", line))):
+                said = _NAME_BEFORE.sub("", line) if is_spec else line
+                for word in sorted(words & set(re.findall(r"\w+", said))):
                     yield f"{path}:{number}: {word}"
+                for word in taken.get((path, line), ()):
+                    yield f"{path}:{number}: {word}, which is another's now"
+
+
+def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str, str], list[str]]:
+    """Return the identifiers of what left in the developer's lines, as those are afterwards."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for path, file in mine.items() if renaming.taken else ():
+        text = _plain(file.text or "")
+        generated = set(split((old.get(path) or File(b"")).text or ""))
+        before, after = split(text), split(renaming.text(path, text))
+        for number, word in renaming.uses_of_taken(path, text):
+            if before[number] not in generated:
+                found.setdefault((renaming.path(path), after[number]), []).append(word)
+    return found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import inspect
 import io
 import textwrap
@@ -10,14 +11,14 @@ import tokenize
 import warnings
 from collections.abc import Sequence
 
-from .blocks import Block, Span, arrange, squeezed
+from .blocks import Block, Span, arrange, squeezed, unicode
 from .lines import split
 
 COMMENT = "#"
 
 
 def blocks(text: str) -> list[Block]:
-    """Return the blocks of a module; those of a class are inside of it.
+    """Return the blocks of a module; those of a class, or of an `if` without `else`, are inside.
 
     Raises:
         ValueError: it is not Python.
@@ -39,11 +40,12 @@ def _parse(text: str) -> ast.Module:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            return ast.parse(text)
+            return ast.parse(unicode(text))
     except (SyntaxError, RecursionError, MemoryError) as error:
         raise ValueError(str(error)) from error
 
 
+@functools.lru_cache(maxsize=2048)
 def _meaning(text: str) -> tuple[str, list[str]]:
     dedented = textwrap.dedent(text)
     tree = _parse(dedented)
@@ -66,15 +68,23 @@ def _spans(statements: Sequence[ast.stmt], lines: Sequence[str]) -> list[Span]:
     for index, statement in enumerate(statements):
         start, end = _first(statement), statement.end_lineno or statement.lineno
         key = _key(statement, index)
-        first = _first(statement.body[0]) if isinstance(statement, ast.ClassDef) else 0
-        if isinstance(statement, ast.ClassDef) and first > statement.lineno:
+        body = _body(statement)
+        first = _first(body[0]) if body else 0
+        if body and first > statement.lineno:
             while not lines[first - 2].strip() or lines[first - 2].lstrip().startswith(COMMENT):
                 first -= 1
-            items = tuple(_spans(statement.body, lines))
+            items = tuple(_spans(body, lines))
             spans.append(Span(key, start - 1, end, (first - 1, end), items))
         else:
             spans.append(Span(key, start - 1, end))
     return spans
+
+
+def _body(statement: ast.stmt) -> list[ast.stmt]:
+    """Return the statements that a container holds."""
+    if isinstance(statement, ast.If) and statement.orelse:
+        return []
+    return statement.body if isinstance(statement, ast.ClassDef | ast.If) else []
 
 
 def _first(statement: ast.stmt) -> int:

@@ -7,15 +7,16 @@ out, there the model has used the name, and in which form.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 from typing import Any
 
-from ..changes import Mark, marked
+from ..changes import GONE, Mark, marked
 from ..dictionary import Dictionary
 from .blocks import Block
-from .languages import Language, language
+from .languages import CMAKE, YAML, Language, language
+from .lines import split
 from .render import Renderer
 from .tokens import Word, exchange, words
 from .tree import Tree
@@ -23,6 +24,7 @@ from .tree import Tree
 _MARK = re.compile(r"zq(\d+)x", re.IGNORECASE)
 _HOLDERS = re.compile(r"_?(config|data|passthrough)_?")
 """What the logic calls the objects that hold parameters and messages."""
+_ABOUT_TARGETS = re.compile(r"target_|set_target_|ament_target_|add_executable$|add_dependencies$")
 
 
 @dataclass
@@ -37,9 +39,23 @@ class Renaming:
     members: dict[str, dict[str, str]] = field(default_factory=dict)
     """By file, the names that count after `config.` and the like alone."""
     packages: dict[str, str] = field(default_factory=dict)
+    targets: dict[str, str] = field(default_factory=dict)
+    """The names of nodes, which are those of targets in CMake."""
+    taken: dict[str, set[str]] = field(default_factory=dict)
+    """By file, the identifiers of what left, which are those of another interface now."""
     names: list[tuple[str, str]] = field(default_factory=list)
     moved: dict[str, str] = field(default_factory=dict)
-    """What the new version of the model calls otherwise."""
+    """What the new version of the model renames."""
+    _texts: dict[tuple[str, str], str] = field(default_factory=dict, repr=False, compare=False)
+
+    def follow(self, moved: Mapping[str, str], old: Iterable[str], new: Collection[str]) -> None:
+        """Take files along that the new version of the model renames; `moved` says how."""
+        before = {self._renamed(path) for path in old}
+        self.moved = {
+            path: target
+            for path, target in moved.items()
+            if path in before and path not in new and target in new and target not in before
+        }
 
     def path(self, path: str) -> str:
         """Return where a file of before the update is after it."""
@@ -56,9 +72,17 @@ class Renaming:
 
     def text(self, path: str, text: str) -> str:
         """Return a file with its identifiers exchanged."""
+        if (path, text) not in self._texts:
+            self._texts[path, text] = self._exchanged(path, text)
+        return self._texts[path, text]
+
+    def _exchanged(self, path: str, text: str) -> str:
+        known = language(path, text)
+        if known is YAML:
+            return _with_keys(text, self.keys.get(path, {}))
         exact = {**self.everywhere, **self.in_file.get(path, {})}
         members = self.members.get(path, {})
-        if not exact and not members and not self.packages:
+        if not exact and not members and not self.packages and not self.targets:
             return text
 
         def by(word: Word) -> str:
@@ -67,13 +91,23 @@ class Renaming:
             holder, sign = word.before
             if word.text in members and sign in (".", "->") and _HOLDERS.fullmatch(holder):
                 return members[word.text]
+            if word.text in self.targets and known is CMAKE and sign == "(":
+                return self.targets[word.text] if _ABOUT_TARGETS.match(holder) else word.text
             if word.text in self.packages and (
                 word.after == "::" or sign in ("namespace", "from", "import")
             ):
                 return self.packages[word.text]
             return word.text
 
-        return exchange(language(path, text), text, by)
+        return exchange(known, text, by)
+
+    def uses_of_taken(self, path: str, text: str) -> Iterator[tuple[int, str]]:
+        """Yield the line number, from 0, and the identifier of each use of what `taken` has."""
+        taken = self.taken.get(path, set())
+        known = language(path, text)
+        for number, line in enumerate(split(text) if taken else ()):
+            for word in taken & set(words(known, line)):
+                yield number, word
 
     def blocks(self, known: Language, path: str, text: str) -> list[Block]:
         """Return the blocks of a file, with the names and lines that they have after the update.
@@ -85,7 +119,7 @@ class Renaming:
         exchanged = known.blocks(self.text(path, text))
         if path in self.keys:
             # Only the names of before tell two blocks apart, one of which has the other's name.
-            _rename(exchanged, known.blocks(text), self.keys[path])
+            rename(exchanged, known.blocks(text), self.keys[path])
         return exchanged
 
     def words(self) -> dict[str, str]:
@@ -112,10 +146,19 @@ def plan_renames(
     return plan(old, render.tree, marks, mine)
 
 
-def _rename(blocks: Iterable[Block], before: Iterable[Block], keys: Mapping[str, str]) -> None:
+def rename(blocks: Iterable[Block], before: Iterable[Block], keys: Mapping[str, str]) -> None:
+    """Give blocks the names that they have after the update; `before` are the same ones."""
     for block, same in zip(blocks, before, strict=True):
         block.key = keys.get(same.key, block.key)
-        _rename(block.children, same.children, keys)
+        rename(block.children, same.children, keys)
+
+
+def _with_keys(text: str, keys: Mapping[str, str]) -> str:
+    """Exchange the keys of YAML, not its values; those of what left stay."""
+    exact = {before: after for before, after in keys.items() if not after.endswith(GONE)}
+    pattern = "|".join(map(re.escape, exact))
+    form = rf"(?m)^(?P<margin>\s*)(?P<quote>[\"']?)(?P<key>{pattern})(?P=quote)(?=:)"
+    return re.sub(form, lambda m: m[1] + m[2] + exact[m[3]] + m[2], text) if exact else text
 
 
 def plan(old: Tree, marked: Tree, marks: Sequence[Mark], mine: Iterable[str]) -> Renaming:
@@ -160,6 +203,8 @@ def _exchanges(
             renaming.everywhere[before] = after
         elif reader.level(token) == "package":
             renaming.packages[before] = after
+        else:
+            renaming.targets[before] = after
     for path in paths:
         exact: dict[str, str] = {}
         members: dict[str, str] = {}
@@ -169,6 +214,11 @@ def _exchanges(
                 (members if reader.is_bare(token) else exact)[before] = after
             elif path not in owned and not reader.is_bare(token) and before not in ambiguous:
                 exact[before] = after
+        for token in gone:
+            before, _ = reader.both(token)
+            is_here = reader.owners(token) & owned.get(path, set()) or path not in owned
+            if is_here and not reader.is_bare(token):
+                renaming.taken.setdefault(path, set()).add(before)
         renaming.in_file[path] = exact
         renaming.members[path] = members
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
+import json
 import os
 import shutil
 import tempfile
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -39,6 +41,8 @@ class Renderer:
     commit: str
     name: str
     answers_file: str
+    known: dict[str, Render] = field(default_factory=dict, repr=False, compare=False)
+    """What has been rendered: one update asks for the same renders several times."""
 
     def fresh(self, answers: Mapping[str, Any]) -> Render:
         """Render with the template of now.
@@ -47,10 +51,30 @@ class Renderer:
             copier.errors.CopierError: the template or the answers have a fault.
 
         """
+        return self._once("", answers, self._render_copy)
+
+    def _once(
+        self,
+        version: str,
+        answers: Mapping[str, Any],
+        render: Callable[[Mapping[str, Any]], Render],
+    ) -> Render:
+        key = json.dumps([version, answers], sort_keys=True, default=str)
+        if key not in self.known:
+            self.known[key] = render(answers)
+        return self.known[key]
+
+    def _render_copy(self, answers: Mapping[str, Any]) -> Render:
         with tempfile.TemporaryDirectory(prefix="template.") as folder:
             # Copier clones a repository, which takes longer than all the rest.
             copy = Path(folder) / self.folder.name
-            shutil.copytree(self.folder, copy, symlinks=True, ignore=_without_git)
+            shutil.copytree(
+                self.folder,
+                copy,
+                symlinks=True,
+                ignore=_without_git,
+                copy_function=_link_or_copy,
+            )
             return self._render(str(copy), None, answers)
 
     def recorded(self, answers: Mapping[str, Any]) -> Render:
@@ -58,7 +82,11 @@ class Renderer:
         url, commit = str(answers["_src_path"]), answers.get("_commit")
         if (url, commit) == (self.url, self.commit):
             return self.fresh(answers)
-        return self._render(os.path.expanduser(url), commit, answers)
+
+        def render(answers: Mapping[str, Any]) -> Render:
+            return self._render(os.path.expanduser(url), commit, answers)
+
+        return self._once(f"{url} {commit}", answers, render)
 
     def _render(self, source: str, version: str | None, answers: Mapping[str, Any]) -> Render:
         with tempfile.TemporaryDirectory(prefix="ros_package.") as folder:
@@ -77,6 +105,13 @@ class Renderer:
             tree.pop(self.answers_file, None)
             kept = {path for path in tree if worker.match_skip(Path(path))}
         return Render(tree, kept.__contains__)
+
+
+def _link_or_copy(source: str, target: str) -> None:
+    with contextlib.suppress(OSError):
+        os.link(source, target)
+        return
+    shutil.copy2(source, target)
 
 
 def _without_git(_: str, names: list[str]) -> list[str]:

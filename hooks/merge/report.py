@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from . import git
+from .blocks import Block
+from .languages import CPP, PYTHON, Language, language
+from .merging import block_name
 from .package import Result
 from .proof import Proof
-from .tree import Tree
+from .tree import File, Tree
 
 
 @dataclass(frozen=True)
@@ -31,7 +35,8 @@ def report(
 ) -> Report:
     """Say what became of the files of a package, `before` and `after` an update."""
     conflicts = sorted(result.conflicts)
-    files = [*_files(package, before, after, result), *_removed(package, before, after, result)]
+    files = [*_files(package, before, after, result), *_returned(package, before, after, result)]
+    files += _removed(package, before, after, result)
     others = [f"missing   {path}{part and ': '}{part}" for path, part in _missing(result)]
     others += [f"still     {use}" for use in uses]
     others += [f"CONFLICT  {path}" for path in conflicts]
@@ -55,6 +60,38 @@ def _files(package: Path, before: Tree, after: Tree, result: Result) -> Iterator
             )
         elif old != file:
             yield f"merged    {path}"
+
+
+def _returned(package: Path, before: Tree, after: Tree, result: Result) -> Iterator[str]:
+    """Name the callbacks that came, and were there earlier with other code."""
+    sources = {new: old for old, new in result.moved.items()}
+    for path, file in sorted(after.items()):
+        source = sources.get(path, path)
+        old, known = before.get(source), language(path, file.text or "")
+        if known not in (CPP, PYTHON) or old is None or old == file:
+            continue
+        had, has = _functions(known, old), _functions(known, file)
+        for key in sorted(has.keys() - had.keys()):
+            commit = git.commit_that_had(package, source, f"{key.removesuffix('()')}(")
+            past = _functions(known, File(git.committed(package, source, commit))).get(key)
+            if commit and past and not known.same(past, has[key]):
+                what = f"{block_name(key)} to {path}"
+                yield f"added     {what}      (as it was: git show {commit}:./{source})"
+
+
+def _functions(known: Language, file: File) -> dict[str, str]:
+    """Return the text of each function of a file by its key."""
+    found: dict[str, str] = {}
+
+    def visit(blocks: Iterable[Block]) -> None:
+        for block in blocks:
+            if block.key.startswith("def ") or block.key.endswith("()"):
+                found[block.key] = block.text
+            visit(block.children)
+
+    with contextlib.suppress(ValueError, RecursionError):
+        visit(known.blocks(file.text or ""))
+    return found
 
 
 def _removed(package: Path, before: Tree, after: Tree, result: Result) -> Iterator[str]:

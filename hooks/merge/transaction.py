@@ -92,11 +92,6 @@ class Guard:
         self._token.unlink(missing_ok=True)
 
 
-def is_guarded(package: Path) -> bool:
-    """Say whether an update of this package is under way, which would be undone if it failed."""
-    return git.is_repository(package) and _token(package).exists()
-
-
 def _token(package: Path) -> Path:
     return package / git.git(package, "rev-parse", "--git-path", TOKEN).strip()
 

@@ -13,7 +13,10 @@ SUBMODULE = "160000"
 PLAIN = "100644"
 EXECUTABLE = "100755"
 TOO_LARGE = 5_000_000
-"""Larger files, in bytes, are data: no model writes them, and they are not merged."""
+"""Larger files, in bytes, are data: no model writes them, and they are not merged.
+
+An update is refused where a generated file has grown beyond it.
+"""
 
 
 @dataclass(frozen=True)
@@ -37,6 +40,15 @@ Tree = dict[str, File]
 def encode(text: str) -> bytes:
     """Return the bytes that `File.text` was made from."""
     return text.encode(errors="surrogateescape")
+
+
+def is_too_large(file: Path) -> bool:
+    """Say whether something is a file that is not merged because of its size."""
+    try:
+        status = file.lstat()
+    except OSError:
+        return False
+    return stat.S_ISREG(status.st_mode) and status.st_size > TOO_LARGE
 
 
 def read(file: Path) -> File | None:

@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from ..changes import changes
+from ..changes import changed_answers, changes
 from ..dictionary import Dictionary
 from ..faults import SpecError
 from .package import merge_package
-from .proof import prove, uses
+from .proof import places, prove, uses
 from .renaming import plan_renames
 from .render import Renderer, recorded_answers
 from .report import Report, report
@@ -42,7 +42,7 @@ class Update:
             answers: those of the new version, the context among them.
             renderer: renders the package.
             dictionary: what names the items of a context.
-            moved: the new paths of files that the new version of the model calls otherwise.
+            moved: the new paths of files that the new version of the model renames.
             inline: whether conflicts go between marks, else to files that end in .rej.
 
         Raises:
@@ -69,11 +69,7 @@ class Update:
         old, new = renderer.recorded(self.answers), renderer.fresh(answers)
         mine = {p: f for p, f in self.snapshot.files.items() if p != self.answers_file}
         renaming = plan_renames(self.answers, spec, dictionary, old.tree, mine, renderer)
-        renaming.moved = {
-            path: target
-            for path, target in moved.items()
-            if target in new.tree and path not in new.tree
-        }
+        renaming.follow(moved, old.tree, new.tree)
         trees = (mine, old.tree, new.tree, renaming, new.is_kept)
         result = merge_package(*trees)
         doubtful = prove(mine, old.tree, result, result.tree, renaming).lost
@@ -85,8 +81,11 @@ class Update:
         if proof.lost:
             raise SpecError(
                 "the update was undone, for it would have put lines of yours where you did not"
-                " write them:" + "".join(f"\n  {path}: {line}" for path, line in proof.lost[:20])
+                " write them; take these lines out and commit; update; put them in again:"
+                + "".join(f"\n  {place}" for place in places(mine, proof.lost[:20], renaming))
+                + "\n"
             )
-        said = changes(self.answers.get("spec") or {}, spec, dictionary)
-        still = uses(mine, new.tree, found, renaming)
-        return report(self.package, self.snapshot.files, found, result, [*said], still, proof)
+        said = [*changed_answers(self.answers, answers)]
+        said += changes(self.answers.get("spec") or {}, spec, dictionary)
+        still = uses(mine, old.tree, new.tree, found, renaming)
+        return report(self.package, self.snapshot.files, found, result, said, still, proof)

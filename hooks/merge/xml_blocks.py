@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
-from .blocks import Block, Span, arrange, squeezed
+from .blocks import Block, Span, arrange, collapsed, one_sort, squeezed
 from .lines import split
 
 COMMENT = "<!--"
@@ -49,13 +49,31 @@ def blocks(text: str) -> list[Block]:
     return arrange(lines, spans, 0, len(lines), COMMENT)
 
 
+_EXACT = re.compile(
+    r"""<!--.*?--> | (?P<exact> <!\[CDATA\[.*?\]\]> )
+      | \s*=\s*(?P<value> "[^"]*" | '[^']*' )""",
+    re.VERBOSE | re.DOTALL,
+)
+
+
 def same(one: str, other: str) -> bool:
-    """Say whether two texts differ in blanks and quotes alone."""
+    """Say whether two texts differ in form alone: in blanks, but for those of a value."""
     return _tight(one) == _tight(other)
 
 
 def _tight(text: str) -> str:
-    return re.sub(r"\s*(/?>)\s*", r"\1", re.sub(r"\s*=\s*", "=", squeezed(text)))
+    parts: list[str] = []
+    at = 0
+    for match in _EXACT.finditer(text):
+        value = match["value"]
+        inside = f"={one_sort(value)}" if value else match["exact"] or collapsed(match[0])
+        parts += [_tight_signs(text[at : match.start()]), inside]
+        at = match.end()
+    return "".join([*parts, _tight_signs(text[at:])]).strip()
+
+
+def _tight_signs(text: str) -> str:
+    return re.sub(r"\s*(/?>)\s*", r"\1", collapsed(text))
 
 
 def _elements(text: str) -> list[_Element]:

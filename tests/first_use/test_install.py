@@ -55,7 +55,7 @@ def shell(installers, github, tmp_path):
             text=True,
         )
         assert result.returncode == 0, result.stdout
-        assert (tmp_path / "mypkg/mypkg/example_node_impl.py").exists(), result.stdout
+        assert (tmp_path / "mypkg/mypkg/example_impl.py").exists(), result.stdout
 
     return run
 

@@ -51,7 +51,7 @@ def test_copy_and_update_without_network(cut_off, github, tmp_path):
     for options in ((), ("--vcs-ref=:current:",)):
         result = copier("update", *QUIET, *options, cwd=package)
         assert result.returncode == 0, result.stderr
-        assert "out_added" in (package / "arm/example_node_interface.py").read_text()
+        assert "out_added" in (package / "arm/example_interface.py").read_text()
         commit(package)
     assert copier("copy", *QUIET, "gh:org/python_model", "other").returncode == 0
     result = run("git", "-C", str(tmp_path / "models/python_model.git"), "remote", "update",

@@ -54,22 +54,33 @@ def test_first_screen_of_the_readme(render, model, distro):
         assert word in screen
 
 
+def test_template_that_an_update_would_not_find(collection, copier_command, tmp_path):
+    """Copier records the path as it is given, and looks for it from within the package."""
+    (tmp_path / "models").symlink_to(collection)
+    for source, is_noted in (("models", True), (tmp_path / "models", False)):
+        package = tmp_path / f"arm_{is_noted}".lower()
+        arguments = ("copy", "--trust", "--defaults", "-d", "model=python_model")
+        said = copier_command(*arguments, source, package, cwd=tmp_path).stderr
+        assert ("Note: an update looks for models from within" in said) is is_noted, said
+        assert (f"copy from {tmp_path / 'models'}" in said) is is_noted, said
+
+
 def test_pretended_update_says_what_would_change(render, copier_command):
     """In the words of the update itself, which it leaves to be done."""
     package = render(None, name="arm", model="python_model")
     spec = package / "arm.ros_package"
     spec.write_text(spec.read_text().replace("  </node>", TOPIC, 1))
-    logic = package / "arm/example_node_interface.py"
+    logic = package / "arm/example_interface.py"
     logic.write_text(logic.read_text() + "\n# mine\n")
     commit(package)
     result = copier_command("update", "--trust", "--defaults", "--pretend", cwd=package)
     assert result.returncode == 0, result.stderr
     assert "An update would do this; nothing was written." in result.stderr
     assert git(package, "status", "--short") == ""
-    said = result.stderr.partition("\n+ publisher added on example_node\n")[2]
-    assert "merged    arm/example_node_interface.py\n" in said
+    said = result.stderr.partition("\n+ publisher added on example\n")[2]
+    assert "merged    arm/example_interface.py\n" in said
     real = copier_command("update", "--trust", "--defaults", cwd=package)
-    assert real.stderr.partition("\n+ publisher added on example_node\n")[2] == said
+    assert real.stderr.partition("\n+ publisher added on example\n")[2] == said
     commit(package)
     nothing = copier_command("update", "--trust", "--defaults", "--pretend", cwd=package)
     assert "Nothing has changed." in nothing.stderr

@@ -1,10 +1,13 @@
 """Names that would be taken twice, or that are reserved where they land, are refused."""
 
+import ast
+
 import pytest
 
 from hooks.faults import SpecError
 from hooks.model import Model
-from support.repository import ROOT
+from hooks.words import PACKAGES, meaning
+from support.repository import EXAMPLES, ROOT
 
 MODELS = {name: Model(ROOT / name, ROOT) for name in ("python_model", "cpp_model")}
 TYPES = {"publisher": "std_msgs::String", "service": "std_srvs::Trigger"}
@@ -49,11 +52,23 @@ CPP = [
     (interface("serviceClient", "service"), interface("serviceServer", "client"), "ClientService"),
     (interface("publisher", "message"), interface("directSubscriber", "out"), "OutMessage"),
 ]
+PYTHON = [
+    (
+        interface("serviceClient", "x"),
+        interface("serviceServer", "client_x"),
+        "ClientXRequest",
+    ),
+    (interface("actionClient", "x"), interface("actionServer", "action_x"), "ActionXGoal"),
+    (interface("serviceServer", "x_goal"), interface("actionServer", "x"), "XGoalRequest"),
+    (interface("publisher", "message"), interface("directSubscriber", "out"), "OutMessage"),
+]
 
 
 @pytest.mark.parametrize(
     ("model", "one", "other", "name"),
-    [(model, *case) for model in MODELS for case in BOTH] + [("cpp_model", *case) for case in CPP],
+    [(model, *case) for model in MODELS for case in BOTH]
+    + [("cpp_model", *case) for case in CPP]
+    + [("python_model", *case) for case in PYTHON],
 )
 def test_two_of_the_same_are_refused_with_both_lines(model, one, other, name):
     text = refusal(model, spec(node(one, other)))
@@ -110,6 +125,26 @@ def test_reserved_package(model, name):
     assert refusal(model, spec(node(), package=name)).startswith("spec.xml:1: <package")
 
 
+def modules_of(package):
+    """Return the modules that a package imports, and those that its tests are."""
+    for file in package.rglob("*.py"):
+        if "test" in file.parts:
+            yield file.stem
+        for statement in ast.walk(ast.parse(file.read_text())):
+            if isinstance(statement, ast.Import):
+                yield from (name.name.split(".")[0] for name in statement.names)
+            elif isinstance(statement, ast.ImportFrom):
+                yield statement.module.split(".")[0]
+
+
+def test_what_packages_import_is_reserved():
+    """A package of that name would hide it from itself."""
+    folders = list(EXAMPLES.glob("all_kinds/*/*"))
+    modules = {module for folder in folders for module in modules_of(folder)}
+    own = {module for module in modules if module.startswith(("all_kinds", "test_"))}
+    assert {module for module in modules - own if not meaning(module, PACKAGES)} == set()
+
+
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize(
     "type_", ["class::T", "std_msgs::None", "dataclasses::T", "linux::T", "a::NULL"]
@@ -141,6 +176,43 @@ def test_type_that_the_chosen_ros_is_known_not_to_have(model, distro, kind, type
     assert text.startswith("spec.xml:3: <")
     assert nearest in text
     context(model, xml, "noetic" if distro == "kilted" else "kilted")
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize(
+    ("kind", "type_", "meant"),
+    [
+        ("subscriber", "geometry_msgs/twist", "geometry_msgs/Twist"),
+        ("publisher", "std_msgs::uint8", "std_msgs::UInt8"),
+        ("directSubscriber", "geometry_msgs/msg/pose_stamped", "geometry_msgs/msg/PoseStamped"),
+        ("serviceServer", "std_srvs::trigger", "std_srvs::Trigger"),
+        ("actionServer", "test_msgs::fibonacci", "test_msgs::Fibonacci"),
+    ],
+)
+def test_type_that_begins_with_a_small_letter(model, kind, type_, meant):
+    """ROS 2 has none, though texts may look like one; ROS 1 has a few, such as tf/tfMessage."""
+    item = interface(kind, "x", type_).replace("/>", ' description="std_msgs/msg/string"/>')
+    text = refusal(model, spec(node(item)), "kilted")
+    assert text.startswith(f'spec.xml:3: <{kind} name="x">: type: "{type_}": a type begins')
+    assert text.endswith(f'with a capital; did you mean "{meant}"?')
+    (note,) = context(model, spec(node(item)), "noetic")["notes"]
+    said = f'"{type_}" begins with a small letter; is "{meant}" meant?'
+    assert note == f'<{kind} name="x">: {said}'
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_small_type_that_is_a_keyword(distro):
+    text = refusal(
+        "python_model", spec(node(interface("publisher", "x", "std_msgs/bool"))), distro
+    )
+    said = 'type: "std_msgs/bool": a type begins with a capital; did you mean "std_msgs/Bool"?'
+    assert text.endswith(said)
+
+
+def test_small_type_that_ros1_has():
+    xml = spec(node(interface("publisher", "x", "tf/tfMessage")))
+    assert "the nearest it has is tf2_msgs::TFMessage" in refusal("python_model", xml, "kilted")
+    context("python_model", xml, "noetic")
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -206,3 +278,64 @@ def test_fault_in_the_names_of_a_dictionary(tmp_path, text, message):
     with pytest.raises(SpecError) as error:
         Model(tmp_path, tmp_path)
     assert message in str(error.value)
+
+
+def test_container_of_the_launch_file_keeps_its_name():
+    text = refusal("cpp_model", spec(node(name="arm_container")))
+    assert text.startswith("spec.xml:2: ")
+    assert '"arm_container"' in text
+    context("cpp_model", spec(node(name="container")))
+    context("python_model", spec(node(name="arm_container")))
+
+
+def test_package_of_a_type_that_a_namespace_hides():
+    """In C++ the types of a node stand in a namespace of its own, within that of the package."""
+    inside = interface("publisher", "x", "n_types::Foo")
+    assert "spec.xml:3: <publisher" in refusal("cpp_model", spec(node(inside)))
+    context("cpp_model", spec(node(inside, name="m")))
+    context("python_model", spec(node(inside)))
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_parameter_that_dynamic_reconfigure_overwrites(model):
+    inside = parameter("groups", "dynParameter")
+    assert "spec.xml:3: <dynParameter" in refusal(model, spec(node(inside)), "noetic")
+    context(model, spec(node(inside)))
+
+
+@pytest.mark.parametrize(
+    ("elements", "fault"),
+    [
+        (
+            [("publisher", "x", None), ("subscriber", "/x", "std_msgs::Int64")],
+            "topic /x is of type std_msgs/msg/String in this node already",
+        ),
+        (
+            [("serviceServer", "~/x", None), ("serviceClient", "n/x", "std_srvs::SetBool")],
+            "service /n/x is of type std_srvs/srv/Trigger in this node already",
+        ),
+        ([("publisher", "/rosout", None)], "topic /rosout is of type rcl_interfaces/msg/Log"),
+        (
+            [("publisher", "~/transition_event", None)],
+            "msg/TransitionEvent in every node",
+        ),
+        ([("directSubscriber", "tf", None)], "tf2_msgs/msg/TFMessage in every node"),
+        ([("serviceServer", "n/get_parameters", None)], "rcl_interfaces/srv/GetParameters"),
+    ],
+)
+@pytest.mark.parametrize("model", MODELS)
+def test_name_with_two_types_in_a_node(model, elements, fault):
+    """A node with it cannot be configured; two nodes with it cannot connect, which is a note."""
+    text = refusal(model, spec(node(*(interface(*element) for element in elements))))
+    assert fault in text
+    assert text.startswith(f"spec.xml:{2 + len(elements)}: ")
+
+
+def test_what_every_node_has_can_be_used():
+    inside = [
+        interface("publisher", "/rosout", "rcl_interfaces::Log"),
+        interface("directSubscriber", "/tf", "tf2_msgs::TFMessage"),
+        interface("serviceClient", "/n/change_state", "lifecycle_msgs::ChangeState"),
+        interface("serviceClient", "/change_state", "std_srvs::Trigger"),
+    ]
+    context("python_model", spec(node(*inside)))

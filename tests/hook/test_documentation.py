@@ -14,6 +14,7 @@ from hooks.ros import DISTROS
 from support.repository import ROOT
 
 DESIGNERS = (ROOT / "docs/designers.md").read_text()
+DEVELOPERS = (ROOT / "docs/developers.md").read_text()
 README = (ROOT / "README.md").read_text()
 
 
@@ -55,6 +56,26 @@ def test_interface_kinds(model):
     needy = {kind for kind, interface in known.items() if interface.requires}
     told = re.search(r"it cannot have the kinds that\n`update` works with, (.*?);", README)[1]
     assert {*re.findall(r"`(\w+)`", told)} == needy
+
+
+@pytest.mark.parametrize("model", ["python_model", "cpp_model"])
+def test_attributes_of_interfaces(model):
+    known = Model(ROOT / model, ROOT).dictionary.components["node"].interfaces
+    qos = rows(DEVELOPERS, "QoS")
+    section = README.split("\n## The spec\n")[1].split("\n## ")[0]
+    for kind, told in re.findall(r"^\| `(\w+)` \| (.*?)\|", section, re.MULTILINE):
+        words = [word.strip() for word in told.split(",") if word.strip()]
+        told_names = {name for word in words for name in (qos if word == "QoS" else [word])}
+        assert told_names == {*known[kind].attributes} - {"name", "description"}, kind
+
+
+@pytest.mark.parametrize("model", ["python_model", "cpp_model"])
+def test_words_of_qos(model):
+    topic = Model(ROOT / model, ROOT).dictionary.components["node"].interfaces["publisher"]
+    section = DEVELOPERS.split("\n## QoS\n")[1].split("\n## ")[0]
+    for name in rows(DEVELOPERS, "QoS"):
+        told = re.search(rf"^\| `{name}` \| (.*?) \|", section, re.MULTILINE)[1]
+        assert re.findall(r"`(\w+)`", told) == list(topic.attributes[name].choices), name
 
 
 def test_distributions():

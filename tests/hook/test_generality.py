@@ -7,7 +7,7 @@ import pytest
 import yaml
 
 from hooks import names
-from hooks.dictionary import DEPEND, PACKAGE, WAS, Attribute, load
+from hooks.dictionary import DEPEND, PACKAGE, WAS, Attribute, load, nested
 from hooks.formats import FORMATS
 from hooks.model import load_functions, public_functions
 from support.repository import ROOT
@@ -15,7 +15,12 @@ from support.repository import ROOT
 MODELS = sorted(file.parent for file in ROOT.glob("*_model/dictionary.yaml"))
 FILES = sorted([*ROOT.glob("hooks/*.py"), *ROOT.glob("extensions/*.py")])
 # The language in which dictionaries are written, and what every spec has.
-GENERAL = {*FORMATS, *vars(Attribute)["__dataclass_fields__"], PACKAGE, DEPEND, WAS}
+# QoS is ROS's own, as the policies are that ROS 2 knows it by.
+QOS = {"qos", "reliability", "durability", "history", "depth"}
+GENERAL = {*FORMATS, *QOS, *vars(Attribute)["__dataclass_fields__"], PACKAGE, DEPEND, WAS}
+# Tags of interfaces that are words of Python and of ROS as well.
+EVERYDAY = {"message", "service", "services", "action", "actions", "request", "response", "goal"}
+EVERYDAY |= {"result", "feedback", "field", "fields", "constant", "constants", "messages"}
 
 
 def our_words():
@@ -26,12 +31,12 @@ def our_words():
         dictionary = load(model / "dictionary.yaml", ROOT)
         attributes |= set(dictionary.package)
         for component in dictionary.components.values():
-            tags |= {component.tag, component.key, *component.interfaces}
-            tags |= {interface.key for interface in component.interfaces.values()}
+            tags |= {component.tag, component.key}
             attributes |= set(component.attributes)
-            for interface in component.interfaces.values():
+            for interface in nested(component.interfaces):
+                tags |= {interface.kind, interface.key}
                 attributes |= set(interface.attributes)
-    return tags - GENERAL, attributes - GENERAL
+    return tags - GENERAL - EVERYDAY, attributes - GENERAL
 
 
 def words_of(file):
@@ -77,7 +82,7 @@ def test_questions_name_nothing_of_ours():
 def test_page_tells_every_filter():
     page = (ROOT / "docs/designers.md").read_text()
     filters = public_functions(names)
-    for file in ("python", "text"):
+    for file in ("python", "qos", "text"):
         filters |= load_functions(ROOT / f"extensions/{file}.py")
     assert len(filters) > 20
     for name in filters:

@@ -150,13 +150,14 @@ def test_fault_in_a_node(model, inside, message):
         *(
             (
                 NODE.replace(' frequency="1"', "").format(text),
-                f'{label}: its <node> at line 1 must have the attribute "frequency" (how often',
+                f'<{kind} name="x">: its <node> at line 1 must have the attribute "frequency" (how'
+                f" often update runs, in Hz; a node without it has no update), or use <{other}>",
             )
-            for text, label in {
-                '<publisher name="x" type="a::B"/>': '<publisher name="x">',
-                '<subscriber name="x" type="a::B"/>': '<subscriber name="x">',
-                '<dynParameter name="x" type="int" value="1"/>': '<dynParameter name="x">',
-            }.items()
+            for text, kind, other in [
+                ('<publisher name="x" type="a::B"/>', "publisher", "directPublisher"),
+                ('<subscriber name="x" type="a::B"/>', "subscriber", "directSubscriber"),
+                ('<dynParameter name="x" type="int" value="1"/>', "dynParameter", "parameter"),
+            ]
         ),
         (NODE.replace('name="n"', 'name="for"'), "keyword of Python and C++"),
         (NODE.replace('name="n"', 'name="a-b"'), "is not a valid name"),
@@ -264,6 +265,19 @@ def test_skeleton_is_valid_and_shows_every_kind(model):
         for attribute in kind.attributes.values():
             assert attribute.doc
             assert attribute.doc in " ".join(xml.split())
+
+
+@pytest.mark.parametrize("name", ["python_model", "cpp_model", "interfaces_model"])
+def test_skeleton_fits_every_ros_and_spells_as_a_spec(name):
+    xml = Model(ROOT / name, ROOT).skeleton(SOURCES)
+    assert "test_msgs" not in xml  # ROS 1 has none
+    assert not re.search(r"default (True|False|None|\d+\.0)\b", xml)
+
+
+def test_hint_at_an_action_type_is_of_both_ros(model):
+    inside = '<actionServer name="a" type="a"/>'
+    (said,) = faults(model, NODE.format(inside))
+    assert said.endswith("such as tf2_msgs/LookupTransform")
 
 
 @given(st.text(alphabet=string.printable))

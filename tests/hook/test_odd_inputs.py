@@ -37,6 +37,16 @@ def parameter(type_, value):
         ('<?xml version="1.0" encoding="foo"?>' + SPEC % "", 'spec.xml:1: encoding "foo"'),
         ('<?xml version="1.0" encoding="ISO-8859-1"?>' + SPEC % "", "save the spec as UTF-8"),
         ('<?xml version="1.0" encoding="UTF-16"?>' + SPEC % "", "save the spec as UTF-8"),
+        (
+            '<?xml version="1.0" encoding="ASCII"?>' + SPEC.replace('"d"', '"größe"') % "",
+            'encoding "ASCII" is not read',
+        ),
+        (
+            "<!DOCTYPE package [ %units; ]>" + parameter("double", "1&dot;5"),
+            "spec.xml:1: a DOCTYPE with parts in another file is not read; drop it",
+        ),
+        (parameter("double", "5e-324"), '"5e-324" is too small; allowed: 0, or at least 2.2250'),
+        (parameter("string[]", "[&quot;\\uFFFE&quot;]"), "U+FFFE is no character"),
         ((SPEC % "").encode("utf-16"), "not UTF-8 text"),
         ('<!DOCTYPE package SYSTEM "x.dtd">' + SPEC.replace('"d"', '"&foo;"') % "", "DOCTYPE"),
         (parameter("int[]", "[" * 500), 'spec.xml:3: <parameter name="p">: value: "[[['),
@@ -48,6 +58,20 @@ def parameter(type_, value):
         (parameter("int", "9" * 5000), "is too long"),
         (SPEC.replace('"MIT"', '""') % "", "license: must not be empty"),
         (SPEC.replace('"d"', '"a\u007fb"') % "", "U+007F is a control character"),
+        (
+            (SPEC % "").replace("</package>", ""),
+            "spec.xml:5: not well-formed XML: <package> of line 1 is not closed",
+        ),
+        (
+            SPEC.partition("</node>")[0] % "<!-- <a> --><b/>",
+            "spec.xml:4: not well-formed XML: <node> of line 2 is not closed",
+        ),
+        (
+            (SPEC % "").replace("</node>", ""),
+            "spec.xml:5: not well-formed XML: <node> of line 2 is not closed",
+        ),
+        ('<package name="', "spec.xml:1: not well-formed XML: unclosed token"),
+        ("", "spec.xml:1: not well-formed XML: no element found"),
     ],
 )
 def test_message(xml, message):

@@ -3,15 +3,21 @@
 Covered here: messages, interface layer and logic are compiled and their unit tests run;
 every file is held against ROS 2's linters, `<node>_ros.cpp` among them. Not covered: compiling
 `<node>_ros.cpp` and the headers it includes from src/, which needs rclcpp; test_ros2.py does that
-where rclcpp is installed, and test_ros1.py compiles their twins of ROS 1.
+where rclcpp is installed, and test_ros1.py compiles their twins of ROS 1. For Humble, the headers
+whose code depends on its signatures are compiled with the declarations of data/humble.
 """
 
+import re
 import shutil
+import subprocess
+import xml.etree.ElementTree as ET
+from pathlib import Path
 
 import pytest
 import yaml
 
-from support.packages import DATA, DISTROS, HOSTILE, SPECS, all_kinds, files
+from support.packages import DATA, DISTROS, HOSTILE, SPECS, all_kinds, files, fill_in
+from support.repository import EXAMPLES
 
 MESSAGES = {"geometry_msgs", "std_msgs", "std_srvs", "test_msgs"}
 
@@ -20,6 +26,10 @@ MESSAGES = {"geometry_msgs", "std_msgs", "std_srvs", "test_msgs"}
 @pytest.mark.parametrize("spec", [all_kinds(), HOSTILE], ids=["all_kinds", "hostile"])
 def test_logic_compiles_and_passes_its_tests(ros2, render, tmp_path, spec):
     package = render(spec, model="cpp_model", ros_distro=ros2.distro)
+    if spec != HOSTILE:  # tests as a developer adds them, of a logic that does something
+        fill_in(package, "cpp_model")
+        own = package / "test/test_worker_impl.cpp"
+        own.write_text(own.read_text() + (DATA / "logic/worker_tests.cpp").read_text())
     recorded = yaml.safe_load((package / ".copier-answers.yml").read_text())["spec"]
     nodes = ";".join(node["name"] for node in recorded["nodes"])
     depends = ";".join(sorted(MESSAGES & {*recorded["depends"], "std_msgs"}))
@@ -68,3 +78,188 @@ def test_logic_names_no_client_library(render, distro):
         text = file.read_text()
         for word in ("rclcpp", "roscpp", "ros/ros.h", "ros::", "tf2_ros", "actionlib/"):
             assert word not in text, f"{file.name} names {word}"
+
+
+REPORTING = """
+<package name="shop" author="Ada" author_email="ada@example.org" description="Counts"
+         license="Apache-2.0" copyright="2026 Ada">
+  <node name="idler"/>
+  <node name="clerk" diagnostics="true"/>
+  <node name="ticker" frequency="10"/>
+  <node name="gauge" frequency="10" diagnostics="true"/>
+</package>
+"""
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize("spec", [all_kinds(), REPORTING], ids=["all_kinds", "reporting"])
+def test_node_includes_what_it_uses(render, spec, distro):
+    """Of the headers beside it, each defines something that the node names."""
+    package = render(spec, model="cpp_model", ros_distro=distro)
+    for file in (package / "src").glob("*_ros.cpp"):
+        text = file.read_text()
+        included = re.findall(r'^#include "(ros/.*\.hpp)"', text, re.MULTILINE)
+        code = re.sub("(?m)^#include.*|//.*", "", text)
+        assert included
+        for header in included:
+            defined = re.findall(DEFINED, (package / "src" / header).read_text(), re.MULTILINE)
+            assert any(re.search(rf"\b{name}\b", code) for name in defined), (file.name, header)
+
+
+# Types and functions at the level of the namespace, which is not indented.
+DEFINED = r"^(?:(?:class|struct|enum class) (?=\w+)|[a-z][^(]* (?=\w+\())(\w+)"
+
+
+def test_launch_file_composes_what_it_starts_alone(render):
+    """The same nodes, with the same names and parameters, loaded as what CMake registers."""
+    package = render(all_kinds(), model="cpp_model")
+    launch = ET.parse(package / "launch/all_kinds.launch.xml").getroot()
+    (composition,) = launch.findall("arg[@name='composition']")
+    assert composition.get("default") == "false"
+    (container,) = launch.findall("node_container")
+    assert container.get("if") == "$(var composition)"
+    components = container.findall("composable_node")
+    alone = launch.findall("node")
+    assert len(components) == len(alone) == 2
+    cmake = (package / "CMakeLists.txt").read_text()
+    for component, node in zip(components, alone, strict=True):
+        assert node.get("unless") == "$(var composition)"
+        for name in ("pkg", "name", "namespace"):
+            assert component.get(name) == node.get(name)
+        given, alone_given = ([p.attrib for p in x.findall("param")] for x in (component, node))
+        assert given == alone_given
+        assert len(given) == 3
+        (extra,) = component.findall("extra_arg")
+        assert extra.attrib == {"name": "use_intra_process_comms", "value": "true"}
+        assert f' "{component.get("plugin")}")' in cmake
+
+
+def test_launch_file_composes_the_nodes_in_cpp_alone(render):
+    package = render(EXAMPLES / "driving.ros_package", model="mixed_model")
+    launch = ET.parse(package / "launch/driving.launch.xml").getroot()
+    composed = [item.get("name") for item in launch.iter("composable_node")]
+    unless = [item.get("name") for item in launch.findall("node") if item.get("unless")]
+    assert composed == unless == ["controller"]
+    assert len(launch.findall("node")) == 2
+
+
+FREEING = """
+#include "ros/inbox.hpp"
+
+void look();
+
+struct Message
+{
+  ~Message() {look();}
+};
+
+all_kinds::Inbox<Message> inbox;
+bool is_looking = true;
+
+/// Take a message, which waits for ever while the inbox is locked.
+void look()
+{
+  if (!is_looking) {
+    is_looking = true;
+    Message taken;
+    inbox.take(taken);
+  }
+}
+
+int main()
+{
+  using Pointer = decltype(inbox)::Pointer;
+  inbox.put(Pointer(new Message));
+  is_looking = false;
+  inbox.put(Pointer(new Message));
+}
+"""
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_inbox_frees_no_message_under_its_lock(render, tmp_path, distro):
+    if distro == "noetic" and not Path("/usr/include/boost").exists():
+        pytest.skip("Boost is not installed")
+    package = render(all_kinds(), model="cpp_model", ros_distro=distro)
+    (tmp_path / "main.cpp").write_text(FREEING)
+    command = ["g++", "-std=c++17", "-pthread", "-I", package / "src", "main.cpp", "-o", "main"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    subprocess.run(tmp_path / "main", check=True, timeout=10)
+
+
+LATE = """
+#include "ros/calls.hpp"
+
+int main()
+{
+  const auto nothing = [] {};
+  all_kinds::Calls calls([](const std::string &, const std::string &) {});
+  calls.open(nothing);
+  const auto pass = calls.pass();
+  const bool is_in_time = calls.run(pass, "serve", nothing);
+  calls.close();
+  calls.open(nothing);
+  const bool is_late = !calls.run(pass, "serve", nothing);
+  return is_in_time && is_late && calls.run(calls.pass(), "serve", nothing) ? 0 : 1;
+}
+"""
+
+
+def test_callback_of_an_earlier_activation_is_too_late(render, tmp_path):
+    """Its logic may have cleaned up, though the node is active again, with another one."""
+    package = render(all_kinds(), model="cpp_model", ros_distro="kilted")
+    (tmp_path / "main.cpp").write_text(LATE)
+    command = ["g++", "-std=c++17", "-pthread", "-I", package / "src", "main.cpp", "-o", "main"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    subprocess.run(tmp_path / "main", check=True, timeout=10)
+
+
+SHOP = """
+<package name="shop" author="Ada" author_email="ada@example.org" description="Sells"
+         license="Apache-2.0" copyright="2026 Ada">
+  <node name="clerk" diagnostics="true">
+    <serviceServer name="serve" type="std_srvs::Trigger"/>
+    <serviceClient name="order" type="std_srvs::Trigger"/>
+  </node>
+</package>
+"""
+
+SERVING = """
+#include "ros/diagnostics.hpp"
+#include "ros/ros_service_client.hpp"
+#include "ros/run_node.hpp"
+#include "ros/service_server.hpp"
+
+struct Trigger
+{
+  struct Request {};
+  struct Response {};
+};
+
+void serve(shop::ManagedNode & node)
+{
+  shop::Diagnostics(node, nullptr);
+  shop::RosServiceClient<Trigger>(node, "trigger");
+  shop::create_service_server<Trigger>(
+    node, "trigger", "service trigger", [](const auto &, auto &) {});
+}
+"""
+
+
+def test_life_cycle_and_services_compile_in_humble(render, tmp_path):
+    """Where later distributions have signatures that Humble lacks, data/humble has Humble's."""
+    package = render(SHOP, model="cpp_model", ros_distro="humble")
+    headers = [*(package / "src/ros").glob("*.hpp")]
+    included = {name for file in headers for name in re.findall(INCLUDED, file.read_text())}
+    for name in included:
+        header = tmp_path / name
+        header.parent.mkdir(parents=True, exist_ok=True)
+        header.write_text('#include "humble.hpp"\n')
+    (tmp_path / "main.cpp").write_text(SERVING)
+    folders = [package / "src", package / "include", tmp_path, DATA / "humble"]
+    command = ["g++", "-std=c++17", "-fsyntax-only", *(f"-I{folder}" for folder in folders)]
+    subprocess.run([*command, "main.cpp"], cwd=tmp_path, check=True)
+
+
+# Headers of ROS, unlike those of the package itself.
+INCLUDED = r'(?m)^#include "((?:rcl\w*|\w+_msgs|rcl_interfaces)/.*)"'

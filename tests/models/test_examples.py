@@ -1,12 +1,14 @@
 """The packages that examples/ shows are those that the models make."""
 
 import re
+import shutil
 import subprocess
 import sys
 
 import pytest
 import yaml
 
+from support.packages import MADE_BY, MODELS
 from support.repository import EXAMPLES, ROOT
 
 PACKAGES = sorted(EXAMPLES.glob("*/*_model/*"))
@@ -24,9 +26,10 @@ def test_examples_are_current():
 
 def test_change_of_a_template_is_seen(own_collection):
     """In text, in mode, and where a file comes or goes."""
+    shutil.copytree(EXAMPLES, own_collection / "examples", dirs_exist_ok=True)
     template = own_collection / "python_model/template"
     (template / "NEW.md").write_text("A file that comes.\n")
-    (template / "ruff.toml.jinja").unlink()
+    (template / "config/[node.name].yaml.jinja").unlink()
     setup = template / "{{ ros2 }}/setup.cfg.jinja"
     setup.write_text(setup.read_text().replace("[develop]", "[developed]"))
     setup.chmod(0o755)
@@ -38,7 +41,7 @@ def test_change_of_a_template_is_seen(own_collection):
         "-[develop]",
         "+[developed]",
         f"+++ made anew/{package}/NEW.md",
-        f"--- examples/{package}/ruff.toml",
+        f"--- examples/{package}/config/clerk.yaml",
         f"{package}/setup.cfg: executable before: False, after: True",
     ):
         assert f"\n{line}\n" in result.stdout
@@ -48,14 +51,15 @@ def test_change_of_a_template_is_seen(own_collection):
 def test_every_spec_has_its_packages():
     shown = {path.relative_to(EXAMPLES).as_posix() for path in PACKAGES}
     specs = [file.stem for file in EXAMPLES.glob("*.ros_package")]
-    models = [file.parent.name for file in ROOT.glob("*_model/dictionary.yaml")]
-    assert shown == {f"{s}/{m}/{d}" for s in specs for m in models for d in ("noetic", "kilted")}
-    links = re.findall(r"\]\(([^)]+/[^)]+)\)", (EXAMPLES / "README.md").read_text())
+    pairs = {(spec, model) for spec in specs if spec not in MADE_BY for model in MODELS}
+    pairs |= set(MADE_BY.items())
+    assert shown == {f"{spec}/{model}/{d}" for spec, model in pairs for d in ("noetic", "kilted")}
+    links = re.findall(r"\]\(([^)]+_model/[^)]+)\)", (EXAMPLES / "README.md").read_text())
     assert sorted(links) == sorted(shown)
 
 
 @pytest.mark.parametrize("package", PACKAGES, ids=lambda path: "-".join(path.parts[-3:]))
 def test_answers_tell_nothing_of_a_machine(package):
     answers = yaml.safe_load((package / ".copier-answers.yml").read_text())
-    assert set(answers) == {"_src_path", "ros_distro", "spec"}
+    assert set(answers) == {"_src_path", "ci", "ros_distro", "spec"}
     assert answers["_src_path"] == f"gh:org/{package.parent.name}"

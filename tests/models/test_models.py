@@ -4,18 +4,32 @@ import ast
 import xml.etree.ElementTree as ET
 
 import copier
+import copier._main
+import jinja2
 import pytest
 import yaml
 
 from support import model_checks
 
 MODELS = model_checks.models()
-EDIT = "An edit of the developer"
+EDIT = "# An edit of the developer"
 
 
 @pytest.fixture(scope="session")
 def source(tmp_path_factory):
     return model_checks.template(tmp_path_factory.mktemp("source") / "template")
+
+
+@pytest.fixture(scope="session")
+def compiled(tmp_path_factory):
+    return jinja2.FileSystemBytecodeCache(str(tmp_path_factory.mktemp("compiled")))
+
+
+@pytest.fixture(autouse=True)
+def _compile_once(compiled, monkeypatch):
+    """Compile each template for all renders, which is most of what one takes."""
+    cache = property(lambda _: compiled, lambda *_: None)
+    monkeypatch.setattr(jinja2.Environment, "bytecode_cache", cache, raising=False)
 
 
 @pytest.fixture
@@ -48,7 +62,19 @@ def check_syntax(files):
     ("model", "distro"), [(model, distro) for model in MODELS for distro in model.distros], ids=str
 )
 def test_all_of_the_dictionary_renders(render, model, distro):
-    render(model.everything(), distro)
+    render(model.everything(distro), distro)
+
+
+@pytest.mark.parametrize(
+    ("model", "distro"), [(model, distro) for model in MODELS for distro in model.distros], ids=str
+)
+def test_what_starts_the_launch_file_is_declared(render, model, distro):
+    files = render(model.everything(distro), distro)
+    elements = ET.fromstring(files["package.xml"]).iter()
+    declared = {item.text for item in elements if item.tag in ("depend", "exec_depend")}
+    launcher = {"roslaunch"} if distro == "noetic" else {"launch_ros", "launch_xml"}
+    has_launch_file = any(path.startswith("launch/") for path in files)
+    assert launcher <= declared or not has_launch_file
 
 
 @pytest.mark.parametrize(
@@ -80,6 +106,30 @@ def test_every_attribute_is_used(render, model, owner):
     known = {name for name, attribute in owner.attributes.items() if not attribute.ignored}
     unused = ", ".join(sorted(known - used))
     assert not unused, f"dictionary.yaml: {owner}: no template makes use of {unused}"
+
+
+@pytest.mark.parametrize("model", MODELS, ids=str)
+def test_files_are_made_in_any_order(source, model, tmp_path, monkeypatch):
+    """A file system lists those of the template as it likes, and Copier renders them so."""
+    listed = copier._main.scantree
+    packages = []
+    for order in (False, True):
+        monkeypatch.setattr(
+            copier._main,
+            "scantree",
+            lambda *a, order=order: sorted(listed(*a), key=lambda e: e.path, reverse=order),
+        )
+        package = tmp_path / str(order) / "same"
+        package.parent.mkdir()
+        model_checks.make(source, package, model, None, model.distros[-1])
+        packages.append(
+            {
+                path.relative_to(package): path.read_text()
+                for path in package.rglob("*")
+                if path.is_file() and path.name != ".copier-answers.yml"
+            }
+        )
+    assert packages[0] == packages[1]
 
 
 @pytest.mark.parametrize("model", MODELS, ids=str)

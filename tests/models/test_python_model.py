@@ -1,13 +1,14 @@
 """python_model rendered over its choices, without ROS."""
 
 import ast
+import re
 import xml.etree.ElementTree as ET
 
 import pytest
 import yaml
 
-from support.packages import DISTROS, SPECS, files
-from support.soundness import check_imports, check_sound
+from support.packages import DISTROS, MODELS, SPECS, files
+from support.soundness import check_sound
 
 
 @pytest.mark.parametrize("distro", ["noetic", "humble", "lyrical"])
@@ -48,6 +49,21 @@ def test_values_arrive_as_they_are(render):
     assert code["big"] == parameters["big"] == -(2**63)
 
 
+@pytest.mark.parametrize(
+    ("distro", "ending"), [("noetic", "launch"), ("kilted", "launch.xml")], ids=["ros1", "ros2"]
+)
+@pytest.mark.parametrize("model", MODELS)
+def test_readme_names_the_arguments_of_the_launch_file(render, model, distro, ending):
+    package = render(SPECS["paper"], model=model, ros_distro=distro)
+    (launch_file,) = files(package, f"*.{ending}")
+    arguments = [item.get("name") for item in ET.parse(launch_file).getroot().findall("arg")]
+    text = (package / "README.md").read_text()
+    sentence = re.search(r"^The launch file takes (.*?)\.$", text, re.DOTALL | re.MULTILINE)[1]
+    assert re.findall(r"`(\w+)`", sentence) == arguments
+    assert ("autostart" in arguments) == (distro == "kilted")
+    assert ("composition" in arguments) == ((model, distro) == ("cpp_model", "kilted"))
+
+
 def test_dependencies_follow_the_ros(render):
     def depends(distro):
         package = render(SPECS["paper"], ros_distro=distro, name=f"{distro}/depends")
@@ -69,6 +85,20 @@ def test_readme_shows_every_interface(render):
             assert f"| `{element.get('name')}` |" in readme, element.get("name")
     assert "```mermaid" in readme
     assert 'topic_speed(["speed"]) --> node_worker' in readme
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_readme_says_what_a_node_does_beside_its_interfaces(render, distro):
+    """What becomes of a new goal, and what is published on /diagnostics."""
+    action = '    <actionServer name="{0}" goal="{0}" type="test_msgs::Fibonacci"/>\n'
+    actions = "".join(map(action.format, ("replace", "queue", "reject")))
+    spec = SPECS["all kinds"].read_text()
+    spec = re.sub(r"(<node )(.*?>\n)", rf'\1diagnostics="true" \2{actions}', spec, count=1)
+    text = (render(spec, ros_distro=distro) / "README.md").read_text()
+    assert "state, rate and missed cycles on `/diagnostics`" in text
+    assert "| `replace` | action served; a new goal replaces the current one |" in text
+    assert "| `queue` | action served; a new goal waits |" in text
+    assert "| `reject` | action served; a new goal is rejected |" in text
 
 
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
@@ -97,7 +127,13 @@ def test_private_names_in_ros1(render):
 
 
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
-@pytest.mark.parametrize("name", SPECS)
-def test_every_import_is_a_dependency(render, name, distro):
-    """What the code of a package imports stands in its package.xml."""
-    check_imports(render(SPECS[name], ros_distro=distro), distro)
+def test_copyright_is_no_encoding(render, distro):
+    """Python takes `coding: NAME` in the first two lines for the encoding of the file."""
+    text = 'author="Encoding: utf-7 +AAo- coding=labs" license="coding:labs"'
+    about = f'{text} author_email="a@example.org" description="d"'
+    node = '<node name="n" frequency="1"><parameter name="p" type="int" value="1"/></node>'
+    package = render(f'<package name="arm" {about}>{node}</package>', ros_distro=distro)
+    sources = [*package.rglob("*.py"), *package.glob("scripts/*")]
+    assert len(sources) > 5
+    for file in sources:
+        compile(file.read_bytes(), file, "exec")

@@ -4,6 +4,7 @@ import re
 
 import pytest
 
+from support.fuzz import check_own_files
 from support.packages import DISTROS, MODELS, files, fill_in_serving
 from support.repository import EXAMPLES, commit
 from support.soundness import check_imports, check_sound
@@ -21,16 +22,31 @@ def test_rendered_code_is_sound(render, distro):
     check_imports(package, distro)
 
 
+# The same for nodes with a loop and without.
+RUNTIME = ("managed_node.py", "logic_thread.py", "recorder.py")
+
+
 @each_model
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
 def test_nothing_of_a_loop_is_left(render, model, distro):
     package = render(SPEC, model=model, ros_distro=distro)
     words = r"\bupdate\(|_update\b|\w+Data\b|\bdata_?\b|FREQUENCY|[Ll]oop\b|frequency"
     for file in package.rglob("*"):
-        own = {".git", ".copier-answers.yml", "serving.ros_package"} & set(file.parts)
+        own = {".git", ".copier-answers.yml", "serving.ros_package", *RUNTIME} & set(file.parts)
         if file.is_file() and not own:
             text = file.read_text().replace("add_data", "").replace("data_files", "")
             assert not re.search(words, text), f"{file}: {re.search(words, text)}"
+
+
+@each_model
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_diagnostics_need_no_loop(render, model, distro):
+    spec = SPEC.read_text().replace('<node name="clerk"', '<node name="clerk" diagnostics="true"')
+    package = render(spec, model=model, ros_distro=distro)
+    texts = {str(file.relative_to(package)): file.read_text() for file in files(package, "*.?pp")}
+    texts |= {str(file.relative_to(package)): file.read_text() for file in files(package, "*.py")}
+    assert any("diagnostics" in name for name in texts)
+    check_own_files(texts, "serving")
 
 
 @each_model

@@ -4,7 +4,7 @@ import re
 
 import copier
 import pytest
-import yaml
+from jinja2 import Template
 
 from support.model_checks import Model
 from support.packages import MODELS as BOTH
@@ -15,7 +15,7 @@ FILES = git(ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
 TEMPLATES = sorted(name for name in FILES if re.match(r"\w+_model/template/", name))
 PARTS = [name for name in FILES if re.search(r"\.jinja$|^shared/gitignore$", name)]
 MODELS = sorted(file.parent for file in ROOT.glob("*_model/dictionary.yaml"))
-LONGEST_PATH = 80
+LONGEST_PATH = 90
 LONGEST_FILE = 300
 
 
@@ -35,7 +35,7 @@ def test_templates_are_short(name):
 def test_every_part_is_included():
     texts = "".join((ROOT / name).read_text() for name in PARTS)
     texts += (ROOT / "copier.yml").read_text()
-    included = set(re.findall(r"""(?:include|from) ["'](shared/[^"']+)["']""", texts))
+    included = set(re.findall(r"""(?:include|from|extends) ["'](shared/[^"']+)["']""", texts))
     parts = {name for name in PARTS if name.startswith("shared/")}
     assert included >= parts
     assert all((ROOT / name).exists() for name in included)
@@ -44,7 +44,9 @@ def test_every_part_is_included():
 def helpers():
     """Return the files of the table, each with the interface kinds that it is for."""
     table = (ROOT / "shared/files.jinja").read_text()
-    return yaml.safe_load(re.search(r"helpers = (\{.*?\})", table, re.DOTALL)[1])
+    part = Template(re.search(r"\{% set helpers = .*?\} %\}", table, re.DOTALL)[0])
+    ros1, ros2 = (part.make_module({"spec": {"ros": ros}}).helpers for ros in (1, 2))
+    return {name: [*ros1[name], *ros2[name]] for name in ros1}
 
 
 @pytest.mark.parametrize("name", helpers())
@@ -133,13 +135,17 @@ def test_helper_files_come_and_go(render, update, model, distro):
 
 def test_update_from_a_version_without_the_table(own_collection, render, update):
     """Copier renders the exclusions of the new version in the environment of the old one."""
-    table, questions = own_collection / "shared/files.jinja", own_collection / "copier.yml"
-    texts = table.read_text(), questions.read_text()
-    table.unlink()
-    questions.write_text(re.sub(r"\{% include.*?%\}", "none", texts[1]))
+    questions = own_collection / "copier.yml"
+    tables = [own_collection / f"shared/{name}.jinja" for name in ("files", "ci/files")]
+    texts = [file.read_text() for file in (questions, *tables)]
+    for table in tables:
+        table.unlink()
+    questions.write_text(re.sub(r"\{% include.*?%\}", "none", texts[0]))
     commit(own_collection, tag="1.1.0")
     package = render(all_kinds(), template=own_collection)
-    table.write_text(texts[0])
-    questions.write_text(texts[1])
+    for file, text in zip((questions, *tables), texts, strict=True):
+        file.write_text(text)
     commit(own_collection, tag="1.2.0")
-    assert update(package) == "M .copier-answers.yml"
+    update(package)
+    commit(package)
+    assert names(package) == names(render(all_kinds(), template=own_collection, name="fresh/same"))

@@ -1,15 +1,19 @@
 """Models as git repositories of their own: `copier copy gh:org/python_model mypkg`."""
 
 import re
+import subprocess
 
 import pytest
 
+from support.documentation import blocks
 from support.packages import QUIET, answers
 from support.repository import EXAMPLES, ROOT, commit, git
 
 EXAMPLE_OF = {
     "python_model": ("contact_analysis", "contact_evaluate"),
     "cpp_model": ("contact_analysis", "contact_evaluate"),
+    "mixed_model": ("driving", "planner"),
+    "interfaces_model": ("contact_msgs", "PointArray"),
 }
 
 
@@ -93,6 +97,19 @@ def test_readme_of_a_published_model_leads_back(github, tmp_path):
         pages = re.findall(r"ros_package_models/blob/main/([\w/.]+)\)", readme)
         assert "docs/developers.md" in pages
         assert all((ROOT / page).is_file() for page in pages)
+
+
+def test_links_lead_to_whoever_publishes(own_collection, render):
+    """The command of docs/releasing.md leaves no link to the organisation of the examples."""
+    (script,) = blocks("docs/releasing.md", "Before the first release")
+    subprocess.run(["bash", "-e", "-c", script], cwd=own_collection, check=True)
+    commit(own_collection, "Say who publishes", tag="1.0.1")
+    package = render(template=own_collection, name="mypkg")
+    readmes = [package / "README.md", *own_collection.glob("*_model/README.md")]
+    assert len(readmes) > len(EXAMPLE_OF)
+    for readme in readmes:
+        assert re.findall(r"(?:gh:|github\.com/)(\w+)", readme.read_text())[:1] == ["acme"]
+        assert not re.search(r"(gh:|github\.com/)org/", readme.read_text()), readme
 
 
 def test_package_of_the_collection_follows_the_published_model(

@@ -4,19 +4,18 @@ They are built and tested as examples/ shows them, with a package of traps besid
 logic is filled in. Tests that need another state of a package make their own.
 """
 
-import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
-import copier
 import pytest
 
 from support import ros
-from support.packages import DATA, HOSTILE, MODELS, fill_in, fill_in_serving, without_tf
+from support.packages import HOSTILE, MODELS, fill_in, fill_in_serving, without_tf
 from support.repository import EXAMPLES
 
 ALL_KINDS = EXAMPLES / "all_kinds.ros_package"
 SERVING = EXAMPLES / "serving.ros_package"
+CONTACT_MSGS = EXAMPLES / "contact_msgs.ros_package"
 CONTACT_ANALYSIS = EXAMPLES / "contact_analysis.ros_package"
 
 
@@ -35,43 +34,14 @@ def model(request):
     return request.param
 
 
-def built_interfaces(ros_, workspace, *packages):
-    for package in packages:
-        shutil.copytree(DATA / package, workspace / "src" / package)
-    ros_.build(workspace)
-    return workspace
-
-
 @pytest.fixture(scope="session")
-def ros1_interfaces(tmp_path_factory):
-    """A workspace with the interfaces that ROS 1 lacks."""
-    ros1 = ros.ros1() or pytest.skip(ros.NO_ROS1)
-    workspace = tmp_path_factory.mktemp("ros1_interfaces")
-    return built_interfaces(ros1, workspace, "test_msgs", "contact_msgs")
-
-
-@pytest.fixture(scope="session")
-def ros2_interfaces(tmp_path_factory):
+def ros2_interfaces(put, tmp_path_factory):
     """A workspace with the interfaces that ROS 2 lacks."""
     ros2 = ros.ros2() or pytest.skip(ros.NO_ROS2)
-    return built_interfaces(ros2, tmp_path_factory.mktemp("ros2_interfaces"), "contact_msgs")
-
-
-@pytest.fixture(scope="session")
-def put(collection):
-    """Put the package that stands beside a spec into a workspace; where none does, render it."""
-
-    def run(spec, model, distro, workspace):
-        package = workspace / "src" / spec.stem
-        shown = spec.with_suffix("") / model / distro
-        if shown.is_dir():
-            shutil.copytree(shown, package)
-        else:
-            data = {"model": model, "spec_file": str(spec), "ros_distro": distro}
-            options = {"defaults": True, "unsafe": True, "quiet": True}
-            copier.run_copy(str(collection), package, data=data, **options)
-
-    return run
+    workspace = tmp_path_factory.mktemp("ros2_interfaces")
+    put(CONTACT_MSGS, "interfaces_model", ros2.distro, workspace)
+    ros2.build(workspace)
+    return workspace
 
 
 def untouched(ros_, put, model, workspace, interfaces, all_kinds):

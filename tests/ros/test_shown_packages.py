@@ -1,5 +1,6 @@
 """What is built and run is what examples/ shows."""
 
+from support.packages import MADE_BY
 from support.repository import EXAMPLES
 
 
@@ -13,8 +14,9 @@ def contents(folder):
 
 def test_packages_are_those_shown(put, model, tmp_path):
     for spec in EXAMPLES.glob("*.ros_package"):
+        made_by = MADE_BY.get(spec.stem, model)
         for distro in ("noetic", "kilted"):
-            put(spec, model, distro, tmp_path / distro)
+            put(spec, made_by, distro, tmp_path / distro)
             package = tmp_path / distro / "src" / spec.stem
-            shown = EXAMPLES / spec.stem / model / distro
+            shown = EXAMPLES / spec.stem / made_by / distro
             assert contents(package) == contents(shown)

@@ -21,3 +21,17 @@ EDITS = {
     ),
     '"""Handle a message when it arrives."""': "self.passthrough.log.info('stop')",
 }
+
+# Its logic in short: as the old model makes it, as the new one does, and as the developer has it.
+PATH = "arm/reach_impl.py"
+OLD = '''class ReachImpl:
+    def serve_load(self, request, response):
+        """Fill in the response and return it."""
+        return response
+
+    def serve_store(self, request, response):
+        """Fill in the response and return it."""
+        return response
+'''
+NEW = OLD.replace("Fill in", "Complete")
+MINE = OLD.replace("return response", "response.ok = True\n        return response", 1)

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import copier
 import pathspec
+import yaml
 
 from support.repository import ROOT
 
@@ -25,6 +26,8 @@ class Renderer:
         self.model = model
         self.folder = source / model / "template"
         self.env = environment(source, model)
+        settings = (source / "copier.yml").read_text().rpartition("\n---\n")[2]
+        self.excluded = "\n".join(yaml.safe_load(settings)["_exclude"])
         found = sorted(path for path in self.folder.rglob("*") if path.is_file())
         self.paths = [str(path.relative_to(self.folder)) for path in found]
 
@@ -33,6 +36,7 @@ class Renderer:
         values = {
             "model": self.model,
             "ros_distro": distro,
+            "ci": "none",
             "ros1": "." if spec["ros"] == 1 else "",
             "ros2": "." if spec["ros"] == 2 else "",
             "spec_file": "",
@@ -40,7 +44,7 @@ class Renderer:
             "_copier_answers": {},
             "_copier_conf": {"answers_file": ANSWERS, "dst_path": "", "data": {"spec": spec}},
         }
-        excluded = self.env.get_template("shared/files.jinja").render(values)
+        excluded = self.string(self.excluded).render(values)
         is_excluded = pathspec.GitIgnoreSpec.from_lines(excluded.splitlines())
         files = {}
         for source in self.paths:
@@ -51,9 +55,20 @@ class Renderer:
         return files
 
     def names(self, source, values):
+        """Yield each path that a template file gives, and the part and component it is for."""
+        part = re.match(r"\[spec\.(\w+)\]/", source)
+        if not part:
+            yield from self.components(source, values["spec"], values)
+            return
+        find = self.env.filters["parts"]
+        for spec in find(values["spec"], part[1], values["ros_distro"]):
+            for name, more in self.components(source[part.end() :], spec, values):
+                yield name, {**more, "part": spec}
+
+    def components(self, source, spec, values):
         """Yield each path that a template file gives, and the component it is for."""
         item = re.search(r"\[(\w+)\.", source)
-        components = values["spec"][f"{item[1]}s"] if item else [None]
+        components = spec[f"{item[1]}s"] if item else [None]
         for component in components:
             more = {item[1]: component} if item else {}
             form = re.sub(r"\[(\w+\.\w+)\]", r"{{ \1 }}", source)

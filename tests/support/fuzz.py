@@ -6,6 +6,7 @@ import unicodedata
 import warnings
 import xml.etree.ElementTree as ET
 from dataclasses import replace
+from pathlib import PurePosixPath
 from random import Random
 from xml.sax.saxutils import quoteattr
 
@@ -33,6 +34,10 @@ TYPES = {
     "service_type": ["std_srvs::Trigger", "std_srvs/srv/Empty", "std_srvs::SetBool"],
     "action_type": ["test_msgs::Fibonacci", "control_msgs/action/Grip"],
 }
+FIELD_TYPES = ["bool", "byte", "char", "float32", "float64", "int8", "uint16", "int32", "uint64"]
+FIELD_TYPES += ["string", "wstring", "time", "duration", "Header", "std_msgs::String", "string<=9"]
+FIELD_TYPES += [type_ + array for type_ in FIELD_TYPES for array in ("[]", "[3]", "[<=3]")]
+NO_VALUES = [type_ for type_ in FIELD_TYPES if re.match("time|duration|Header|std_msgs", type_)]
 ODD_TYPES = [
     "class::T",
     "std_msgs::None",
@@ -170,15 +175,20 @@ class Author(Random):
         )
 
     def literal(self, type_name):
-        if type_name.endswith("[]"):
-            items = [_in_list(self.literal(type_name[:-2])) for _ in range(self.randint(1, 5))]
+        base, is_list, size = re.fullmatch(r"([^<\[]*)[^\[]*(\[\D*(\d*)\])?", type_name).groups()
+        if is_list:
+            items = [_in_list(self.literal(base)) for _ in range(int(size or self.randint(1, 5)))]
             return f"[{', '.join(items)}]"
+        if re.fullmatch(r"u?int\d+|byte|char", base):
+            return self.choice(NUMBERS) if self.seldom(30) else str(self.randint(0, 99))
         if type_name == "int":
             whole = [str(self.randint(-99, 99)), str(self.randint(-(2**63), 2**63 - 1))]
             return self.choice(NUMBERS) if self.seldom(30) else self.choice(whole)
         if type_name == "bool":
             return self.choice(["true", "false", "yes", "0"])
-        return self.number() if type_name == "double" else self.text()
+        if base in ("double", "float32", "float64"):
+            return self.number()
+        return self.choice([self.text(), self.word()])
 
     def anything(self):
         return self.choice(
@@ -193,9 +203,9 @@ class Author(Random):
             return self.choice([word for one, more in pairs for word in (one, *more)])
         if given.format == "literal":
             words = others[given.of].choices
-            return self.literal(
-                next((w for w in words if made.get(given.of) in (w, *words[w])), "")
-            )
+            written = made.get(given.of, "")
+            type_name = next((w for w in words if written in (w, *words[w])), "")
+            return self.literal(type_name or (written if written in FIELD_TYPES else ""))
         if given.format in TYPES:
             return self.choice(ODD_TYPES if self.seldom(100) else TYPES[given.format])
         if given.format == "number":
@@ -204,9 +214,15 @@ class Author(Random):
             "ros_name": self.ros_name,
             "identifier": self.word,
             "component_name": self.word,
+            "interface_name": lambda: self.word().replace("_", "").capitalize(),
+            "field_name": lambda: self.word().lower(),
+            "constant_name": lambda: self.word().upper(),
+            "field_type": lambda: self.choice(ODD_TYPES if self.seldom(100) else FIELD_TYPES),
             "package_name": lambda: self.choice([*["arm", "pkg", "my_arm", "on"] * 20, "test"]),
             "email": lambda: "a@example.org",
             "license": lambda: self.choice(["MIT", "Apache-2.0", "Our own", "BSD"]),
+            "bool": lambda: self.literal("bool"),
+            "int": lambda: self.choice(NUMBERS if self.seldom(30) else ["1", "10", "1000"]),
         }
         return rights.get(given.format, self.text)()
 
@@ -214,6 +230,7 @@ class Author(Random):
         made = {}
         for name, given in attributes.items():
             unfit = any(made.get(other) not in words for other, words in given.when.items())
+            unfit |= given.format == "literal" and made.get(given.of) in NO_VALUES
             if not given.ignored and (not given.optional or self.seldom(100 if unfit else 2)):
                 made[name] = self.attribute(given, made, attributes)
         if made and self.seldom(500):
@@ -221,13 +238,23 @@ class Author(Random):
         shown = "".join(f" {name}={quoteattr(text)}" for name, text in made.items())
         return f"<{tag}{shown}>{inside}</{tag}>\n"
 
+    def inside(self, owner):
+        """Return interface kinds, and the XML of one of each inside of an owner."""
+        known = list(owner.interfaces.values())
+        kinds = self.choices(known, k=self.randint(0, 8)) if known else []
+        if not self.seldom(30):
+            kinds = [
+                kind for i, kind in enumerate(kinds) if not kind.once or kind not in kinds[:i]
+            ]
+        inside = (self.element(k.kind, k.attributes, self.inside(k)[1]) for k in kinds)
+        return kinds, "".join(inside)
+
     def spec(self, dictionary):
         """Return the XML of a spec that a dictionary may allow."""
         parts = []
         for _ in range(self.choice([1, 1, 2, 3])):
             component = self.choice(list(dictionary.components.values()))
-            kinds = self.choices(list(component.interfaces.values()), k=self.randint(0, 8))
-            inside = "".join(self.element(kind.kind, kind.attributes) for kind in kinds)
+            kinds, inside = self.inside(component)
             attributes = component.attributes
             if not self.seldom(10):  # what the interfaces require
                 required = {kind.requires for kind in kinds}
@@ -286,7 +313,7 @@ def plain(value):
 
 
 def _plain_value(owner, key, value):
-    if key != "value" or "string" not in str(owner.get("type")):
+    if key not in ("value", "default") or value is None or "string" not in str(owner.get("type")):
         return value
     return ["word" for _ in value] if isinstance(value, list) else "word"
 
@@ -301,7 +328,7 @@ def code(name, text):
     if name.endswith((".py", ".cfg")) and name != "setup.cfg":
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            compile(text, name, "exec", dont_inherit=True)
+            compile(text.encode(), name, "exec", dont_inherit=True)  # with its encoding
         tree = ast.parse(text)
         for node in ast.walk(tree):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
@@ -315,7 +342,16 @@ def code(name, text):
         return cpp_tokens(text)
     if name == "CMakeLists.txt":
         return cmake_commands(text)
+    if name.endswith((".msg", ".srv", ".action")):
+        return interface_lines(text)
     return mermaid(text) if name == "README.md" else None
+
+
+def interface_lines(text):
+    """Return the lines of an interface without comments, each text as one."""
+    lines = [line.rstrip() for line in text.split("\n") if line.rstrip() and line[0] != "#"]
+    lines = [re.sub(r'"[^"]*"', '"', line) for line in lines]
+    return [re.sub("^(string [A-Z0-9_]+=).*", r"\1", line) for line in lines]
 
 
 def keys(value):
@@ -384,6 +420,20 @@ def mermaid(text):
     return lines
 
 
+def check_own_files(files, package):
+    """Check that the headers and modules of the package that its code names are there."""
+    headers = {name.split("/", 1)[1] for name in files if name.endswith(".hpp")}
+    for name, text in files.items():
+        if name.endswith((".hpp", ".cpp")):
+            for own in re.findall(rf'^#include "((?:ros|{package})/.*\.hpp)"', text, re.MULTILINE):
+                assert own in headers, f"{name} includes {own}"
+            for own in re.findall(r'^#include "(\w+\.hpp)"', text, re.MULTILINE):
+                assert str(PurePosixPath(name).with_name(own)) in files, f"{name} includes {own}"
+        elif name.endswith(".py"):
+            for own in re.findall(rf"^from {package}\.(\w+) import", text, re.MULTILINE):
+                assert own in {"cfg", "msg"} or f"{package}/{own}.py" in files, f"{name}: {own}"
+
+
 def check(files, harmless, spec):
     """Check the files of a package against those of the same spec with harmless texts.
 
@@ -395,7 +445,8 @@ def check(files, harmless, spec):
     for name, text in files.items():
         assert not re.search("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]", text), name
         assert code(name, text) == code(name, harmless[name]), f"{name}: a text has become code"
-    for node in spec["nodes"]:
+    check_own_files(files, spec["name"])
+    for node in spec.get("nodes", []):
         config = yaml.safe_load(files[f"config/{node['name']}.yaml"])
         found = config["/**"]["ros__parameters"] if spec["ros"] == 2 else config
         for parameter in [*node["parameters"], *node["dynParameters"]]:

@@ -34,6 +34,10 @@ SAMPLES = {
     "message_type": ("std_msgs/msg/String", "std_msgs/msg/Bool"),
     "service_type": ("std_srvs/srv/Trigger", "std_srvs/srv/SetBool"),
     "action_type": ("test_msgs/action/Fibonacci", "test_msgs/action/NestedMessage"),
+    "interface_name": ("SomeType", "OtherType"),
+    "field_name": ("some_field", "other_field"),
+    "constant_name": ("SOME_VALUE", "OTHER_VALUE"),
+    "field_type": ("float64", "bool", "std_msgs/msg/String[]"),
     "number": ("2.5", "3.5"),
     "bool": ("true", "false"),
     "int": ("2", "3"),
@@ -44,16 +48,29 @@ SAMPLES = {
 }
 
 
+SAMPLES |= {f"{sign}int{bits}": SAMPLES["int"] for sign in ("", "u") for bits in (8, 16, 32, 64)}
+SAMPLES |= dict.fromkeys(("byte", "char"), SAMPLES["int"])
+SAMPLES |= dict.fromkeys(("float32", "float64"), SAMPLES["double"])
+
+
 @dataclass(frozen=True)
 class Owner:
     """What has attributes in a dictionary: the package, a component tag or an interface kind."""
 
     attributes: dict
-    component: str = ""
-    kind: str = ""
+    path: tuple = ()
+    """The tags that it stands in, and its own."""
+
+    @property
+    def component(self):
+        return self.path[0] if self.path else ""
+
+    @property
+    def kind(self):
+        return self.path[-1] if len(self.path) > 1 else ""
 
     def __str__(self):
-        return f"{self.component} {self.kind}".strip() or PACKAGE
+        return " ".join(self.path) or PACKAGE
 
 
 class Model:
@@ -84,10 +101,15 @@ class Model:
         dictionary = self.hook.dictionary
         found = [Owner(dictionary.package)]
         for component in dictionary.components.values():
-            found.append(Owner(component.attributes, component.tag))
-            for interface in component.interfaces.values():
-                found.append(Owner(interface.attributes, component.tag, interface.kind))
+            found.append(Owner(component.attributes, (component.tag,)))
+            found += self.inside(component, (component.tag,))
         return found
+
+    def inside(self, owner, path):
+        """Yield what stands inside of a component or an interface kind, at any depth."""
+        for interface in owner.interfaces.values():
+            yield Owner(interface.attributes, (*path, interface.kind))
+            yield from self.inside(interface, (*path, interface.kind))
 
     def context(self, spec, distro=None):
         """Return the context of a spec, or None if the dictionary does not allow the spec."""
@@ -108,10 +130,11 @@ class Model:
         return values
 
     def required(self, owner):
-        """Return the attributes of a component that an interface kind requires of it."""
-        component = self.hook.dictionary.components.get(owner.component)
-        kinds = component.interfaces.values() if component and not owner.kind else ()
-        return {kind.requires for kind in kinds}
+        """Return the attributes of an owner that an interface kind inside of it requires."""
+        kinds = self.hook.dictionary.components
+        for tag in owner.path:
+            kinds = kinds[tag].interfaces
+        return {kind.requires for kind in kinds.values()} if owner.path else set()
 
     def variants(self, owner):
         """Yield each attribute with the values of two elements that differ in it alone."""
@@ -130,16 +153,20 @@ class Model:
         """Return a spec with elements: of an owner, with values. It gets what else it needs."""
         package = next((values for owner, values in elements if not owner.component), None)
         root = ET.Element(PACKAGE, package or self.base(self.owners[0]))
-        parents = {}
-        needed = [(owner, self.base(owner)) for owner in self.owners if is_component(owner)]
-        own = [item for item in elements if is_component(item[0])]
-        tags = {owner.component for owner, _ in elements if owner.component}
-        for owner, values in own + needed:
-            if owner.component not in parents and (owner.component in tags or not tags):
-                parents[owner.component] = ET.SubElement(root, owner.component, values)
-        for owner, values in elements:
-            if owner.kind:
-                ET.SubElement(parents[owner.component], owner.kind, values)
+        parents = {(): root}
+        own = [item for item in elements if item[0].path]
+        needed = [(owner, self.base(owner)) for owner in self.owners if owner.path]
+        holders = {owner.path[:size] for owner, _ in own for size in range(1, len(owner.path))}
+        holders |= {owner.path[:1] for owner, _ in own or needed}
+        placed = []
+        for item in sorted(own + needed, key=lambda item: len(item[0].path)):
+            path = item[0].path
+            if path in holders and path not in parents:
+                parents[path] = ET.SubElement(parents[path[:-1]], path[-1], item[1])
+                placed.append(item)
+        for owner, values in own:
+            if owner.kind and not any(item[1] is values for item in placed):
+                ET.SubElement(parents[owner.path[:-1]], owner.kind, values)
         ET.indent(root)
         return ET.tostring(root, encoding="unicode") + "\n"
 
@@ -147,12 +174,15 @@ class Model:
         """Return the elements of a spec with one interface of each kind."""
         return self._accepted([(o, self.base(o)) for o in self.owners if o.component])
 
-    def everything(self):
-        """Return the elements of `small` and one more for each value an attribute may have."""
-        more = [(o, values) for o in self.owners if o.kind for *_, values in self.variants(o)]
-        return self._accepted(more, self.small())
+    def everything(self, distro=None):
+        """Return the elements of `small` and one more for each value an attribute may have.
 
-    def _accepted(self, elements, start=()):
+        With a distribution, without the values that it does not allow.
+        """
+        more = [(o, values) for o in self.owners if o.kind for *_, values in self.variants(o)]
+        return self._accepted(more, self.small(), distro)
+
+    def _accepted(self, elements, start=(), distro=None):
         """Return the elements that fit together, after those of `start`."""
         found = list(start)
         for number, (owner, values) in enumerate(elements):
@@ -162,7 +192,7 @@ class Model:
                 if owner.attributes[name].unique and owner.kind
             }
             for given in (values | names, values):
-                if self.context(self.spec([*found, (owner, given)])):
+                if self.context(self.spec([*found, (owner, given)]), distro):
                     found.append((owner, given))
                     break
         return found
@@ -211,15 +241,17 @@ def template(target):
 
 
 def make(source, target, model, spec, distro):
-    """Render a package from a spec into a folder.
+    """Render a package from a spec, or from the skeleton of one, into a folder.
 
     Raises:
         AssertionError: a template failed; the text names its file and line.
 
     """
-    file = target.with_suffix(".xml")
-    file.write_text(spec, encoding="utf-8")
-    data = {"spec_file": str(file), "ros_distro": distro}
+    data = {"ros_distro": distro}
+    if spec is not None:
+        file = target.with_suffix(".xml")
+        file.write_text(spec, encoding="utf-8")
+        data["spec_file"] = str(file)
     data |= {} if model.folder == ROOT else {"model": model.name}
     options = {"defaults": True, "unsafe": True, "quiet": True}
     try:

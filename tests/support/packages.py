@@ -1,6 +1,7 @@
 """Packages of the examples: their specs, where the logic of each model is, how to fill it in."""
 
 import re
+import shutil
 
 import yaml
 
@@ -17,6 +18,8 @@ SPECS = {
 DISTROS = ("noetic", "humble", "jazzy", "kilted", "lyrical", "rolling")
 QUIET = ("--trust", "--defaults", "--quiet")
 MODELS = ["python_model", "cpp_model"]
+# The examples that are for one model alone.
+MADE_BY = {"contact_msgs": "interfaces_model", "driving": "mixed_model"}
 LOGIC = {"python_model": "all_kinds/worker_impl.py", "cpp_model": "src/worker_impl.cpp"}
 VOLUME = '    <subscriber name="volume" type="std_msgs::Float64" description="How loud"/>\n'
 
@@ -34,6 +37,16 @@ def fill_in_serving(package, model):
     config = package / "config/clerk.yaml"
     config.write_text(config.read_text().replace('"hello"', '"good day"').replace("0.5", "0.05"))
     commit(package, "Fill in the logic")
+
+
+def fill_in_contacts(package, model):
+    """Put the logic of examples/logic in the place of the empty one of contact_analysis."""
+    written = {file.name: file for file in (EXAMPLES / "logic").iterdir()}
+    found = files(package, "contact_evaluate_impl.*")
+    empty = [f for f in found if f.name in written and "recorder" not in f.parts]
+    assert len(empty) == {"python_model": 1, "cpp_model": 2}[model]
+    for file in empty:
+        shutil.copy(written[file.name], file)
 
 
 def add_volume(package):

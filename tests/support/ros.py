@@ -4,18 +4,24 @@ import contextlib
 import functools
 import os
 import random
+import re
 import shlex
 import shutil
 import signal
 import socket
+import socketserver
 import subprocess
 import sys
 import tempfile
+import threading
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
+from xmlrpc.client import ServerProxy
+from xmlrpc.server import SimpleXMLRPCServer
 
 PEERS = Path(__file__).parents[1] / "ros/peers"
+DATA = Path(__file__).parents[1] / "data"
 WHEELS = Path(__file__).parents[2] / ".venv" / "ros2"
 NO_ROS1 = "ROS 1 (Debian's packages) is not installed"
 NO_ROS2 = "ROS 2 (sourced, or its wheels in .venv/ros2) is not there"
@@ -59,10 +65,11 @@ class Ros:
         return result
 
     @contextlib.contextmanager
-    def running(self, command, workspace=None, cwd=None):
+    def running(self, command, workspace=None, cwd=None, ends_well=True):
         """Run a command in the background; interrupt it at the end, and see that it ends well.
 
-        Gives a function that returns what the command has printed so far.
+        Gives a function that returns what the command has printed so far. What need not end well
+        is killed.
         """
         log = Path(self.environment["ROS_HOME"]) / f"{random.getrandbits(64):x}.log"
         with log.open("w") as output:
@@ -77,6 +84,8 @@ class Ros:
         try:
             yield log.read_text
             assert process.poll() is None, f"{command} ended by itself:\n{log.read_text()}"
+            if not ends_well:
+                return
             os.killpg(process.pid, signal.SIGINT)
             code = process.wait(20)
             assert code in (0, -signal.SIGINT, 130), f"{command}: {code}\n{log.read_text()}"
@@ -193,6 +202,15 @@ def has_package(ros, name):
     return ros.run(f'{ros.python} -c "{code}"', "/", check=False).returncode == 0
 
 
+def wait_for(text, look):
+    """Look until a text is there, and return all that was seen."""
+    end = time.monotonic() + 30
+    while not re.search(text, seen := look()):
+        assert time.monotonic() < end, f"no {text} in {seen}"
+        time.sleep(0.2)
+    return seen
+
+
 def _free_domain():
     """Return a domain whose first port nobody uses (DDS: 7400 + 250 * domain + 10)."""
     for domain in random.sample(range(1, 100), 99):
@@ -206,15 +224,76 @@ def _free_domain():
 
 
 @contextlib.contextmanager
-def master(ros):
-    """Run a ROS 1 master at the address of the environment."""
-    port = ros.environment["ROS_MASTER_URI"].rpartition(":")[2]
-    with ros.running(f"roscore -p {port}"):
+def master(ros, program="roscore"):
+    """Run a ROS 1 master at the address of the environment: roscore, or rosmaster alone.
+
+    rosmaster may wait long for the connections of nodes that were killed.
+    """
+    port = int(ros.environment["ROS_MASTER_URI"].rpartition(":")[2])
+    options = "--core" if program == "rosmaster" else ""
+    with ros.running(f"{program} {options} -p {port}", ends_well=program == "roscore"):
         end = time.monotonic() + 30
-        while ros.run("rosnode list", "/", check=False).returncode != 0:
+        while not _is_open(port):
             assert time.monotonic() < end, "the ROS 1 master does not start"
-            time.sleep(0.2)
+            time.sleep(0.1)
         yield
+
+
+@dataclass(frozen=True)
+class Held:
+    """A request that a relay holds back."""
+
+    _came: threading.Event = field(default_factory=threading.Event)
+    _released: threading.Event = field(default_factory=threading.Event)
+
+    def wait(self):
+        """Wait until it has come."""
+        assert self._came.wait(30), "the request does not come"
+
+    def release(self):
+        self._released.set()
+
+    def pass_on(self):
+        self._came.set()
+        self._released.wait()
+
+
+class Relay(socketserver.ThreadingMixIn, SimpleXMLRPCServer):
+    """A ROS 1 master that passes requests on to another, and holds back those it is told to."""
+
+    daemon_threads = True
+
+    def __init__(self, master):
+        super().__init__(("127.0.0.1", 0), logRequests=False)
+        self.address = f"http://127.0.0.1:{self.server_address[1]}"
+        self._master = master
+        self._held = {}
+
+    def hold(self, *request):
+        """Hold back the requests of a method of the master for a name, or all if none is given."""
+        return self._held.setdefault(request, Held())
+
+    def _dispatch(self, method, params):
+        held = self._held.get((method, *params[1:2])) or self._held.get(())
+        if held:
+            held.pass_on()
+        return getattr(ServerProxy(self._master), method)(*params)
+
+    @contextlib.contextmanager
+    def running(self):
+        threading.Thread(target=self.serve_forever, daemon=True).start()
+        try:
+            yield self
+        finally:
+            for held in self._held.values():
+                held.release()
+            self.shutdown()
+            self.server_close()
+
+
+def _is_open(port):
+    with socket.socket() as client:
+        return client.connect_ex(("127.0.0.1", port)) == 0
 
 
 @contextlib.contextmanager

@@ -32,14 +32,24 @@ def check_sound(package):
 
 
 def check_imports(package, distro):
+    """Check that package.xml declares what code and tests import, and nothing for tests twice."""
     tree = ET.parse(package / "package.xml")
-    depends = {element.text for element in tree.getroot() if element.tag.endswith("depend")}
-    provided = {"tf2_ros": "tf2_ros" if distro == "noetic" else "tf2_ros_py"}
-    own = tree.findtext("name")
-    for file in (package / own).glob("*.py"):
+    declared = [(e.tag, e.text) for e in tree.getroot() if e.tag.endswith("depend")]
+    depends = {name for _, name in declared}
+    twice = {name for tag, name in declared if (tag, name) != ("test_depend", name)}
+    twice &= {name for tag, name in declared if tag == "test_depend"}
+    assert not twice, f"package.xml: for tests again: {twice}"
+    provided = {
+        "pytest": "python3-pytest",
+        "tf2_ros": "tf2_ros" if distro == "noetic" else "tf2_ros_py",
+    }
+    own = {tree.findtext("name"), *(file.stem for file in files(package / "test", "*.py"))}
+    for file in files(package, "*.py"):
+        if file.name == "setup.py":  # what it imports comes with the build type
+            continue
         for node in ast.walk(ast.parse(file.read_text())):
             names = [node.module] if isinstance(node, ast.ImportFrom) else []
             names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else names
-            for module in {name.split(".")[0] for name in names}:
-                if module not in sys.stdlib_module_names and module != own:
+            for module in {name.split(".")[0] for name in names} - own:
+                if module not in sys.stdlib_module_names:
                     assert provided.get(module, module) in depends, f"{file.name}: {module}"

@@ -5,18 +5,26 @@ import time
 from random import Random
 
 import pytest
+import yaml
 
+from hooks.merge.package import merge_package
+from hooks.merge.proof import prove
+from hooks.merge.tree import File
+from support import ros
 from support.laboratory import specs
-from support.laboratory.mutants import MUTANTS
+from support.laboratory.edits import HABITS
+from support.laboratory.mutants import MUTANTS, OF_HABITS
+from support.laboratory.running import compiles, runs
 from support.laboratory.trials import DISTROS, MODELS, Counts, Laboratory, chain, trial
 
 TRIALS = int(os.environ.get("LAB_TRIALS", "20"))
-"""Trials for each model and each ROS."""
+"""Updates for each model and each ROS, and half as many of callbacks alone."""
 SEED = os.environ.get("LAB_SEED", "1").replace("random", str(time.time_ns()))
 CHAIN = int(os.environ.get("LAB_CHAIN", "2"))
 """How many updates follow one another in a package, with all of Copier's."""
-EACH = 5 if TRIALS < 100 else 20
-"""How often one pair of renders is edited, for renders take longer than merges."""
+EACH = 5
+"""How often one pair of renders is edited."""
+AT_LENGTH = TRIALS >= 100
 VARIANTS = [(model, distro) for model in MODELS for distro in DISTROS]
 
 
@@ -25,53 +33,137 @@ def laboratory(tmp_path_factory):
     return Laboratory(tmp_path_factory.mktemp("lab"))
 
 
-def run(laboratory, model, distro, callbacks_only, ways=None):
-    """Run the trials of a variant; say how far they are, and how long it will take."""
+@pytest.fixture(scope="module")
+def has_ros1():
+    return ros.ros1() is not None
+
+
+def run(laboratory, has_ros1, model, distro, trials, ways=None):
+    """Run the trials of a variant; say how far they are, and how long it will take.
+
+    One in fifty of the packages is run, or compiled.
+    """
     random, counts, start = Random(f"{SEED} {model} {distro}"), Counts(), time.monotonic()
-    while counts.updates < TRIALS:
-        spec = specs.random_spec(random, callbacks_only)
-        new_spec = specs.change(random, spec, callbacks_only, ways)
-        moves = not callbacks_only and random.random() < 0.15
+    only_logic = ways is not None
+    check = checks(model, distro, has_ros1)
+    while counts.updates < trials:
+        spec = specs.random_spec(random, only_logic)
+        new_spec = specs.change(random, spec, only_logic, ways)
+        moves = not only_logic and random.random() < 0.15
         other = random.choice(DISTROS) if moves else distro
         version = random.choice(("1.0.0", "2.0.0"))
         pair = laboratory.pair(spec, new_spec, model, (distro, other), version)
-        for _ in range(min(EACH, TRIALS - counts.updates)):
-            trial(random, pair, counts, only_logic=callbacks_only)
-        spent = time.monotonic() - start
-        left = spent / counts.updates * (TRIALS - counts.updates)
-        print(f"{model} {distro}: {counts.updates} of {TRIALS}, {left / 60:.0f} minutes left")
+        for _ in range(EACH):
+            turn = check if counts.updates % 50 == 0 else None
+            for complaint in trial(random, pair, counts, check=turn, only_logic=only_logic):
+                print(f"{model} {distro}, update {counts.updates}: {complaint}")
+        if counts.updates % 100 == 0:
+            left = (time.monotonic() - start) / counts.updates * (trials - counts.updates)
+            print(f"{model} {distro}: {counts.updates} of {trials}, {left / 60:.0f} minutes left")
     print(f"{model} {distro}: {counts.row()}")
     return counts
 
 
+def checks(model, distro, has_ros1):
+    """Return what tells whether a package of this variant still runs, or compiles."""
+    if model == "python_model":
+        return runs
+    return compiles if distro == "noetic" and has_ros1 else None
+
+
 @pytest.mark.parametrize(("model", "distro"), VARIANTS)
-def test_no_callback_changes_place(laboratory, model, distro):
+def test_no_callback_changes_place(laboratory, has_ros1, model, distro):
     """Reorder, remove, add, replace, retype, rename callbacks: bodies stay with their names."""
     ways = "add remove reorder replace retype rename swap".split()
-    counts = run(laboratory, model, distro, callbacks_only=True, ways=ways)
-    assert counts.updates >= TRIALS
+    counts = run(laboratory, has_ros1, model, distro, max(TRIALS // 2, 20), ways)
     assert counts.lines > counts.updates
     assert counts.wrong == []
     assert sum(counts.conflicts.values()) == 0
 
 
 @pytest.mark.parametrize(("model", "distro"), VARIANTS)
-def test_no_line_is_lost(laboratory, model, distro):
+def test_no_line_is_lost(laboratory, has_ros1, model, distro):
     """Edit everything, change everything."""
-    counts = run(laboratory, model, distro, callbacks_only=False)
+    counts = run(laboratory, has_ros1, model, distro, TRIALS)
     assert counts.both_changed > counts.updates
     assert counts.wrong == []
     assert sum(counts.conflicts.values()) <= 0.01 * counts.edited_files
 
 
 @pytest.mark.parametrize(("model", "distro"), VARIANTS)
-def test_updates_follow_one_another(laboratory, model, distro):
-    """Run Copier itself: other specs, models, ROS and formatters, one after the other."""
+def test_updates_follow_one_another(laboratory, has_ros1, model, distro):
+    """Run Copier itself: other specs, models, ROS and settings of git, one after the other."""
     random, counts = Random(f"{SEED} chain {model} {distro}"), Counts()
-    chain(random, laboratory, model, distro, CHAIN, counts)
+    check = checks(model, distro, has_ros1 and CHAIN > 2)
+    chain(random, laboratory, model, distro, CHAIN, counts, check)
     print(f"{model} {distro}, chain: {counts.row()}")
     assert counts.updates
     assert counts.wrong == []
+
+
+EXCHANGES = {
+    "swapped": {"load": "store", "store": "load"},
+    "in a circle": {"load": "store", "store": "home", "home": "load"},
+    "in a row": {"load": "store", "store": "home", "home": "estop"},
+    "one left": {"load": None, "store": "load"},
+    "two left": {"load": None, "home": "load", "store": None},
+}
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("names", EXCHANGES.values(), ids=EXCHANGES)
+def test_callbacks_that_exchange_names_keep_their_bodies(laboratory, model, names):
+    random, counts = Random(5), Counts()
+    spec = specs.random_spec(random, callbacks_only=True)
+    node = spec["nodes"][0]
+    node["items"] = [
+        {"kind": "serviceServer", "name": name, "type": 0, "text": ""}
+        for name in ("load", "store", "home")
+    ]
+    items = [
+        item | {"name": names.get(item["name"], item["name"]), "was": item["name"]}
+        for item in node["items"]
+        if names.get(item["name"], "") is not None
+    ]
+    items = [item | {"was": None} if item["was"] == item["name"] else item for item in items]
+    new_spec = {**spec, "nodes": [{**node, "items": items}, *spec["nodes"][1:]]}
+    pair = laboratory.pair(spec, new_spec, model, ("kilted",) * 2, "2.0.0")
+    for _ in range(3):
+        assert trial(random, pair, counts, only_logic=True) == []
+    assert sum(counts.conflicts.values()) == 0
+
+
+@pytest.mark.parametrize("names", EXCHANGES.values(), ids=EXCHANGES)
+def test_tuned_parameters_keep_their_values_under_new_names(laboratory, names):
+    node = {"name": "reach", "frequency": 10}
+    olds = ("load", "store", "home")
+    news = {old: names.get(old, old) for old in olds}
+    items = [{"kind": "parameter", "type": 1, "text": "", "name": old} for old in olds]
+    new_items = [
+        item
+        | {
+            "name": news[item["name"]],
+            "was": item["name"] if news[item["name"]] != item["name"] else None,
+        }
+        for item in items
+        if news[item["name"]]
+    ]
+    spec, new_spec = (
+        {"description": "Arms", "nodes": [{**node, "items": listed}]}
+        for listed in (items, new_items)
+    )
+    pair = laboratory.pair(spec, new_spec, "python_model", ("kilted",) * 2, "1.0.0")
+    path = "config/reach.yaml"
+    values = {old: number for number, old in enumerate(olds, 5)}
+    mine = pair.old[path]
+    for old, value in values.items():
+        mine = mine.replace(f"{old}: 1.0", f"{old}: {value}  # mine")
+    trees = [{path: File(text.encode())} for text in (mine, pair.old[path], pair.new[path])]
+    result = merge_package(*trees, pair.renaming, pair.is_kept)
+    assert not result.conflicts
+    found = yaml.safe_load(result.tree[path].text)["/**"]["ros__parameters"]
+    assert found == {new: values[old] for old, new in news.items() if new}
+    assert prove(*trees[:2], result, result.tree, pair.renaming).lost == []
 
 
 @pytest.fixture(scope="module")
@@ -95,17 +187,18 @@ def pairs(laboratory):
     return found
 
 
-@pytest.mark.parametrize("mutant", MUTANTS, ids=lambda mutant: mutant.__name__)
+@pytest.mark.parametrize("mutant", MUTANTS + OF_HABITS, ids=lambda mutant: mutant.__name__)
 def test_the_judge_sees_a_wrong_merge(pairs, mutant):
     random = Random(3)
     spoiled = []
+    ways = set(HABITS) - {"format"} if mutant in OF_HABITS else ()
 
     def spoil(*arguments):
         spoiled.append(mutant(*arguments))
 
-    for pair in [*pairs, *pairs]:
-        assert trial(random, pair, Counts(), formatters=False) == []
-        complaints = trial(random, pair, Counts(), spoil, formatters=False)
+    for pair in [*pairs, *pairs] * (20 if mutant in OF_HABITS else 1):
+        assert trial(random, pair, Counts(), ways=ways) == []
+        complaints = trial(random, pair, Counts(), spoil, ways=ways)
         assert complaints or not spoiled[-1], f"{mutant.__name__} was not seen"
         if sum(spoiled) == 3:
             break

@@ -65,8 +65,8 @@ def test_copy_without_spec_starts_from_an_example(collection, copier_command, tm
     spec = (package / "my_robot_2.ros_package").read_text()
     assert 'author="Test Er"' in spec
     assert 'author_email="test@example.org"' in spec
-    assert answers(package)["spec"]["nodes"][0]["name"] == "example_node"
-    assert (package / "my_robot_2/example_node_impl.py").exists()
+    assert answers(package)["spec"]["nodes"][0]["name"] == "example"
+    assert (package / "my_robot_2/example_impl.py").exists()
     commit(package)
     assert copier_command("update", *QUIET, cwd=package).returncode == 0
     assert git(package, "status", "--short") == ""
@@ -291,6 +291,56 @@ def test_unknown_distribution(collection, copier_command, tmp_path):
     result = copier_command("copy", *QUIET, *distro, collection, "new", cwd=tmp_path)
     fails(result, 'ros_distro: unknown "foxy"; allowed: noetic, ')
     assert not (tmp_path / "new").exists()
+
+
+def test_unknown_ci(collection, copier_command, tmp_path):
+    result = copier_command("copy", *QUIET, "-d", "ci=jenkins", collection, "new", cwd=tmp_path)
+    fails(result, 'ci: unknown "jenkins"; allowed: none, github, gitlab')
+    assert not (tmp_path / "new").exists()
+
+
+def test_unknown_model(collection, copier_command, tmp_path):
+    for given in ("pyton_model", "../python_model", "shared"):
+        data = ("-d", f"model={given}")
+        result = copier_command("copy", *QUIET, *data, collection, "new", cwd=tmp_path)
+        known = "cpp_model, interfaces_model, mixed_model, python_model"
+        fails(result, f'model: unknown "{given}"; ', f"allowed: {known}\n")
+        assert ('did you mean "python_model"?' in result.stderr) == (given != "shared")
+        assert not (tmp_path / "new").exists()
+
+
+def test_unknown_option(collection, package, copier_command, tmp_path):
+    data = ("-d", "spec_fil=arm.xml", "-d", "ros_distr=noetic")
+    result = copier_command("copy", *QUIET, *data, collection, "new", cwd=tmp_path)
+    options = "allowed: model, spec_file, ros_distro, ci\n"
+    fails(result, f'-d spec_fil: no such option; did you mean "spec_file"? {options}')
+    fails(result, f'-d ros_distr: no such option; did you mean "ros_distro"? {options}')
+    for given in ("spec=arm.xml", 'spec={"name": "arm"}', "ros1=there"):  # computed, not asked
+        result = copier_command("copy", *QUIET, "-d", given, collection, "new", cwd=tmp_path)
+        fails(result, f"-d {given.partition('=')[0]}: no such option; ", options)
+    assert not (tmp_path / "new").exists()
+    result = copier_command("update", *QUIET, "-d", "ros_distr=noetic", cwd=package)
+    fails(result, f'-d ros_distr: no such option; did you mean "ros_distro"? {options}')
+    assert git(package, "status", "--short") == ""
+
+
+def test_option_that_a_version_has_of_its_own(own_collection, render, copier_command):
+    """What is remembered of a question that is asked no more is no option of the user's."""
+    package = render(SPEC, template=own_collection, name="robot")
+    questions = own_collection / "copier.yml"
+    text = questions.read_text()
+    questions.write_text("colour:\n  type: str\n  default: red\n---\n" + text)
+    commit(own_collection, "Ask for a colour", tag="2.0.0")
+    update = ("update", *QUIET)
+    result = copier_command(*update, "-d", "colour=blue", cwd=package)
+    assert result.returncode == 0, result.stderr
+    assert answers(package)["colour"] == "blue"
+    commit(package, "Update")
+    questions.write_text(text)
+    commit(own_collection, "Ask for none", tag="3.0.0")
+    fails(copier_command(*update, "-d", "colour=red", cwd=package), "-d colour: no such option")
+    assert copier_command(*update, cwd=package).returncode == 0
+    assert "colour" not in answers(package)
 
 
 def test_copy_with_closed_input(collection, tmp_path):

@@ -9,24 +9,14 @@ from hooks.dictionary import load
 from hooks.faults import SpecError
 from hooks.merge import update as module
 from hooks.merge.package import merge_package
+from hooks.merge.proof import prove
 from hooks.merge.renaming import Renaming
 from hooks.merge.render import Render
 from hooks.merge.tree import File, Tree
 from hooks.merge.update import Update
+from support.arm import MINE, NEW, OLD, PATH
 from support.repository import ROOT, commit, git
 
-OLD = '''class ReachImpl:
-    def serve_load(self, request, response):
-        """Fill in the response and return it."""
-        return response
-
-    def serve_store(self, request, response):
-        """Fill in the response and return it."""
-        return response
-'''
-NEW = OLD.replace("Fill in", "Complete")
-MINE = OLD.replace("return response", "response.ok = True\n        return response", 1)
-PATH = "arm/reach_impl.py"
 SPEC = {"name": "arm", "nodes": []}
 
 
@@ -107,8 +97,12 @@ def test_wrong_merge_is_undone(package, monkeypatch, fault):
         return result
 
     monkeypatch.setattr(module, "merge_package", spoil)
-    with pytest.raises(RuntimeError if fault == "error" else SpecError):
+    with pytest.raises(RuntimeError if fault == "error" else SpecError) as caught:
         finish(package)
+    if fault == "line":
+        assert "\n  arm/reach_impl.py:4: response.ok = True\n" in str(caught.value)
+        assert "take these lines out and commit; update; put them in again" in str(caught.value)
+    assert caught.traceback  # the update is alive: not its end undoes all
     assert git(package, "status", "--short") == ""
     assert (package / PATH).read_text() == MINE
     assert not (package / "new.py").exists()
@@ -133,44 +127,12 @@ def test_later_update_is_not_undone_by_an_earlier_one(package):
     assert (package / PATH).read_text() == merged
 
 
-@pytest.mark.parametrize("path", ["a.yaml", "package.xml", "a.py", "a.hpp", "CMakeLists.txt"])
-def test_file_that_is_not_of_its_language_merges_by_line(path):
-    old = "".join(f"line {n}: of {{ (\n" for n in range(9))
-    mine, new = "mine\n" + old, old.replace("line 7", "new line")
-    trees = [{path: File(text.encode())} for text in (mine, old, new)]
-    result = merge_package(*trees, Renaming(), {""}.__contains__)
-    assert not result.conflicts
-    assert result.tree[path].text == "mine\n" + new
-
-
-def test_file_that_the_developer_has_moved_is_updated_where_it_is():
-    trees = [{path: File(text.encode())} for path, text in (("arm/logic/reach_impl.py", MINE),)]
-    old, new = {PATH: File(OLD.encode())}, {PATH: File(NEW.encode())}
-    result = merge_package(trees[0], old, new, Renaming(), {""}.__contains__)
-    assert list(result.tree) == ["arm/logic/reach_impl.py"]
-    text = result.tree["arm/logic/reach_impl.py"].text
-    assert text == MINE.replace("Fill in", "Complete")
-    proof = module.prove(trees[0], old, result, result.tree, Renaming())
-    assert (proof.total, proof.in_place, proof.lost) == (1, 1, [])
-
-
-@pytest.mark.parametrize("order", [[0, 1, 2], [2, 0, 1], [1, 2, 0]])
-def test_order_of_the_developer_stays(order):
-    """So does a block of their own, after the one it followed."""
-    method = "    def serve_{}(self):\n        return {}\n".format
-    methods = [method(name, name) for name in ("load", "store", "home")]
-    own = "\n    def own(self):\n        return 0\n"
-    old = "class A:\n" + "\n".join(methods)
-    mine = "class A:\n" + "\n".join(methods[i] for i in order).replace("load\n", "load\n" + own, 1)
-    new = old.replace("return store", "return 'stored'") + "\n" + method("stop", "stop")
-    trees = [{"a.py": File(text.encode())} for text in (mine, old, new)]
-    result = merge_package(*trees, Renaming(), {""}.__contains__)
-    text = result.tree["a.py"].text
-    assert not result.conflicts
-    wanted = [("load", "store", "home")[i] for i in order]
-    names = [line.strip()[4:-7] for line in text.splitlines() if "def " in line]
-    assert [
-        name.removeprefix("serve_") for name in names if name not in ("own", "serve_stop")
-    ] == wanted
-    assert names[names.index("serve_load") + 1] == "own"
-    assert "return 'stored'" in text
+def test_file_that_cannot_be_read_any_more_is_seen():
+    """Not a line of it is the developer's, who has but deleted some."""
+    lines = OLD.split("\n")
+    mine, old = ({PATH: File(text.encode())} for text in ("\n".join(lines[:4]) + "\n", OLD))
+    result = merge_package(mine, old, {PATH: File(NEW.encode())}, Renaming(), {""}.__contains__)
+    assert prove(mine, old, result, result.tree, Renaming()).lost == []
+    found = {PATH: File(result.tree[PATH].data + b"  (\n")}
+    lost = [(PATH, "cannot be read any more")]
+    assert prove(mine, old, result, found, Renaming()).lost == lost

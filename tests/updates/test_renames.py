@@ -1,5 +1,7 @@
 """A rename exchanges what the model makes of a name, and no other word."""
 
+import re
+
 import pytest
 
 from support.arm import SPEC
@@ -43,6 +45,20 @@ def update(copier_command):
         return result.stderr
 
     return run
+
+
+def test_was_itself_is_no_use_of_the_old_name(arm, update):
+    (arm / "arm/notes.txt").write_text("reach, as was='reach' says\n")
+    commit(arm, "Take notes")
+    said = update(
+        arm,
+        ('<node name="reach"', '<node\n    was = "reach" name="grasp"'),
+        ('name="store"', 'was=\'store\' description="to store" name="keep"'),
+        ('name="gain"', 'name="factor" was="gain"'),
+    )
+    still = re.findall(r"still +(\S+: \w+)", said)
+    assert [use for use in still if "arm.ros_package" in use] == ["arm.ros_package:9: store"]
+    assert "arm/notes.txt:1: reach" in still
 
 
 def test_words_that_only_look_alike_stay(package, update):
@@ -134,3 +150,25 @@ def test_renamed_in_cpp(render, update):
     assert "data.out_pose.data = load * config.factor * data.in_aim.data;" in text
     assert "GraspImpl::serve_fetch(" in text
     assert "ARM__GRASP_IMPL_HPP_" in (package / "include/arm/grasp_impl.hpp").read_text()
+
+
+def test_uses_of_what_left_are_said_where_its_name_is_taken(arm, update):
+    """The developer's `in_goal` was the old goal, and is the new one now."""
+    spec = arm / "arm.ros_package"
+    aim = '    <subscriber name="aim" type="std_msgs::Float64"/>\n'
+    goal = '    <subscriber name="goal" type="std_msgs::Float64"/>\n'
+    update(arm, (goal, aim + goal))
+    impl = arm / "arm/reach_impl.py"
+    code = "config.gain * data.in_goal.data"
+    assert code in impl.read_text()
+    impl.write_text(impl.read_text().replace(code, f"{code} + data.in_aim.data"))
+    (arm / "arm/helper.py").write_text("def reached(data):\n    return data.in_goal\n")
+    commit(arm, "Use both")
+    said = update(arm, (aim + goal, goal.replace('"goal"', '"goal" was="aim"')))
+    assert code in spec.with_name("arm").joinpath("reach_impl.py").read_text()
+    lines = impl.read_text().split("\n")
+    number = next(i for i, line in enumerate(lines, 1) if "data.in_goal.data" in line)
+    taken = "in_goal, which is another's now"
+    assert f"still     arm/reach_impl.py:{number}: {taken}" in said
+    assert f"still     arm/helper.py:2: {taken}" in said
+    assert said.count(taken) == 2

@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -13,7 +14,7 @@ import pytest
 
 from support.arm import EDITS, SPEC
 from support.laboratory.trials import second_version
-from support.packages import QUIET
+from support.packages import MADE_BY, QUIET
 from support.repository import EXAMPLES, commit, copy_collection, git
 
 
@@ -42,6 +43,35 @@ def test_summary_says_what_changed(update_with):
 def test_nothing_to_do_is_said(arm, copier_command):
     result = copier_command("update", "--trust", "--defaults", cwd=arm)
     assert "Nothing has changed." in result.stderr
+
+
+def test_changed_answer_is_said(arm, copier_command):
+    update = ("update", "--trust", "--defaults", "-d", "ros_distro=jazzy")
+    result = copier_command(*update, cwd=arm)
+    assert re.search(r"~ ros_distro: \w+ -> jazzy", result.stderr), result.stderr
+    assert "Nothing has changed." not in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("answer", "message"),
+    [
+        ("ros_distro: foxy", 'ros_distro: unknown "foxy"; allowed: noetic, '),
+        ("ci: jenkins", 'ci: unknown "jenkins"; allowed: none, github, gitlab'),
+        ("model: my_model", 'model: unknown "my_model"; '),
+    ],
+)
+def test_recorded_answer_that_is_no_choice(arm, copier_command, answer, message):
+    """The package would become another one without a word."""
+    file = arm / ".copier-answers.yml"
+    text = file.read_text()
+    name = answer.partition(":")[0]
+    file.write_text(re.sub(f"^{name}: .*\n", "", text, flags=re.MULTILINE) + f"{answer}\n")
+    commit(arm, "Choose")
+    result = copier_command("update", "--trust", "--defaults", cwd=arm)
+    assert message in result.stderr
+    assert "Traceback" not in result.stderr
+    assert result.returncode != 0
+    assert git(arm, "status", "--short") == ""
 
 
 def test_removed_logic_is_said(arm, update_with):
@@ -121,7 +151,7 @@ def test_renamed_interfaces_keep_their_code(arm, update_with):
     assert "CONFLICT" not in said
     impl = (arm / "arm/reach_impl.py").read_text()
     assert "data.out_pose.data = config.factor * data.in_target.data" in impl
-    assert "def serve_fetch(self, request, response):" in impl
+    assert "def serve_fetch(\n        self,\n        request: FetchRequest," in impl
     assert "response.message = 'loaded'" in impl
     assert "def serve_load" not in impl
     assert "def serve_load" in (arm / "arm/watch_impl.py").read_text()
@@ -197,7 +227,7 @@ def test_update_equals_fresh(tmp_path_factory, render, update, example, distro):
     newest = copy_collection(tmp_path_factory.mktemp("versions"))
     second_version(newest)
     options = {"template": newest, "ros_distro": distro}
-    options["model"] = "python_model"
+    options["model"] = MADE_BY.get(example.stem, "python_model")
     fresh = render(example, name="fresh/same", **options)
     for version in git(newest, "tag").split():
         old = render(example, vcs_ref=version, name=f"{version}/same", **options)
@@ -239,14 +269,21 @@ def test_files_that_a_version_calls_otherwise_keep_edits(own_collection, render,
     worker.write_text(worker.read_text().replace("import", "# My own line.\nimport", 1))
     commit(package, "Edit a helper")
     model = own_collection / "python_model"
-    folder = model / "template/{{ ros2 }}/{{ spec.name }}"
-    (folder / "worker.py.jinja").rename(folder / "callbacks.py.jinja")
-    (model / "moved_files.yaml").write_text('"{package}/callbacks.py": "{package}/worker.py"\n')
-    commit(own_collection, "Call the workers callbacks", tag="2.0.0")
+    folder = model / "template/{{ spec.name }}"
+    (folder / "worker.py.jinja").rename(folder / "jobs.py.jinja")
+    (model / "moved_files.yaml").write_text('"{package}/jobs.py": "{package}/worker.py"\n')
+    commit(own_collection, "Call the workers jobs", tag="2.0.0")
+    (package / "arm/jobs.py").write_text("MINE = 1\n")
+    commit(package, "Write a file whose name the model takes")
+    result = copier_command("update", "--trust", "--defaults", cwd=package)
+    assert result.returncode == 1
+    assert "arm/jobs.py: arm/worker.py is to have this name" in result.stderr
+    (package / "arm/jobs.py").unlink()
+    commit(package, "Give it another one")
     result = copier_command("update", "--trust", "--defaults", cwd=package)
     assert result.returncode == 0, result.stderr
-    assert "moved     arm/worker.py -> arm/callbacks.py" in result.stderr
-    assert "# My own line.\n" in (package / "arm/callbacks.py").read_text()
+    assert "moved     arm/worker.py -> arm/jobs.py" in result.stderr
+    assert "# My own line.\n" in (package / "arm/jobs.py").read_text()
     assert not worker.exists()
 
 
@@ -258,6 +295,20 @@ def test_node_that_comes_again_names_the_commit_with_its_code(arm, update_with):
     (line,) = (line for line in said.splitlines() if "added     arm/reach_impl.py" in line)
     command = line.partition("git show ")[2].rstrip(")")
     assert "config.gain * data.in_goal.data" in git(arm, "show", command)
+
+
+def test_callback_that_comes_again_names_the_commit_with_its_code(arm, update_with):
+    load = '    <serviceServer name="load" type="std_srvs::Trigger"/>\n    <s'
+    update_with(
+        (load, "    <s"), ('    <directSubscriber name="stop" type="std_msgs::Empty"/>\n', "")
+    )
+    commit(arm, "Remove callbacks")
+    said = update_with(('    <serviceServer name="store"', load + 'erviceServer name="store"'))
+    (line,) = (line for line in said.splitlines() if "serve_load" in line)
+    assert line.startswith("added     serve_load to arm/reach_impl.py      (as it was: git show ")
+    command = line.partition("git show ")[2].rstrip(")")
+    assert "response.message = 'loaded'" in git(arm, "show", command)
+    assert "as it was" not in said.replace(line, "")
 
 
 def test_missing_generated_parts_are_named(arm, copier_command):
@@ -291,3 +342,44 @@ def test_method_written_before_the_update_is_there_once(arm, update_with):
     text = impl.read_text()
     assert text.count("def serve_estop") == 1
     assert "return 'stopped'" in text
+
+
+def _file_for_folder(arm):
+    for file in (arm / "config").iterdir():
+        file.unlink()
+    (arm / "config").rmdir()
+    (arm / "config").write_text("mine\n")
+    return "config: a file"
+
+
+def _folder_for_file(arm):
+    (arm / "config/reach.yaml").unlink()
+    (arm / "config/reach.yaml").mkdir()
+    (arm / "config/reach.yaml/mine.yaml").write_text("mine: 1\n")
+    return "config/reach.yaml: a folder"
+
+
+def _other_encoding(arm):
+    Path(os.fsdecode(bytes(arm) + b"/caf\xe9.txt")).write_text("mine\n")
+    return "caf\\xe9.txt: a name"
+
+
+def _large(arm):
+    with (arm / "arm/reach_impl.py").open("a") as file:
+        file.write("# a table\n" * 500_001)
+    return "arm/reach_impl.py: larger than 5 MB"
+
+
+@pytest.mark.parametrize(
+    "situation", [_file_for_folder, _folder_for_file, _other_encoding, _large]
+)
+def test_package_without_place_for_a_generated_file_is_refused(arm, copier_command, situation):
+    message = situation(arm)
+    spec = arm / "arm.ros_package"
+    spec.write_text(spec.read_text().replace("An arm", "A long arm"))
+    commit(arm, "Change it")
+    result = copier_command("update", "--trust", "--defaults", cwd=arm)
+    assert result.returncode != 0
+    assert message in result.stderr
+    assert "Traceback" not in result.stderr
+    assert git(arm, "status", "--short") == ""

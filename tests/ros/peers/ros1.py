@@ -34,13 +34,18 @@ class Goal:
     def cancel(self):
         self.handle.cancel()
 
-    def result(self):
+    def answer(self):
+        """Wait for the end; return the outcome and the message of the result."""
         end = time.monotonic() + TIMEOUT
         while self.handle.get_comm_state() != actionlib.CommState.DONE:
             assert time.monotonic() < end, "the goal does not end"
             time.sleep(0.002)
-        result = self.handle.get_result()
-        return RESULTS[self.handle.get_goal_status()], list(getattr(result, "sequence", []))
+        return RESULTS[self.handle.get_goal_status()], self.handle.get_result()
+
+    def result(self):
+        """Wait for the end; return the outcome and the sequence of the result."""
+        outcome, result = self.answer()
+        return outcome, list(getattr(result, "sequence", []))
 
 
 class Publisher:
@@ -63,12 +68,12 @@ class Peer:
     def message(self, type_name, **fields):
         return load(type_name)(**fields)
 
-    def hear(self, topic, type_name):
+    def hear(self, topic, type_name, **_qos):
         heard = []
         rospy.Subscriber(topic, load(type_name), heard.append)
         return heard
 
-    def publisher(self, topic, type_name):
+    def publisher(self, topic, type_name, **_qos):
         return Publisher(rospy.Publisher(topic, load(type_name), queue_size=10))
 
     def call(self, service, type_name, **fields):

@@ -7,10 +7,12 @@ import time
 
 import rclpy
 from action_msgs.msg import GoalStatus
+from discovery import be_discovered
 from rclpy.action import ActionClient, ActionServer
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.parameter import Parameter, parameter_value_to_python
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
 TIMEOUT = 10.0
 TRANSITIONS = {"configure": 1, "cleanup": 2, "activate": 3, "deactivate": 4}
@@ -34,9 +36,15 @@ def result_of(future, what):
     return future.result()
 
 
+def profile(depth, policies):
+    """Return a QoS profile with policies given in words: durability="transient_local"."""
+    enums = {"durability": DurabilityPolicy, "reliability": ReliabilityPolicy}
+    given = {name: enums[name][word.upper()] for name, word in policies.items()}
+    return QoSProfile(depth=depth, **given)
+
+
 class Goal:
     def __init__(self, client, goal):
-        assert client.wait_for_server(TIMEOUT), "no action server"
         self.feedback = []
         future = client.send_goal_async(
             goal, feedback_callback=lambda message: self.feedback.append(message.feedback)
@@ -47,9 +55,15 @@ class Goal:
     def cancel(self):
         self.handle.cancel_goal_async()
 
-    def result(self):
+    def answer(self):
+        """Wait for the end; return the outcome and the message of the result."""
         answer = result_of(self.handle.get_result_async(), "the goal does not end")
-        return RESULTS[answer.status], list(getattr(answer.result, "sequence", []))
+        return RESULTS[answer.status], answer.result
+
+    def result(self):
+        """Wait for the end; return the outcome and the sequence of the result."""
+        outcome, result = self.answer()
+        return outcome, list(getattr(result, "sequence", []))
 
 
 class Publisher:
@@ -67,6 +81,7 @@ class Peer:
         self.executor.add_node(self.node)
         self.thread = threading.Thread(target=self.spin, daemon=True)
         self.thread.start()
+        self.clients = {}
         self.buffer = None
 
     def spin(self):
@@ -80,23 +95,37 @@ class Peer:
     def message(self, type_name, **fields):
         return load(type_name)(**fields)
 
-    def hear(self, topic, type_name):
+    def hear(self, topic, type_name, **policies):
         heard = []
         self.node.create_subscription(
-            load(type_name), topic, heard.append, 50, callback_group=self.group
+            load(type_name),
+            topic,
+            heard.append,
+            profile(50, policies),
+            callback_group=self.group,
         )
         return heard
 
-    def publisher(self, topic, type_name):
-        return Publisher(self.node.create_publisher(load(type_name), topic, 10))
+    def publisher(self, topic, type_name, **policies):
+        qos = profile(10, policies)
+        return Publisher(self.node.create_publisher(load(type_name), topic, qos))
+
+    def offered(self, topic):
+        """Return reliability and durability of the publishers of a topic."""
+        found = self.node.get_publishers_info_by_topic(topic)
+        profiles = [item.qos_profile for item in found]
+        return [(qos.reliability.name, qos.durability.name) for qos in profiles]
 
     def call(self, service, type_name, **fields):
         type_ = load(type_name)
-        client = self.node.create_client(type_, service, callback_group=self.group)
+        client = self.clients.get(service)
+        if client is None:
+            client = self.node.create_client(type_, service, callback_group=self.group)
+            assert client.wait_for_service(TIMEOUT), f"no service {service}"
+            be_discovered(self.node, service)
+            self.clients[service] = client
         assert client.wait_for_service(TIMEOUT), f"no service {service}"
-        response = result_of(client.call_async(type_.Request(**fields)), f"no answer: {service}")
-        self.node.destroy_client(client)
-        return response
+        return result_of(client.call_async(type_.Request(**fields)), f"no answer: {service}")
 
     def serve(self, service, type_name, **fields):
         type_ = load(type_name)
@@ -106,8 +135,18 @@ class Peer:
 
     def goal(self, action, type_name, **fields):
         type_ = load(type_name)
-        client = ActionClient(self.node, type_, action, callback_group=self.group)
-        return Goal(client, type_.Goal(**fields))
+        return Goal(self.action_client(action, type_), type_.Goal(**fields))
+
+    def action_client(self, action, type_):
+        """Make a client, once, in the thread that spins: it could see one that is half made."""
+        if action not in self.clients:
+            task = self.executor.create_task(
+                ActionClient, self.node, type_, action, callback_group=self.group
+            )
+            client = self.clients[action] = result_of(task, "no action client was made")
+            assert client.wait_for_server(TIMEOUT), "no action server"
+            be_discovered(self.node, f"{action}/_action/send_goal")
+        return self.clients[action]
 
     def serve_action(self, action, type_name, **fields):
         type_ = load(type_name)
@@ -124,12 +163,18 @@ class Peer:
         )
         return parameter_value_to_python(answer.values[0])
 
-    def set_parameter(self, node, name, value):
+    def refusal(self, node, name, value):
+        """Try to set a parameter; return why that is refused, and nothing if it is not."""
         parameter = Parameter(name, value=value).to_parameter_msg()
         answer = self.call(
             f"{node}/set_parameters", "rcl_interfaces/srv/SetParameters", parameters=[parameter]
         )
-        return answer.results[0].successful
+        result = answer.results[0]
+        assert result.successful or result.reason
+        return "" if result.successful else result.reason
+
+    def set_parameter(self, node, name, value):
+        return not self.refusal(node, name, value)
 
     def refuses(self, node, name, value, limit):
         """Check that a value beyond a limit is refused, and so are wrong types and statics."""

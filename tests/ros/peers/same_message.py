@@ -21,7 +21,7 @@ node._receive_floats_in(message)
 end = time.monotonic() + 10
 while not any(updated for _, updated in heard) and time.monotonic() < end:
     time.sleep(0.01)
-node.release()
+node.destroy_node()
 (new,) = [latest for latest, updated in heard if updated]
 assert new is message, "the message was copied"
 assert heard[-1][0] is message, "the latest message is not kept"

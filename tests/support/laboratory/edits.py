@@ -1,11 +1,18 @@
 """What developers do to a package. Every line of theirs carries a mark of its own."""
 
+import ast
 import re
 import shutil
 import subprocess
 import sys
+from collections import Counter
 from dataclasses import dataclass, field
-from pathlib import Path
+from pathlib import Path, PurePosixPath
+
+from hooks.merge.tree import LINK, File, encode
+
+FOREIGN = b"caf\xe9".decode(errors="surrogateescape")
+"""A word in an encoding that is not UTF-8."""
 
 
 @dataclass
@@ -15,24 +22,58 @@ class Edited:
     texts: dict
     lines: dict = field(default_factory=dict)
     """By mark, where it was written: the path, and the function or None."""
+    repeated: dict = field(default_factory=dict)
+    """By path, lines without a mark: code that may stand anywhere."""
     replaced: dict = field(default_factory=dict)
     """By path, generated lines that are no longer there."""
+    deleted: set = field(default_factory=set)
+    """Generated files, and functions as (path, name), that are no longer there."""
+    moved: dict = field(default_factory=dict)
+    """By path, the one that the generated file had before the developer moved it."""
+    links: dict = field(default_factory=dict)
+    """By path, where a symbolic link leads."""
+    crlf: set = field(default_factory=set)
+    """Paths of files whose lines end as in Windows."""
+    foreign: set = field(default_factory=set)
+    """Marks of lines in another encoding."""
     formatted: set = field(default_factory=set)
     ahead: set = field(default_factory=set)
     """Paths in which a callback was written before the spec had it."""
+    around: dict = field(default_factory=dict)
+    """By the mark of a line above a callback or node, that of the one below, and the name."""
     number: int = 0
 
     def follow(self, texts, moves, renamed):
         """Go on from an update: what was written is now at other places."""
         everything = "\n".join(texts.values())
+
+        def at(path):
+            return path if path in self.moved else moves.get(path, path)
+
+        self.around = {
+            first: (last, renamed.get(self.lines[first][0], {}).get(name, name))
+            for first, (last, name) in self.around.items()
+            if re.search(rf"\b{first}\b", everything)
+        }
         self.lines = {
-            mark: (moves.get(path, path), renamed.get(path, {}).get(function, function))
+            mark: (at(path), renamed.get(path, {}).get(function, function))
             for mark, (path, function) in self.lines.items()
             if re.search(rf"\b{mark}\b", everything)
         }
-        self.replaced = {moves.get(path, path): lines for path, lines in self.replaced.items()}
-        self.formatted = {moves.get(path, path) for path in self.formatted}
-        self.ahead = {moves.get(path, path) for path in self.ahead}
+        self.deleted = {
+            (at(part[0]), renamed.get(part[0], {}).get(part[1], part[1]))
+            if isinstance(part, tuple)
+            else at(part)
+            for part in self.deleted
+        }
+        self.replaced = {at(path): lines for path, lines in self.replaced.items()}
+        self.repeated = {at(path): lines for path, lines in self.repeated.items()}
+        self.formatted = {at(path) for path in self.formatted}
+        self.ahead = {at(path) for path in self.ahead}
+        self.crlf = {at(path) for path in self.crlf if at(path) in texts}
+        self.moved = {
+            path: moves.get(origin, origin) for path, origin in self.moved.items() if path in texts
+        }
 
     def mark(self, path, function=None):
         self.number += 1
@@ -40,36 +81,68 @@ class Edited:
         self.lines[mark] = (path, function)
         return mark
 
+    def deleted_files(self):
+        return [part for part in self.deleted if isinstance(part, str)]
 
-def edit(random, texts, new_callbacks=(), formatters=True, only_logic=False, edited=None):
-    """Edit a package as a developer would; `new_callbacks` may be written ahead."""
+    def tree(self):
+        """Return the files, byte by byte."""
+        files = {
+            path: File(encode(text.replace("\n", "\r\n") if path in self.crlf else text))
+            for path, text in self.texts.items()
+        }
+        return files | {path: File(to.encode(), LINK) for path, to in self.links.items()}
+
+
+def edit(random, texts, new_callbacks=(), only_logic=False, edited=None, ways=None):
+    """Edit a package as a developer would; `new_callbacks` may be written ahead.
+
+    `ways` are those of `HABITS` that may be tried, all by default.
+    """
     edited = edited or Edited({})
     edited.texts = dict(texts)
-    for path in sorted(texts):
-        if path.endswith(("_impl.py", "_impl.cpp")) and "test" not in path:
+    habits = HABITS if ways is None else ways
+    for habit in ("move", "delete_file", "delete_function", "replace_by_link"):
+        if habit in habits and random.random() < 0.1:
+            HABITS[habit](random, edited)
+    for path in sorted(edited.texts):
+        if is_logic(path):
             write_logic(random, edited, path)
         elif not only_logic and random.random() < 0.6:
             edit_list(random, edited, path)
     for node, name in new_callbacks:
         write_ahead(random, edited, node, name)
-    if formatters and random.random() < 0.2:
-        run_formatter(edited)
+    for habit in ("link", "format", "write_in_another_encoding", "end_lines_as_windows"):
+        if habit in habits and random.random() < (0.2 if habit == "format" else 0.1):
+            HABITS[habit](random, edited)
+    for path, text in edited.texts.items():
+        if path.endswith(".py"):
+            ast.parse(plain(text))
     return edited
+
+
+def is_logic(path):
+    return path.endswith(("_impl.py", "_impl.cpp")) and "test" not in path
+
+
+def plain(text):
+    """Return a text without what another encoding has left in it."""
+    return re.sub("[\udc80-\udcff]", "?", text)
 
 
 def functions(path, text):
     """Yield the name, the first and the last line number of each function, counted from 0."""
     lines = text.split("\n")
-    start = re.compile(r"    def (\w+)\(" if path.endswith(".py") else r"(?:\w+ )?\w+::(\w+)\(")
+    start = re.compile(r"    def (\w+)\(" if path.endswith(".py") else r"(?:\w+ )*\w+::(\w+)\(")
     found = [(i, match[1]) for i, line in enumerate(lines) if (match := start.match(line))]
     for number, (first, name) in enumerate(found):
         last = found[number + 1][0] if number + 1 < len(found) else len(lines)
         body = range(first + 1, last)
         if path.endswith(".py"):
             ends = [
-                i for i in body if re.match(r"( {0,4}\S)", lines[i]) and lines[i][:5] != "    )"
+                i
+                for i in body
+                if re.match(r" {0,4}\S", lines[i]) and not lines[i].startswith("    )")
             ]
-            ends = [i for i in ends if not lines[i].startswith("    )")]
         else:
             ends = [i + 1 for i in body if lines[i] == "}"]
         yield name, first, (ends[0] if ends else last) - 1
@@ -82,8 +155,10 @@ def write_logic(random, edited, path):
     for name, first, last in reversed(list(functions(path, edited.texts[path]))):
         if random.random() < 0.25:
             mark = edited.mark(path, f"helper_{edited.number + 1}")
-            name_of_it = f"helper_{edited.number}"
-            lines[last + 1 : last + 1] = _helper(python, name_of_it, mark)
+            helper = _helper(python, f"helper_{edited.number}", mark)
+            after = [] if lines[last + 1 : last + 2] == [""] else [""]
+            before = [""] if lines[last].strip() else []
+            lines[last + 1 : last + 1] = [*before, *helper, *after]
         if random.random() < 0.7:
             at = _body_start(python, lines, first, last)
             lines[at:at] = _body(random, python, edited, path, name)
@@ -92,12 +167,40 @@ def write_logic(random, edited, path):
         mark = edited.mark(path)
         lines.insert(at, f"import math  # {mark}" if python else f"#include <cmath>  // {mark}")
     edited.texts[path] = "\n".join(lines)
+    if not python and random.random() < 0.5:
+        put_in_condition(random, edited, path)
+
+
+def put_in_condition(random, edited, path):
+    """Put `#if` and `#endif` around a callback, and the comment above it."""
+    lines = edited.texts[path].split("\n")
+    found = [
+        (name, first, last)
+        for name, first, last in functions(path, edited.texts[path])
+        if name.startswith(("serve_", "receive_", "execute_"))
+    ]
+    if found:
+        name, first, last = random.choice(found)
+        while lines[first - 1].startswith("//"):
+            first -= 1
+        if not lines[first - 1].startswith("#if"):
+            form = "#if 1  // {}", "#endif  // {}"
+            _put_around(edited, path, lines, first, last, name, form)
+            edited.texts[path] = "\n".join(lines)
+
+
+def _put_around(edited, path, lines, first, last, name, form):
+    """Put a line above others, and one below."""
+    above, below = (edited.mark(path) for _ in form)
+    lines[last + 1 : last + 1] = [form[1].format(below)]
+    lines[first:first] = [form[0].format(above)]
+    edited.around[above] = (below, name)
 
 
 def _helper(python, name, mark):
     if python:
-        return ["", f"    def {name}(self):", f"        return 1  # {mark}"]
-    return ["", f"static int {name}()", "{", f"  return 1;  // {mark}", "}"]
+        return [f"    def {name}(self):", f"        return 1  # {mark}"]
+    return [f"static int {name}()", "{", f"  return 1;  // {mark}", "}"]
 
 
 def _body_start(python, lines, first, last):
@@ -110,29 +213,68 @@ def _body_start(python, lines, first, last):
     return last + 1
 
 
+_PYTHON = (
+    ("value = 1  # {0}",),
+    ("value = 2  # {0}",),
+    ("self.passthrough.log.info('{0}')",),
+    ("for value in range(2):", "    self.passthrough.log.info('{0}')"),
+    ("try:", "    self.passthrough.log.info('{0}')", "except ValueError:", "    pass"),
+    ("if self.passthrough is None:", "    return  # {0}"),
+)
+_CPP = (
+    ("int value_{0} = 1;  // {0}",),
+    ("{{", "  int value = 2;  // {0}", "  (void)value;", "}}"),
+    ("for (int i = 0; i < 2; i++) {{", "  (void)i;  // {0}", "}}"),
+    ("// {0}",),
+)
+"""Statements, with the mark of each in one line: all other lines may be those of another body."""
+
+
 def _body(random, python, edited, path, function):
     margin = "        " if python else "  "
     lines = []
     for _ in range(random.randint(1, 4)):
         mark = edited.mark(path, function)
-        code = random.choice(("value = 1", "value = 2", "value = value + 1", "return_value = 0"))
-        comment = f"  # {mark}" if python else f";  // {mark}"
-        lines.append(f"{margin}{code if python else 'int ' + code.split()[0] + mark}{comment}")
+        forms = _PYTHON[:2] if function == "__init__" else _PYTHON if python else _CPP
+        for form in random.choice(forms):
+            line = margin + form.format(mark)
+            lines.append(line)
+            if mark not in line:
+                edited.repeated.setdefault(path, Counter())[line.strip()] += 1
     return lines
 
 
 def write_ahead(random, edited, node, name):
     """Write a callback that the spec does not have yet."""
-    for path in list(edited.texts):
-        if path.endswith(f"/{node}_impl.py"):
-            mark = edited.mark(path, name)
-            code = ["", f"    def {name}(self, request, response):"]
-            code += [f"        return response  # {mark}", ""]
+    for path in [path for path in edited.texts if is_logic(path)]:
+        if PurePosixPath(path).stem == f"{node}_impl":
             lines = edited.texts[path].split("\n")
-            at = next((i for i, line in enumerate(lines) if "# End of life" in line), None)
-            at = at - 1 if at else len(lines) - 1
-            edited.texts[path] = "\n".join([*lines[:at], *code[:-1], *lines[at:]])
+            last = list(functions(path, edited.texts[path]))[-1][1]
+            while re.match(r"\s*(#|//)", lines[last - 1]):
+                last -= 1
+            mark = edited.mark(path, name)
+            if path.endswith(".py"):
+                code = [f"    def {name}(self, request, response):"]
+                code += [f"        return response  # {mark}", ""]
+            else:
+                types = f"{node}_types::{_class(name.removeprefix('serve_'))}Service"
+                start = f"{name}(const {types}::Request &, {types}::Response &)"
+                code = [f"void {_class(node)}Impl::{start}", "{", f"  // {mark}", "}", ""]
+                _declare(edited, f"include/lab/{node}_impl.hpp", f"  void {start};")
+            edited.texts[path] = "\n".join([*lines[:last], *code, *lines[last:]])
             edited.ahead.add(path)
+
+
+def _declare(edited, header, line):
+    if header in edited.texts:
+        lines = edited.texts[header].split("\n")
+        at = lines.index("private:")
+        edited.texts[header] = "\n".join([*lines[: at - 1], line, *lines[at - 1 :]])
+        edited.ahead.add(header)
+
+
+def _class(name):
+    return "".join(word.capitalize() for word in name.split("_"))
 
 
 def edit_list(random, edited, path):
@@ -155,14 +297,31 @@ def _beside(random, edited, path, lines, pattern, form):
 
 
 def _package_xml(random, edited, path, lines):
+    if random.random() < 0.2:
+        return _remove_item(random, edited, path, lines, "^  <exec_depend>.*_msgs<")
     form = "<exec_depend>{}</exec_depend>".format
-    _beside(random, edited, path, lines, "^  <(exec_)?depend>.*</", form)
+    return _beside(random, edited, path, lines, "^  <(exec_)?depend>.*</", form)
+
+
+def _remove_item(random, edited, path, lines, pattern):
+    places = [i for i, line in enumerate(lines) if re.search(pattern, line)]
+    if places:
+        edited.replaced.setdefault(path, []).append(lines.pop(random.choice(places)))
 
 
 def _launch(random, edited, path, lines):
-    places = [i for i, line in enumerate(lines) if line.startswith("  <node ")]
-    at = random.choice([*places, len(lines) - 2])
-    lines.insert(at, f'  <arg name="{edited.mark(path)}" default="1"/>')
+    nodes = [i for i, line in enumerate(lines) if line.lstrip().startswith("<node ")]
+    free = [i for i in nodes if "<group>" not in lines[i - 1]]
+    if free and random.random() < 0.3:
+        first = random.choice(free)
+        last = next(i for i in range(first, len(lines)) if "</node>" in lines[i])
+        name = re.search(r' name="(\w+)"', lines[first])[1]
+        form = "<group>  <!-- {} -->", "</group>  <!-- {} -->"
+        _put_around(edited, path, lines, first, last, name, form)
+    else:
+        places = [i for i in nodes if lines[i].startswith("  <node ")]
+        at = random.choice([*places, len(lines) - 2])
+        lines.insert(at, f'  <arg name="{edited.mark(path)}" default="1"/>')
 
 
 def _yaml(random, edited, path, lines):
@@ -172,7 +331,8 @@ def _yaml(random, edited, path, lines):
         edited.replaced.setdefault(path, []).append(lines[at])
         lines[at] = re.sub(r": [\d.]+$", f": 7  # {edited.mark(path)}", lines[at])
     elif places:
-        lines.insert(random.choice(places) + 1, f"    {edited.mark(path)}: 3")
+        margin = re.match(r"\s*", lines[places[0]])[0]
+        lines.insert(random.choice(places) + 1, f"{margin}{edited.mark(path)}: 3")
 
 
 def _cmake(random, edited, path, lines):
@@ -180,6 +340,33 @@ def _cmake(random, edited, path, lines):
     _beside(random, edited, path, lines, r"^find_package\(\w+ REQUIRED\)", form)
     if random.random() < 0.5:
         _beside(random, edited, path, lines, r"^  [\w:]+::[\w:]+$", "{}::library".format)
+    places = [i for i, line in enumerate(lines) if re.match(r" *[a-z_]+\(|\)$", line)]
+    if random.random() < 0.5:
+        at = random.choice(places) + 1
+        own = random.choice(CONDITIONS)
+        if lines[at - 1].endswith(")"):
+            marks = [edited.mark(path) for _ in re.findall(r"\{\d\}", own)]
+            lines[at:at] = own.format(*marks).split("\n")
+    if random.random() < 0.3:
+        form = r"^add_(?:library|executable)\(\$\{PROJECT_NAME\}_(\w+)"
+        starts = [i for i, line in enumerate(lines) if re.match(form, line)]
+        first = random.choice(starts or [0])
+        while lines[first - 1].startswith("#"):
+            first -= 1
+        if starts and not lines[first - 1].startswith("if("):
+            ends = [i for i in range(first, len(lines)) if lines[i] == ")" and not lines[i + 1]]
+            name = re.match(form, lines[first])[1]
+            form = "if(TRUE)  # {}", "endif()  # {}"
+            _put_around(edited, path, lines, first, ends[0], name, form)
+
+
+CONDITIONS = (
+    "if({0})\n  set({1} 1)\nendif()  # {2}",
+    "if(UNIX AND NOT APPLE)  # {0}\n  set({1} 1)\nelseif(TRUE)  # {2}\n  set({3} 1)\n"
+    "else()  # {4}\n  set({5} 1)\nendif()  # {6}",
+    "foreach({0} 1 2)\n  if(TRUE)  # {1}\n    set({2} 1)\n  endif()  # {3}\nendforeach()  # {4}",
+    "function({0})\n  if(TRUE)  # {1}\n  endif()  # {2}\nendfunction()  # {3}",
+)
 
 
 def _setup(random, edited, path, lines):
@@ -202,6 +389,12 @@ def _code(random, edited, path, lines):
         lines.insert(at, f"        value = 1  # {mark}" if python else f"  // {mark}")
 
 
+def _header(random, edited, path, lines):
+    at = next((i for i, line in enumerate(lines) if line.startswith("#include")), None)
+    if at is not None:
+        lines.insert(at, f"#include <cmath>  // {edited.mark(path)}")
+
+
 WAYS = {
     "package.xml": _package_xml,
     ".launch": _launch,
@@ -212,16 +405,122 @@ WAYS = {
     "README.md": _readme,
     "_ros.py": _code,
     "_ros.cpp": _code,
+    "worker.py": _code,
     "_impl.hpp": lambda random, edited, path, lines: _beside(
         random, edited, path, lines, "^private:", "// {}".format
     ),
+    "inbox.hpp": _header,
 }
 
 
-def run_formatter(edited):
+def move(random, edited):
+    """Move a generated file into another folder, as `git mv` does."""
+    found = [p for p in sorted(edited.texts) if re.search(r"_impl\.(py|cpp)$|\.yaml$", p)]
+    found = [path for path in found if path not in edited.moved]
+    if found:
+        path = random.choice(found)
+        target = str(PurePosixPath(path).parent / "mine" / PurePosixPath(path).name)
+        edited.texts[target] = edited.texts.pop(path)
+        edited.moved[target] = path
+        for about in (edited.replaced, edited.repeated):
+            if path in about:
+                about[target] = about.pop(path)
+        for about in (edited.formatted, edited.ahead, edited.crlf):
+            if path in about:
+                about.remove(path)
+                about.add(target)
+        edited.deleted = {
+            (target, part[1]) if isinstance(part, tuple) and part[0] == path else part
+            for part in edited.deleted
+        }
+        edited.lines = {
+            mark: (target if at == path else at, function)
+            for mark, (at, function) in edited.lines.items()
+        }
+
+
+def delete_file(random, edited):
+    """Delete a generated file that nothing needs."""
+    found = [p for p in edited.texts if re.match(r"README.md|(test|launch|config)/", p)]
+    found = [path for path in sorted(found) if path not in edited.moved]
+    if found:
+        path = random.choice(found)
+        edited.lines = {mark: at for mark, at in edited.lines.items() if at[0] != path}
+        del edited.texts[path]
+        edited.deleted.add(path)
+
+
+def delete_function(random, edited):
+    """Delete a callback that the spec has."""
+    paths = [path for path in sorted(edited.texts) if is_logic(path)]
+    path = random.choice(paths)
+    found = [
+        (name, first, last)
+        for name, first, last in functions(path, edited.texts[path])
+        if name.startswith(("serve_", "receive_", "execute_"))
+    ]
+    if found:
+        name, first, last = random.choice(found)
+        lines = edited.texts[path].split("\n")
+        while re.match(r"\s*#" if path.endswith(".py") else "//", lines[first - 1]):
+            first -= 1
+        if path.endswith(".cpp") and lines[last + 1 : last + 2] == [""]:
+            last += 1
+        gone = lines[first : last + 1]
+        marks = set(re.findall(r"mine_\d+", "\n".join(gone)))
+        edited.lines = {mark: at for mark, at in edited.lines.items() if mark not in marks}
+        edited.replaced.setdefault(path, []).extend(line for line in gone if line.strip())
+        edited.texts[path] = "\n".join([*lines[:first], *lines[last + 1 :]])
+        edited.deleted.add((path, name))
+
+
+def replace_by_link(random, edited):
+    """Move the README elsewhere, and leave a link to it."""
+    if "README.md" in edited.texts and "docs/README.md" not in edited.texts:
+        edited.texts["docs/README.md"] = edited.texts.pop("README.md")
+        edited.links["README.md"] = "docs/README.md"
+        edited.moved["docs/README.md"] = "README.md"
+        for about in (edited.crlf, edited.formatted):
+            about.discard("README.md")
+        edited.lines = {
+            mark: ("docs/README.md" if path == "README.md" else path, function)
+            for mark, (path, function) in edited.lines.items()
+        }
+
+
+def link(random, edited):
+    """Put a link to a file beside it."""
+    edited.links["params.yaml"] = "package.xml"
+
+
+def write_in_another_encoding(random, edited):
+    """Write a line that is not UTF-8; Python must be told of it."""
+    paths = [
+        path for path in sorted(edited.texts) if path.endswith((".py", ".cpp", ".txt", ".yaml"))
+    ]
+    paths = [p for p in paths if "mine_" in edited.texts[p] and FOREIGN not in edited.texts[p]]
+    if paths:
+        path = random.choice(paths)
+        lines = edited.texts[path].split("\n")
+        sign = "//" if path.endswith(".cpp") else "#"
+        mark = edited.mark(path)
+        new = [f"{sign} {FOREIGN} {mark}"]
+        edited.foreign.add(mark)
+        if path.endswith(".py"):
+            new.insert(0, f"# -*- coding: latin-1 -*- {edited.mark(path)}")
+        edited.texts[path] = "\n".join([*new, *lines])
+
+
+def end_lines_as_windows(random, edited):
+    """Save some files with other line ends."""
+    paths = sorted(path for path in edited.texts if not path.endswith(".ros_package"))
+    edited.crlf |= set(random.sample(paths, k=min(3, len(paths))))
+
+
+def run_formatter(random, edited):
     """Run ruff over the Python files; indent C++ by four and join what a line can hold."""
     for path, text in edited.texts.items():
-        if path.endswith(".py"):
+        if path.endswith(".py") and FOREIGN not in text:
             edited.texts[path] = ruff(path, text)
         elif path.endswith((".cpp", ".hpp")):
             text = re.sub(r"(?m)^((?:  )+)(?=\S)", lambda m: m[1] * 2, text)
@@ -234,3 +533,15 @@ def ruff(path, text):
     tool = shutil.which("ruff") or str(Path(sys.executable).parent / "ruff")
     command = [tool, "format", "--isolated", "--stdin-filename", Path(path).name, "-"]
     return subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
+
+
+HABITS = {
+    "move": move,
+    "delete_file": delete_file,
+    "delete_function": delete_function,
+    "replace_by_link": replace_by_link,
+    "link": link,
+    "format": run_formatter,
+    "write_in_another_encoding": write_in_another_encoding,
+    "end_lines_as_windows": end_lines_as_windows,
+}

@@ -6,7 +6,7 @@ A mutant spoils the files of a merged package, and says whether it found somethi
 import re
 from dataclasses import replace
 
-from hooks.merge.tree import encode
+from hooks.merge.tree import File, encode
 from support.laboratory.edits import functions
 
 
@@ -160,6 +160,20 @@ def template_change_missed(random, tree, edited, pair):
     return False
 
 
+def condition_ends_elsewhere(random, tree, edited, pair):
+    """What was put around a callback holds the next one, too."""
+    for last, _ in edited.around.values():
+        for path in _with_lines(tree, edited):
+            lines = tree[path].text.split("\n")
+            at = next((i for i, line in enumerate(lines) if last in line.split()), None)
+            ends = [i for i, line in enumerate(lines) if line == "}"]
+            if at and path.endswith(".cpp") and ends[-1] > at:
+                lines.insert(ends[-1] - 1, lines.pop(at))
+                _write(tree, path, "\n".join(lines))
+                return True
+    return False
+
+
 def _is_logic(path):
     return path.endswith(("_impl.py", "_impl.cpp")) and "test" not in path
 
@@ -169,6 +183,63 @@ def _body(path, text, name):
         if found == name:
             return "\n".join(text.split("\n")[first + 1 : last + 1])
     return ""
+
+
+def deleted_comes_back(random, tree, edited, pair):
+    """Generated files that the developer has deleted are there again."""
+    paths = [path for path in edited.deleted_files() if pair.renaming.path(path) in pair.new]
+    for path in paths:
+        target = pair.renaming.path(path)
+        tree[target] = File(encode(pair.new[target]))
+    return bool(paths)
+
+
+def deleted_callback_comes_back(random, tree, edited, pair):
+    for path, name in (part for part in edited.deleted if isinstance(part, tuple)):
+        target = pair.renaming.path(edited.moved.get(path, path))
+        for found, first, last in functions(target, pair.new.get(target, "")):
+            if found == name and pair.renaming.path(path) in tree and not pair.renaming.names:
+                body = pair.new[target].split("\n")[first : last + 1]
+                text = tree[pair.renaming.path(path)].text.rstrip("\n")
+                _write(tree, pair.renaming.path(path), "\n".join([text, "", *body, ""]))
+                return True
+    return False
+
+
+def moved_goes_back(random, tree, edited, pair):
+    """A file that the developer has moved is where the model makes it."""
+    for path, origin in edited.moved.items():
+        if path in tree and pair.renaming.path(origin) in pair.new:
+            tree[pair.renaming.path(origin)] = tree.pop(path)
+            return True
+    return False
+
+
+def line_ends_exchanged(random, tree, edited, pair):
+    spoiled = False
+    for path in map(pair.renaming.path, edited.crlf):
+        if path in tree and b"\r\n" in tree[path].data:
+            tree[path] = replace(tree[path], data=tree[path].data.replace(b"\r\n", b"\n"))
+            spoiled = True
+    return spoiled
+
+
+def encoding_exchanged(random, tree, edited, pair):
+    spoiled = False
+    for path, file in tree.items():
+        if b"caf\xe9" in file.data:
+            tree[path] = replace(file, data=file.data.replace(b"caf\xe9", "café".encode()))
+            spoiled = True
+    return spoiled
+
+
+def link_written_through(random, tree, edited, pair):
+    """In the place of a link is the text that it leads to."""
+    for path, target in edited.links.items():
+        if path in tree and target in tree:
+            tree[path] = tree[target]
+            return True
+    return False
 
 
 MUTANTS = [
@@ -185,4 +256,14 @@ MUTANTS = [
     empty_method_twice,
     words_exchanged,
     template_change_missed,
+    condition_ends_elsewhere,
 ]
+OF_HABITS = [
+    deleted_comes_back,
+    deleted_callback_comes_back,
+    moved_goes_back,
+    line_ends_exchanged,
+    encoding_exchanged,
+    link_written_through,
+]
+"""Those that need what developers do but now and then."""

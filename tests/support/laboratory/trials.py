@@ -4,27 +4,30 @@ A trial runs the merge on renders, which are made once for many trials; `update`
 `copier update` on a package in git.
 """
 
+import os
 import re
 import shutil
 import subprocess
 import sys
+import time
 from collections import Counter
 from dataclasses import dataclass, field
 
 import copier
-import yaml
 
 from hooks.changes import marked
 from hooks.dictionary import load
+from hooks.merge.moves import moved_files
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
 from hooks.merge.renaming import Renaming, plan
-from hooks.merge.render import Renderer
-from hooks.merge.tree import File, encode, read_folder
+from hooks.merge.tree import File, encode, read_folder, remove, write
+from hooks.model import Model
+from support.direct_render import Renderer as DirectRenderer
 from support.laboratory import specs
-from support.laboratory.edits import edit
+from support.laboratory.edits import HABITS, edit
 from support.laboratory.judge import CONFLICT, judge
-from support.repository import commit, copy_collection
+from support.repository import commit, copy_collection, git
 
 ANSWERS = ".copier-answers.yml"
 MODELS = ("python_model", "cpp_model")
@@ -67,112 +70,219 @@ class Pair:
     is_kept: object
     moves: bool
     """Whether the package moves to the other ROS."""
+    is_moved: bool = False
+    """Whether the model calls some of its files otherwise."""
 
 
 class Laboratory:
-    """The collection in two versions, the second of which moves, adds and rewrites text."""
+    """The collection in two versions, the second of which moves, adds and rewrites text and files.
+
+    Packages of chains are made by Copier, from the repository. Trials need renders alone, which
+    Jinja makes of the two versions in a hundredth of the time.
+    """
 
     def __init__(self, folder):
         self.folder = folder
         self.collection = copy_collection(folder / "collection")
+        self.versions = {"1.0.0": self._version("1.0.0")}
         second_version(self.collection)
+        self.versions["2.0.0"] = self._version("2.0.0")
+        self.models = {model: Model(self.collection / model, self.collection) for model in MODELS}
+        self.renderers = {
+            (version, model): DirectRenderer(source, model)
+            for version, source in self.versions.items()
+            for model in MODELS
+        }
         self.number = 0
+
+    def _version(self, name):
+        ignore = shutil.ignore_patterns(".git", "tests", "examples", "docs", "benchmarks")
+        return shutil.copytree(self.collection, self.folder / name, ignore=ignore, symlinks=True)
 
     def package(self, spec, model, distro):
         """Make a package in git."""
-        folder = self._copy(spec, model, distro, "1.0.0")
-        commit(folder, "Render")
-        return folder
-
-    def _copy(self, spec, model, distro, version):
         self.number += 1
         folder = self.folder / f"package_{self.number}" / "lab"
         file = self.folder / "spec.xml"
         file.write_text(specs.xml(spec))
         data = {"model": model, "ros_distro": distro, "spec_file": str(file)}
         options = {"defaults": True, "unsafe": True, "quiet": True}
-        copier.run_copy(str(self.collection), folder, data=data, vcs_ref=version, **options)
+        copier.run_copy(str(self.collection), folder, data=data, vcs_ref="1.0.0", **options)
+        commit(folder, "Render")
         return folder
 
     def pair(self, spec, new_spec, model, distros, version, old_version="1.0.0"):
         """Render both sides of an update."""
-        old_folder = self._copy(spec, model, distros[0], old_version)
-        new_folder = self._copy(new_spec, model, distros[1], version)
-        answers, new_answers = (
-            yaml.safe_load((folder / ANSWERS).read_text()) for folder in (old_folder, new_folder)
+        known = self.models[model]
+        xmls = [specs.xml(one) for one in (spec, new_spec)]
+        contexts = [
+            known.context(xml.encode(), "lab.ros_package", distro)
+            for xml, distro in zip(xmls, distros, strict=True)
+        ]
+        renderers = [self.renderers[name, model] for name in (old_version, version)]
+        old, new = (
+            renderer.render(context, distro) | {"lab.ros_package": xml}
+            for renderer, context, distro, xml in zip(
+                renderers, contexts, distros, xmls, strict=True
+            )
         )
-        old, new = _texts(old_folder), _texts(new_folder)
-        dictionary = load(self.collection / model / "dictionary.yaml", self.collection)
-        context, marks = marked(answers["spec"], new_answers["spec"], dictionary)
+        context, marks = marked(*contexts, known.dictionary)
         renaming = Renaming()
         if any(mark.before != mark.after for mark in marks):
-            renderer = Renderer(self.collection, "", "", "lab", ANSWERS)
-            marked_render = renderer.recorded(answers | {"spec": context})
-            renaming = plan(_tree(old), marked_render.tree, marks, old)
-        for folder in (old_folder, new_folder):
-            shutil.rmtree(folder.parent)
+            marked_render = _tree(renderers[0].render(context, distros[0]))
+            renaming = plan(_tree(old), marked_render, marks, old)
+        source = self.versions[version]
+        dictionary = load(source / model / "dictionary.yaml", source)
+        renaming.follow(moved_files(contexts[1], dictionary), old, new)
         kept = {path for path in {*old, *new} if path.endswith((".ros_package", "CHANGELOG.md"))}
-        return Pair(spec, new_spec, old, new, renaming, kept.__contains__, len({*distros}) > 1)
+        is_moved = (old_version, version) == ("1.0.0", "2.0.0")
+        return Pair(
+            spec, new_spec, old, new, renaming, kept.__contains__, len({*distros}) > 1, is_moved
+        )
 
 
-def trial(random, pair, counts, mutate=None, **options):
-    """Edit, merge, prove and judge once; `mutate` spoils the result. Return the complaints."""
+def trial(random, pair, counts, mutate=None, check=None, **options):
+    """Edit, merge, prove and judge once. Return the complaints.
+
+    Args:
+        mutate: spoils the result.
+        check: gives complaints of the package before and after.
+        options: those of `edit`.
+
+    """
     edited = edit(random, pair.old, ahead(random, pair), **options)
-    spec_file = "lab.ros_package"
-    edited.texts[spec_file] = specs.xml(pair.new_spec)
-    mine, old, new = _tree(edited.texts), _tree(pair.old), _tree(pair.new)
-    result = merge_package(mine, old, new, pair.renaming, pair.is_kept)
+    edited.texts["lab.ros_package"] = specs.xml(pair.new_spec)
+    mine, old, new = edited.tree(), _tree(pair.old), _tree(pair.new)
+    trees = (mine, old, new, pair.renaming, pair.is_kept)
+    result = merge_package(*trees)
+    if doubtful := prove(mine, old, result, result.tree, pair.renaming).lost:
+        # As an update does: what the proof does not find in its place becomes a conflict.
+        result = merge_package(*trees, unmerged={path for path, _ in doubtful})
     if mutate:
         mutate(random, result.tree, edited, pair)
-    texts = {path: file.text for path, file in result.tree.items()}
+    texts = {path: file.text or "" for path, file in result.tree.items()}
     said = {*result.left, *_said(result.removed)}
-    complaints = judge(
-        edited, pair.old, pair.new, texts, said, moves(pair, edited.texts), renamed(pair)
-    )
-    complaints += unjustified(pair, result, edited)
+    missing = {path for path, parts in result.missing.items() if "" in parts}
+    missing |= {*_said(result.missing)}
+    places, names = moves(pair, edited), renamed(pair, edited)
+    complaints = judge(edited, pair.old, pair.new, result.tree, said, missing, places, names)
+    complaints += unjustified(pair, result, names)
     proof = prove(mine, old, result, result.tree, pair.renaming)
     complaints += [f"proof: {path}: {line}" for path, line in proof.lost]
+    if check and not result.conflicts:
+        complaints += check(mine, result.tree, edited, pair, names)
     count(counts, pair, edited, texts, complaints)
     return complaints
 
 
-def chain(random, laboratory, model, distro, length, counts):
+def chain(random, laboratory, model, distro, length, counts, check=None):
     """Edit and update one package, again and again, with all of `copier update`."""
     spec, version, edited = specs.random_spec(random), "1.0.0", None
     package = laboratory.package(spec, model, distro)
     for number in range(length):
-        edited = edit(random, _texts(package), edited=edited, formatters=number == 1)
+        ways = None if number == 1 else set(HABITS) - {"format"}
+        edited = edit(random, _texts(package), edited=edited, ways=ways)
         new_spec = specs.change(random, specs.settled(spec))
         new_distro = random.choice(DISTROS) if random.random() < 0.3 else distro
         new_version = "2.0.0" if number else version
         distros = (distro, new_distro)
         pair = laboratory.pair(spec, new_spec, model, distros, new_version, version)
         edited.texts["lab.ros_package"] = specs.xml(new_spec)
-        for path, text in edited.texts.items():
-            (package / path).write_text(text)
+        _put(package, edited.tree())
         commit(package, f"Edit {number}")
-        said = _update(package, new_version, new_distro)
+        said = _update(package, new_version, new_distro, hostile(random, laboratory.folder))
+        tree = read_folder(package)
+        tree.pop(ANSWERS)
         texts = _texts(package)
-        parts = re.findall(r"^removed   (\S+)(?: from (\S+))?  ", said, re.MULTILINE)
+        parts = re.findall(r"^removed   (.+?)(?: from (\S+))?  ", said, re.MULTILINE)
         gone = {f"{path}: {part.rpartition('::')[2]}" if path else part for part, path in parts}
-        places, names = moves(pair, edited.texts), renamed(pair)
-        complaints = judge(edited, pair.old, pair.new, texts, gone, places, names)
+        parts = re.findall(r"^missing   (\S+?)(?:: (.+))?$", said, re.MULTILINE)
+        missing = {f"{path}: {part.rpartition('::')[2]}" if part else path for path, part in parts}
+        places, names = moves(pair, edited), renamed(pair, edited)
+        complaints = judge(edited, pair.old, pair.new, tree, gone, missing, places, names)
         if not re.search(r"^\d+ of \d+ of your lines are in their place", said, re.MULTILINE):
             complaints.append(f"the summary does not say it: {said}")
+        in_conflict = re.findall(r"^CONFLICT  (.+)$", said, re.MULTILINE)
+        if check and not in_conflict:
+            complaints += check(edited.tree(), tree, edited, pair, names)
         count(counts, pair, edited, texts, complaints)
-        if any(CONFLICT in text for text in texts.values()):
-            return
+        for path in in_conflict:
+            texts[path] = settled(texts[path]) if path in texts else ""
+            if path not in edited.links:
+                (package / path).write_text(texts[path], errors="surrogateescape")
         commit(package, f"Update {number}")
         edited.follow(texts, places, names)
         spec, distro, version = new_spec, new_distro, new_version
 
 
-def _update(package, version, distro):
-    """Update a package as a user does, and return what was said."""
+def settled(text):
+    """Choose the new side of each conflict."""
+    mine = rf"(?ms)^{CONFLICT}$.*?^=======$\n"
+    return re.sub(r"(?m)^>>>>>>> after updating$\n", "", re.sub(mine, "", text))
+
+
+def _put(package, tree):
+    """Make a package what a developer has made of it a minute ago.
+
+    Git reads a file again that is as young as its index, and then through a filter of today.
+    """
+    edited = time.time() - 60
+    for path in set(read_folder(package)) - set(tree) - {ANSWERS}:
+        remove(package, path)
+    for path, file in tree.items():
+        write(package / path, file)
+        os.utime(package / path, (edited, edited), follow_symlinks=False)
+
+
+HOSTILE = {
+    "apply.whitespace": "error",
+    "core.whitespace": "trailing-space,tab-in-indent",
+    "core.autocrlf": "true",
+    "core.safecrlf": "warn",
+    "core.quotePath": "true",
+    "core.fsmonitor": "false",
+    "diff.noprefix": "true",
+    "diff.mnemonicPrefix": "true",
+    "diff.renames": "copies",
+    "diff.external": "false",
+    "merge.conflictStyle": "zdiff3",
+    "merge.renames": "false",
+    "commit.gpgSign": "true",
+    "gpg.program": "false",
+    "status.showUntrackedFiles": "no",
+    "status.relativePaths": "false",
+    "color.ui": "always",
+    "core.attributesFile": "{folder}/attributes",
+    "filter.shout.clean": "tr a-z A-Z",
+    "filter.shout.smudge": "tr A-Z a-z",
+    "core.hooksPath": "{folder}/hooks",
+}
+"""Settings of git that have changed what an update does, here or elsewhere."""
+
+
+def hostile(random, folder):
+    """Write a configuration of git with some of these settings; return its path."""
+    hooks = folder / "hooks"
+    if not hooks.exists():
+        hooks.mkdir()
+        for name in ("pre-commit", "commit-msg", "post-index-change"):
+            (hooks / name).write_text("#!/bin/sh\nexit 1\n")
+            (hooks / name).chmod(0o755)
+        (folder / "attributes").write_text("*.md filter=shout\n*.yaml text eol=crlf\n")
+    file = folder / "hostile.gitconfig"
+    file.write_text("[user]\nname = Test Er\nemail = test@example.org\n")
+    for name in random.sample(sorted(HOSTILE), k=5):
+        git(folder, "config", "--file", str(file), name, HOSTILE[name].format(folder=folder))
+    return file
+
+
+def _update(package, version, distro, configuration):
+    """Update a package as a user does who has this configuration of git; return what was said."""
     command = [sys.executable, "-m", "copier", "update", "--trust", "--defaults"]
     command += ["--vcs-ref", version, "-d", f"ros_distro={distro}"]
-    result = subprocess.run(command, cwd=package, capture_output=True, text=True)
-    assert result.returncode == 0, result.stderr
+    environment = os.environ | {"GIT_CONFIG_GLOBAL": str(configuration)}
+    result = subprocess.run(command, cwd=package, env=environment, capture_output=True, text=True)
+    assert result.returncode == 0, configuration.read_text() + result.stderr
     return result.stderr
 
 
@@ -198,12 +308,13 @@ def _said(removed):
             yield f"{path}: {part.rpartition('::')[2]}"
 
 
-def unjustified(pair, result, edited):
+def unjustified(pair, result, names):
     """Return what was removed although the new version has it."""
-    complaints = [f"{path}: left, and is new" for path in result.left if path in pair.new]
+    taken = {after for before, after in pair.renaming.paths.items() if after != before}
+    complaints = [f"{p}: left, and is new" for p in result.left if p in {*pair.new} - taken]
     for path, parts in result.removed.items():
-        target = pair.renaming.path(path)
-        taken = renamed(pair).get(path, {}).values()
+        target = pair.renaming.path(result.origins.get(path, path))
+        taken = names.get(path, {}).values()
         for part in parts:
             name = part.rpartition("::")[2]
             if name not in taken and re.search(
@@ -213,29 +324,51 @@ def unjustified(pair, result, edited):
     return complaints
 
 
-def moves(pair, paths):
-    """Return where files of before must be: what carries the name of a renamed node."""
+NODE_FILES = "(impl|interface|ros|main|node|harness|params)"
+
+
+def moves(pair, edited):
+    """Return where files of before must be: what carries the name of a renamed node.
+
+    So are the files that the second version calls otherwise.
+    """
     found = {}
-    for node in pair.new_spec["nodes"]:
-        was = node.get("was")
-        for path in paths if was and was in {n["name"] for n in pair.spec["nodes"]} else ():
-            form = rf"(^|/|test_){was}(?=(_impl|_interface|_ros|_node)?(\.\w+)?$)"
-            target = re.sub(form, rf"\g<1>{node['name']}", path)
-            if target != path and target != "lab.ros_package" and path != "lab.ros_package":
-                found[path] = target
+    for path in {*edited.texts, *edited.moved.values(), *pair.old}:
+        if path.startswith(("lab.ros_package", "launch/")):
+            continue  # these are named like the package, as a node may be, too
+        target = path
+        for node in pair.new_spec["nodes"]:
+            was = node.get("was")
+            if was in {n["name"] for n in pair.spec["nodes"]}:
+                form = rf"(^|/|test_){was}(?=(_{NODE_FILES})?(\.\w+)?$)"
+                renamed_ = re.sub(form, rf"\g<1>{node['name']}", path)
+                target = renamed_ if renamed_ != path else target
+        origin = target
+        for before, after in MOVED if pair.is_moved else ():
+            target = re.sub(before, after, target)
+        if target not in pair.new:
+            target = origin
+        if target != path:
+            found[path] = target
     return found
 
 
-def renamed(pair):
+def renamed(pair, edited):
     """Return the functions that have another name, by the path of before."""
-    found = {}
+    nodes = {node["was"]: node["name"] for node in pair.new_spec["nodes"] if node.get("was")}
+    found = dict.fromkeys(("CMakeLists.txt", "launch/lab.launch", "launch/lab.launch.xml"), nodes)
     for node in pair.new_spec["nodes"]:
         names = {was: name for name, was in specs.callbacks(node).items() if was != name}
         before = node.get("was") or node["name"]
         constructors = {_class(before): _class(node["name"])}
         found[f"lab/{before}_impl.py"] = names
+        found[f"lab/{before}_ros.py"] = {
+            f"_receive_{item['was']}": f"_receive_{item['name']}"
+            for item in node["items"]
+            if item.get("was")
+        }
         found[f"src/{before}_impl.cpp"] = names | constructors
-    return found
+    return found | {path: found[o] for path, o in edited.moved.items() if o in found}
 
 
 def _class(node):
@@ -247,45 +380,77 @@ def count(counts, pair, edited, texts, complaints):
     counts.lines += len(edited.lines)
     counts.wrong += complaints
     for path, text in edited.texts.items():
-        if path in pair.old and text != pair.old[path]:
+        origin = edited.moved.get(path, path)
+        if origin in pair.old and text != pair.old[origin]:
             counts.edited_files += 1
             target = pair.renaming.path(path)
-            counts.both_changed += pair.new.get(target) != pair.old[path]
+            generated = pair.renaming.path(origin)
+            counts.both_changed += pair.new.get(generated) != pair.old[origin]
             if CONFLICT in texts.get(target, ""):
                 where = counts.moved if pair.moves else counts.conflicts
                 where[re.sub(r"\w+(?=_(impl|ros|interface|node))", "node", path)] += 1
 
 
 def _texts(folder):
-    texts = {
-        path: file.text for path, file in read_folder(folder).items() if file.text is not None
+    """Return the texts of a package, without the line ends of Windows."""
+    tree = read_folder(folder)
+    tree.pop(ANSWERS)
+    return {
+        path: file.text.replace("\r\n", "\n")
+        for path, file in tree.items()
+        if file.text is not None
     }
-    texts.pop(ANSWERS)
-    return texts
 
 
 def _tree(texts):
     return {path: File(encode(text)) for path, text in texts.items()}
 
 
+REWRITTEN = {
+    "Prepare the logic; return": "Get the logic ready; return",
+    "Compute the outputs of one cycle": "Compute the outputs of a cycle",
+    "The input and output messages": "All messages, input and output,",
+    "Callbacks run in threads of their own": "Every callback runs in its own thread",
+    "\n## Licence": "\n## Support\n\nAsk the authors.\n\n## Licence",
+    "/config/{{ node.name }}.yaml": "/config/{{ node.name }}_params.yaml",
+    "{{ spec.name }}.worker import": "{{ spec.name }}.jobs import",
+    '"ros/inbox.hpp"': '"ros/mailbox.hpp"',
+    "\n  'inbox':": "\n  'mailbox':",
+    '/worker.py.jinja"': '/jobs.py.jinja"',
+    '/inbox.hpp.jinja"': '/mailbox.hpp.jinja"',
+}
+MOVED = (
+    (r"^config/(\w+)\.yaml$", r"config/\1_params.yaml"),
+    (r"^lab/worker\.py$", "lab/jobs.py"),
+    (r"^src/ros/inbox\.hpp$", "src/ros/mailbox.hpp"),
+)
+MOVED_FILES = """"config/{node}_params.yaml": "config/{node}.yaml"
+"{package}/jobs.py": "{package}/worker.py"
+"src/ros/mailbox.hpp": "src/ros/inbox.hpp"
+"""
+
+
 def second_version(collection):
-    """Move, add and rewrite text of the templates, and tag that 2.0.0."""
-    rewritten = {
-        "Prepare the logic; return": "Get the logic ready; return",
-        "Compute the outputs of one cycle": "Compute the outputs of a cycle",
-        "The input and output messages": "All messages, input and output,",
-        "Callbacks run in threads of their own": "Every callback runs in its own thread",
-        "\n## Licence": "\n## Support\n\nAsk the authors.\n\n## Licence",
-    }
+    """Move, add and rewrite text and files of the templates, and tag that 2.0.0."""
     found = set()
     for file in [*collection.glob("*_model/template/**/*"), *collection.glob("shared/**/*")]:
         if file.is_file() and file.suffix == ".jinja":
             text = file.read_text()
-            for before, after in rewritten.items():
+            for before, after in REWRITTEN.items():
                 found |= {before} if before in text else set()
                 text = text.replace(before, after)
             file.write_text(text)
-    assert found == set(rewritten), "the templates say it in other words now"
+    assert found == set(REWRITTEN), f"other words now: {set(REWRITTEN) - found}"
+    for before, after in (
+        ("worker.py.jinja", "jobs.py.jinja"),
+        ("inbox.hpp.jinja", "mailbox.hpp.jinja"),
+        ("[[]node.name].yaml.jinja", "[node.name]_params.yaml.jinja"),
+    ):
+        files = list(collection.glob(f"*_model/template/**/{before}"))
+        assert files
+        for file in files:
+            file.rename(file.with_name(after))
     for model in MODELS:
-        (collection / model / "template/EXTRA.md").write_text("An added file.\n")
+        (collection / model / "template/EXTRA.md.jinja").write_text("An added file.\n")
+        (collection / model / "moved_files.yaml").write_text(MOVED_FILES)
     commit(collection, "Second version", tag="2.0.0")

@@ -6,4 +6,10 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=['all_kinds'], package_dir={'': '.'}))
+setup(
+    **generate_distutils_setup(
+        packages=['all_kinds'],
+        package_dir={'': '.'},
+        package_data={'all_kinds': ['py.typed']},
+    )
+)

@@ -6,4 +6,10 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=['contact_analysis'], package_dir={'': '.'}))
+setup(
+    **generate_distutils_setup(
+        packages=['contact_analysis'],
+        package_dir={'': '.'},
+        package_data={'contact_analysis': ['py.typed']},
+    )
+)

@@ -20,6 +20,11 @@ bool ObserverImpl::configure(
   return true;
 }
 
+bool ObserverImpl::activate()
+{
+  return true;
+}
+
 void ObserverImpl::update(
   [[maybe_unused]] ObserverData & data,
   [[maybe_unused]] const ObserverConfig & config)
@@ -27,6 +32,10 @@ void ObserverImpl::update(
 }
 
 // End of life
+void ObserverImpl::deactivate()
+{
+}
+
 void ObserverImpl::cleanup()
 {
 }

@@ -1,141 +1,188 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The node observer: its life-cycle and its ROS interfaces.
+// The node observer: its lifecycle and its ROS interfaces.
 // Generated from all_kinds.ros_package.
 // The logic is in observer_impl.cpp.
 
-#include <chrono>
-#include <exception>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "all_kinds/observer_impl.hpp"
 #include "all_kinds/observer_interface.hpp"
-#include "inbox.hpp"
-#include "lifecycle_msgs/msg/state.hpp"
-#include "loop.hpp"
-#include "parameters.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_components/register_node_macro.hpp"
-#include "rclcpp_lifecycle/lifecycle_node.hpp"
-#include "ros_log.hpp"
+#include "ros/calls.hpp"
+#include "ros/cycle_counts.hpp"
+#include "ros/inbox.hpp"
+#include "ros/loop.hpp"
+#include "ros/managed_node.hpp"
+#include "ros/parameters.hpp"
+#include "ros/ros_log.hpp"
+#include "ros/session.hpp"
+#include "ros/sleeper.hpp"
+#include "ros/snapshot.hpp"
 
 namespace all_kinds
 {
 
 constexpr double FREQUENCY = 12.5;  // Hz
-constexpr int QUEUE = 10;  // messages kept for a topic, unless its QoS is overridden
 
-/// A managed node that runs its logic at a fixed frequency while it is active.
+/// The logic from configure to cleanup, with its ROS interfaces.
 ///
-/// Publishers and clients exist from configure on, subscriptions and servers while it is active.
-class ObserverNode : public rclcpp_lifecycle::LifecycleNode
+/// Subscriptions exist while it is active.
+class ObserverSession : public Session
 {
 public:
-  /// Declare the parameters; everything else is created in configure.
-  explicit ObserverNode(const rclcpp::NodeOptions & options)
-  : LifecycleNode("observer", options)
+  using SharedConfig = std::shared_ptr<Snapshot<ObserverConfig>>;
+
+  /// Create publishers and clients, then the logic.
+  ObserverSession(
+    ManagedNode & node,
+    const SharedConfig & config,
+    const std::shared_ptr<CycleCounts> & cycles)
+  : config_(config),
+    calls_(node.calls()),
+    sleeper_(node.get_clock(), node.stop()),
+    logger_(node.get_logger()),
+    cycles_(cycles)
   {
-    declare_parameters();
-    config_ = std::make_shared<ObserverConfig>(read_config());
-    if (get_parameter("autostart").as_bool()) {
-      start_timer_ = create_wall_timer(
-        std::chrono::seconds(0),
-        [this] {
-          start();
-        });
+    ObserverPassthrough passthrough;
+    passthrough.log = make_logger(node.get_logger());
+    passthrough.now = [clock = node.get_clock()] {
+        return Time(clock->now().nanoseconds());
+      };
+    passthrough.sleep = [sleeper = sleeper_](double seconds) {
+        return sleeper.sleep_for(seconds);
+      };
+    impl_ = std::make_shared<ObserverImpl>(passthrough);
+  }
+
+  bool configure() override {return impl_->configure(*config_->get());}
+  bool activate() override {return impl_->activate();}
+  void deactivate() override {impl_->deactivate();}
+  void cleanup() override {impl_->cleanup();}
+
+  /// Run the update loop until the node stops.
+  void work() override
+  {
+    Loop loop(sleeper_, FREQUENCY, logger_, *cycles_);
+    loop.run([this] {update();});
+  }
+
+  /// Create subscriptions and servers.
+  void connect([[maybe_unused]] ManagedNode & node) override
+  {
+    subscribe(
+      node,
+      "/status",
+      in_status_);
+  }
+
+  /// Destroy subscriptions and servers.
+  void disconnect() override
+  {
+    subscriptions_.clear();
+  }
+
+private:
+  /// Run one cycle: take the latest messages, call update, publish the active outputs.
+  void update()
+  {
+    data_.in_status_updated = in_status_.take(data_.in_status);
+    impl_->update(data_, *config_->get());
+  }
+
+  /// Create a publisher or subscription whose QoS can be overridden by parameters.
+  template<typename Options, typename Create>
+  static auto create_overridable(Options options, const Create & create)
+  {
+    options.qos_overriding_options = {
+      rclcpp::QosPolicyKind::Depth,
+      rclcpp::QosPolicyKind::Durability,
+      rclcpp::QosPolicyKind::History,
+      rclcpp::QosPolicyKind::Reliability};
+    try {
+      return create(options);
+    } catch (const std::invalid_argument &) {
+      // Within a process rclcpp lacks some policies, which the middleware has.
+      options.use_intra_process_comm = rclcpp::IntraProcessSetting::Disable;
+      return create(options);
     }
   }
+
+  /// Subscribe to a topic whose latest message is an input of the next cycle.
+  template<typename Message>
+  void subscribe(
+    ManagedNode & node,
+    const std::string & topic,
+    Inbox<Message> & inbox,
+    const rclcpp::QoS & qos = rclcpp::QoS(10))
+  {
+    inbox = Inbox<Message>();  // Nothing of before is new.
+    const auto receive = [inbox](std::unique_ptr<Message> message) {
+        inbox.put(std::move(message));
+      };
+    subscriptions_.push_back(
+      create_overridable(
+        rclcpp::SubscriptionOptions(),
+        [&](const rclcpp::SubscriptionOptions & options) {
+          return node.create_subscription<Message>(topic, qos, receive, options);
+        }));
+  }
+
+  SharedConfig config_;
+  std::shared_ptr<Calls> calls_;
+  Sleeper sleeper_;
+  rclcpp::Logger logger_;
+  std::shared_ptr<CycleCounts> cycles_;
+  ObserverData data_;
+  Inbox<observer_types::InStatus> in_status_;
+  std::shared_ptr<ObserverImpl> impl_;
+  std::vector<std::shared_ptr<void>> subscriptions_;
+};
+
+/// A managed node that runs its logic at a fixed frequency while it is active.
+class ObserverNode : public ManagedNode
+{
+public:
+  /// Declare the parameters; configure creates the session.
+  explicit ObserverNode(const rclcpp::NodeOptions & options)
+  : ManagedNode("observer", options)
+  {
+    declare_parameters();
+    config_->set(read_config());
+    parameters_callback_ = add_post_set_parameters_callback(
+      [this](const std::vector<rclcpp::Parameter> &) {
+        config_->set(read_config());
+      });
+    fix_while_configured(
+      {
+        "limit",
+      });
+  }
+
+  ~ObserverNode() override {end();}
 
   ObserverNode(const ObserverNode &) = delete;
   ObserverNode & operator=(const ObserverNode &) = delete;
 
-  /// Shut down from any state.
-  ~ObserverNode() override
-  {
-    const bool finalized =
-      get_current_state().id() == lifecycle_msgs::msg::State::PRIMARY_STATE_FINALIZED;
-    if (!finalized && get_node_base_interface()->get_context()->is_valid()) {
-      shutdown();
-    }
-    release();
-  }
-
-  /// Create publishers and clients, then configure the logic.
-  CallbackReturn on_configure(const rclcpp_lifecycle::State &) override
-  {
-    try {
-      connect_senders();
-      configured_ = impl_->configure(*current_config());
-      if (configured_) {
-        return CallbackReturn::SUCCESS;
-      }
-      RCLCPP_ERROR(get_logger(), "The logic rejected its configuration.");
-    } catch (const std::exception & error) {
-      RCLCPP_ERROR(get_logger(), "Cannot configure: %s", error.what());
-    }
-    release();
-    return CallbackReturn::FAILURE;
-  }
-
-  /// Create subscriptions and servers, and start the loop.
-  CallbackReturn on_activate(const rclcpp_lifecycle::State & state) override
-  {
-    const auto result = LifecycleNode::on_activate(state);
-    connect_receivers();
-    return result;
-  }
-
-  /// Stop the loop and destroy subscriptions and servers, once running callbacks have returned.
-  CallbackReturn on_deactivate(const rclcpp_lifecycle::State & state) override
-  {
-    disconnect_receivers();
-    return LifecycleNode::on_deactivate(state);
-  }
-
-  /// Release everything created in configure.
-  CallbackReturn on_cleanup(const rclcpp_lifecycle::State &) override
-  {
-    release();
-    return CallbackReturn::SUCCESS;
-  }
-
-  CallbackReturn on_shutdown(const rclcpp_lifecycle::State &) override
-  {
-    release();
-    return CallbackReturn::SUCCESS;
-  }
-
-  CallbackReturn on_error(const rclcpp_lifecycle::State &) override
-  {
-    release();
-    return CallbackReturn::SUCCESS;
-  }
-
 private:
-  /// Configure and activate the node.
-  void start()
+  std::shared_ptr<Session> make_session() override
   {
-    start_timer_->cancel();
-    if (configure().id() == lifecycle_msgs::msg::State::PRIMARY_STATE_INACTIVE) {
-      activate();
-    }
+    return std::make_shared<ObserverSession>(*this, config_, cycles_);
   }
 
   void declare_parameters()
   {
-    declare_parameter(
-      "autostart",
-      true,
-      read_only("Whether the node configures and activates itself."));
     const ObserverConfig config;
     declare_parameter(
       "limit",
       config.limit,
-      read_only("How many to keep"));
+      described("How many to keep"));
   }
 
   /// Return the current parameters.
@@ -146,96 +193,18 @@ private:
     return config;
   }
 
-  std::shared_ptr<const ObserverConfig> current_config() {return config_;}
-
-  /// Create publishers and clients, then the logic.
-  void connect_senders()
-  {
-    ObserverPassthrough passthrough;
-    passthrough.log = make_logger(get_logger());
-    passthrough.now = [clock = get_clock()] {
-        return Time(clock->now().nanoseconds());
-      };
-    data_ = ObserverData();
-    impl_ = std::make_unique<ObserverImpl>(passthrough);
-  }
-
-  /// Create subscriptions, servers and the update loop.
-  void connect_receivers()
-  {
-    subscribe(
-      "/status",
-      in_status_);
-    loop_ = std::make_unique<Loop>(
-      *this,
-      FREQUENCY,
-      [this] {
-        update();
-      });
-  }
-
-  /// Stop all callbacks of the logic.
-  void disconnect_receivers()
-  {
-    loop_.reset();
-    subscriptions_.clear();
-  }
-
-  /// Destroy all connections to ROS and clean up the logic.
-  void release()
-  {
-    disconnect_receivers();
-    if (configured_) {
-      configured_ = false;
-      try {
-        impl_->cleanup();
-      } catch (const std::exception & error) {
-        RCLCPP_ERROR(get_logger(), "Cannot clean up: %s", error.what());
-      }
-    }
-    impl_.reset();
-  }
-
-  /// Run one cycle: take the latest messages, call update, publish the active outputs.
-  void update()
-  {
-    data_.in_status_updated = in_status_.take(data_.in_status);
-    impl_->update(data_, *current_config());
-  }
-
-  /// Return subscription options that allow QoS overrides.
-  static rclcpp::SubscriptionOptions overridable()
-  {
-    rclcpp::SubscriptionOptions options;
-    options.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies();
-    return options;
-  }
-
-  /// Subscribe to a topic whose latest message is an input of the next cycle.
-  template<typename Message>
-  void subscribe(
-    const std::string & topic,
-    const Inbox<Message> & inbox)
-  {
-    subscriptions_.push_back(
-      create_subscription<Message>(
-        topic,
-        QUEUE,
-        [inbox](std::unique_ptr<Message> message) {
-          inbox.put(std::move(message));
-        },
-        overridable()));
-  }
-
-  std::shared_ptr<const ObserverConfig> config_;
-  rclcpp::TimerBase::SharedPtr start_timer_;
-  ObserverData data_;
-  Inbox<observer_types::InStatus> in_status_;
-  std::unique_ptr<ObserverImpl> impl_;
-  bool configured_ = false;
-  std::vector<std::shared_ptr<void>> subscriptions_;
-  std::unique_ptr<Loop> loop_;
+  ObserverSession::SharedConfig config_ =
+    std::make_shared<Snapshot<ObserverConfig>>();
+  std::shared_ptr<void> parameters_callback_;
+  std::shared_ptr<CycleCounts> cycles_ = std::make_shared<CycleCounts>();
 };
+
+/// Create the node for its own executable.
+std::shared_ptr<ManagedNode> make_observer_node(
+  const rclcpp::NodeOptions & options)
+{
+  return std::make_shared<ObserverNode>(options);
+}
 
 }  // namespace all_kinds
 

@@ -20,6 +20,11 @@ bool WorkerImpl::configure(
   return true;
 }
 
+bool WorkerImpl::activate()
+{
+  return true;
+}
+
 void WorkerImpl::update(
   [[maybe_unused]] WorkerData & data,
   [[maybe_unused]] const WorkerConfig & config)
@@ -54,6 +59,10 @@ void WorkerImpl::execute_compute(
 }
 
 // End of life
+void WorkerImpl::deactivate()
+{
+}
+
 void WorkerImpl::cleanup()
 {
 }

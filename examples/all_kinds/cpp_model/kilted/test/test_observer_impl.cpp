@@ -5,24 +5,28 @@
 
 #include "gtest/gtest.h"
 
-#include "all_kinds/observer_impl.hpp"
+#include "./observer_harness.hpp"
 
-/// The logic alone; publishers and clients do nothing.
+/// The logic alone, with fakes that record what it does.
 class TestObserverImpl : public ::testing::Test
 {
 protected:
-  all_kinds::ObserverConfig config;
-  all_kinds::ObserverData data;
-  all_kinds::ObserverPassthrough passthrough;
-  all_kinds::ObserverImpl impl{passthrough};
+  void SetUp() override
+  {
+    ASSERT_TRUE(harness.impl.configure(harness.config));
+    ASSERT_TRUE(harness.impl.activate());
+  }
+
+  void TearDown() override
+  {
+    harness.impl.deactivate();
+    harness.impl.cleanup();
+  }
+
+  all_kinds::ObserverHarness harness;
 };
 
-TEST_F(TestObserverImpl, AcceptsItsDefaultParameters) {
-  EXPECT_TRUE(impl.configure(config));
-}
-
 TEST_F(TestObserverImpl, WorksWithoutAnyMessageReceived) {
-  ASSERT_TRUE(impl.configure(config));
-  impl.update(data, config);
-  impl.cleanup();
+  harness.run_cycle();
+  harness.run_cycle();
 }

@@ -5,24 +5,28 @@
 
 #include "gtest/gtest.h"
 
-#include "all_kinds/worker_impl.hpp"
+#include "./worker_harness.hpp"
 
-/// The logic alone; publishers and clients do nothing.
+/// The logic alone, with fakes that record what it does.
 class TestWorkerImpl : public ::testing::Test
 {
 protected:
-  all_kinds::WorkerConfig config;
-  all_kinds::WorkerData data;
-  all_kinds::WorkerPassthrough passthrough;
-  all_kinds::WorkerImpl impl{passthrough};
+  void SetUp() override
+  {
+    ASSERT_TRUE(harness.impl.configure(harness.config));
+    ASSERT_TRUE(harness.impl.activate());
+  }
+
+  void TearDown() override
+  {
+    harness.impl.deactivate();
+    harness.impl.cleanup();
+  }
+
+  all_kinds::WorkerHarness harness;
 };
 
-TEST_F(TestWorkerImpl, AcceptsItsDefaultParameters) {
-  EXPECT_TRUE(impl.configure(config));
-}
-
 TEST_F(TestWorkerImpl, WorksWithoutAnyMessageReceived) {
-  ASSERT_TRUE(impl.configure(config));
-  impl.update(data, config);
-  impl.cleanup();
+  harness.run_cycle();
+  harness.run_cycle();
 }

@@ -1,74 +1,82 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The node observer: its life-cycle and its ROS interfaces.
+// The node observer: its lifecycle and its ROS interfaces.
 // Generated from all_kinds.ros_package.
 // The logic is in observer_impl.cpp.
 
 #include <cstdint>
-#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "all_kinds/observer_impl.hpp"
 #include "all_kinds/observer_interface.hpp"
-#include "inbox.hpp"
-#include "parameters.hpp"
+#include "ros/clock.hpp"
+#include "ros/inbox.hpp"
+#include "ros/loop.hpp"
+#include "ros/parameters.hpp"
+#include "ros/process.hpp"
 #include "ros/ros.h"
-#include "ros_log.hpp"
+#include "ros/ros_log.hpp"
+#include "ros/supervisor.hpp"
 
 namespace all_kinds
 {
 
 constexpr double FREQUENCY = 12.5;  // Hz
-constexpr std::uint32_t QUEUE = 10;  // messages kept for a topic
 
-/// A node that runs its logic at a fixed frequency until shutdown.
+/// The node and its life: configure, activate, update until it stops, deactivate, cleanup.
 class ObserverNode
 {
 public:
   /// Read the parameters, create publishers and clients, and construct the logic.
-  ObserverNode()
+  explicit ObserverNode(Supervisor & supervisor)
+  : supervisor_(supervisor)
   {
     read_parameters();
     connect_senders();
+    spinner_.start();
   }
 
   ObserverNode(const ObserverNode &) = delete;
   ObserverNode & operator=(const ObserverNode &) = delete;
 
-  /// Destroy subscriptions and servers, then clean up the logic.
   ~ObserverNode()
   {
     spinner_.stop();
-    subscribers_.clear();
-    if (configured_) {
-      impl_->cleanup();
-    }
   }
 
-  /// Configure the logic, connect its callbacks, and run the update loop until shutdown.
-  bool run()
+  /// Go through the lifecycle, in the thread of the logic.
+  void live()
   {
-    if (!impl_->configure(*config_)) {
-      ROS_FATAL("The logic rejected its configuration.");
-      return false;
+    if (!supervisor_.step("configure", [this] {return impl_->configure(*config_);})) {
+      supervisor_.refuse("The logic refused to configure.");
+      return;
     }
-    configured_ = true;
-    connect_receivers();
-    spinner_.start();
-    ros::Rate rate(FREQUENCY);
-    while (ros::ok()) {
-      update();
-      rate.sleep();
+    supervisor_.set_state("inactive");
+    const auto activate = [this] {return impl_->activate();};
+    if (!supervisor_.stopping() && supervisor_.step("activate", activate)) {
+      supervisor_.set_state("active");
+      work();
+      supervisor_.set_state("deactivating");
+      supervisor_.waits().clear();
+      supervisor_.step("deactivate", [this] {impl_->deactivate(); return true;});
+    } else {
+      supervisor_.refuse("The logic refused to activate.");
     }
-    return true;
+    supervisor_.set_state("cleaning up");
+    supervisor_.waits().clear();
+    supervisor_.step("cleanup", [this] {impl_->cleanup(); return true;});
   }
+
+  /// This node has no goals to abort.
+  void abort_goals() {}
 
 private:
   void read_parameters()
   {
+    supervisor_.set_stop_timeout(private_.param("stop_timeout", 2.0));
     ObserverConfig config;
     read_parameter(private_, "limit", config.limit);
     config_ = std::make_shared<ObserverConfig>(config);
@@ -78,11 +86,21 @@ private:
   void connect_senders()
   {
     ObserverPassthrough passthrough;
-    passthrough.log = Logger(write_log);
+    passthrough.log = log_;
     passthrough.now = [] {
         return Time(static_cast<std::int64_t>(ros::Time::now().toNSec()));
       };
+    passthrough.sleep = [this](double seconds) {return clock_.sleep(seconds);};
     impl_ = std::make_unique<ObserverImpl>(passthrough);
+  }
+
+  /// Receive and update until the node stops.
+  void work()
+  {
+    if (!supervisor_.stopping()) {
+      supervisor_.guard("connect_receivers", [this] {connect_receivers();});
+    }
+    loop_.run(supervisor_, log_, [this] {update();});
   }
 
   /// Create subscriptions and servers; callbacks that may block get their own thread.
@@ -98,7 +116,7 @@ private:
   void update()
   {
     data_.in_status_updated = in_status_.take(data_.in_status);
-    impl_->update(data_, *config_);
+    supervisor_.step("update", [this] {impl_->update(data_, *config_); return true;});
   }
 
   /// Subscribe to a topic whose latest message is an input of the next cycle.
@@ -106,24 +124,31 @@ private:
   void subscribe(
     ros::NodeHandle & node,
     const std::string & topic,
-    const Inbox<Message> & inbox)
+    const Inbox<Message> & inbox,
+    std::uint32_t queue_size = 10,
+    const ros::TransportHints & hints = ros::TransportHints())
   {
     subscribers_.push_back(
       node.subscribe<Message, const boost::shared_ptr<Message> &>(
         topic,
-        QUEUE,
+        queue_size,
         [inbox](const boost::shared_ptr<Message> & message) {
           inbox.put(message);
-        }));
+        },
+        ros::VoidConstPtr(),
+        hints));
   }
 
+  Supervisor & supervisor_;
+  Logger log_{write_log};
   ros::NodeHandle node_;
   ros::NodeHandle private_{"~"};
+  Clock clock_{node_, supervisor_.waits()};
   std::shared_ptr<const ObserverConfig> config_;
+  Loop loop_{clock_, FREQUENCY};
   ObserverData data_;
   Inbox<observer_types::InStatus> in_status_;
   std::unique_ptr<ObserverImpl> impl_;
-  bool configured_ = false;
   std::vector<ros::Subscriber> subscribers_;
   ros::AsyncSpinner spinner_{1};
 };
@@ -132,12 +157,5 @@ private:
 
 int main(int argc, char ** argv)
 {
-  ros::init(argc, argv, "observer");
-  all_kinds::set_log_level();
-  try {
-    return all_kinds::ObserverNode().run() ? 0 : 1;
-  } catch (const std::exception & error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
+  return all_kinds::run_node<all_kinds::ObserverNode>(argc, argv, "observer");
 }

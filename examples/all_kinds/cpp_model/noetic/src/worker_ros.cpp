@@ -1,89 +1,102 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The node worker: its life-cycle and its ROS interfaces.
+// The node worker: its lifecycle and its ROS interfaces.
 // Generated from all_kinds.ros_package.
 // The logic is in worker_impl.cpp.
 
 #include <cstdint>
-#include <exception>
 #include <functional>
-#include <list>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "action_server.hpp"
 #include "all_kinds/WorkerDynamicConfig.h"
 #include "all_kinds/worker_impl.hpp"
 #include "all_kinds/worker_interface.hpp"
-#include "callback_thread.hpp"
 #include "dynamic_reconfigure/server.h"
-#include "inbox.hpp"
-#include "parameters.hpp"
+#include "ros/action_server.hpp"
+#include "ros/callback_thread.hpp"
+#include "ros/clock.hpp"
+#include "ros/inbox.hpp"
+#include "ros/loop.hpp"
+#include "ros/parameters.hpp"
+#include "ros/process.hpp"
+#include "ros/receiver.hpp"
 #include "ros/ros.h"
-#include "ros_action_client.hpp"
-#include "ros_log.hpp"
-#include "ros_publisher.hpp"
-#include "ros_service_client.hpp"
-#include "ros_transforms.hpp"
+#include "ros/ros_action_client.hpp"
+#include "ros/ros_log.hpp"
+#include "ros/ros_publisher.hpp"
+#include "ros/ros_service_client.hpp"
+#include "ros/ros_transforms.hpp"
+#include "ros/sending.hpp"
+#include "ros/supervisor.hpp"
 
 namespace all_kinds
 {
 
 constexpr double FREQUENCY = 20.0;  // Hz
-constexpr std::uint32_t QUEUE = 10;  // messages kept for a topic
 
-/// A node that runs its logic at a fixed frequency until shutdown.
+/// The node and its life: configure, activate, update until it stops, deactivate, cleanup.
 class WorkerNode
 {
 public:
   /// Read the parameters, create publishers and clients, and construct the logic.
-  WorkerNode()
+  explicit WorkerNode(Supervisor & supervisor)
+  : supervisor_(supervisor)
   {
     read_parameters();
     connect_senders();
+    spinner_.start();
   }
 
   WorkerNode(const WorkerNode &) = delete;
   WorkerNode & operator=(const WorkerNode &) = delete;
 
-  /// Destroy subscriptions and servers, then clean up the logic.
   ~WorkerNode()
   {
     spinner_.stop();
-    action_servers_.clear();
-    services_.clear();
-    subscribers_.clear();
-    threads_.clear();
-    if (configured_) {
-      impl_->cleanup();
-    }
   }
 
-  /// Configure the logic, connect its callbacks, and run the update loop until shutdown.
-  bool run()
+  /// Go through the lifecycle, in the thread of the logic.
+  void live()
   {
-    if (!impl_->configure(*config_)) {
-      ROS_FATAL("The logic rejected its configuration.");
-      return false;
+    if (!supervisor_.step("configure", [this] {return impl_->configure(*current_config());})) {
+      supervisor_.refuse("The logic refused to configure.");
+      return;
     }
-    configured_ = true;
-    connect_receivers();
-    spinner_.start();
-    ros::Rate rate(FREQUENCY);
-    while (ros::ok()) {
-      update();
-      rate.sleep();
+    supervisor_.set_state("inactive");
+    const auto activate = [this] {return impl_->activate();};
+    if (!supervisor_.stopping() && supervisor_.step("activate", activate)) {
+      supervisor_.set_state("active");
+      work();
+      supervisor_.set_state("deactivating");
+      supervisor_.waits().clear();
+      supervisor_.step("deactivate", [this] {impl_->deactivate(); return true;});
+    } else {
+      supervisor_.refuse("The logic refused to activate.");
     }
-    return true;
+    action_delegate_->cancel();
+    supervisor_.set_state("cleaning up");
+    supervisor_.waits().clear();
+    supervisor_.step("cleanup", [this] {impl_->cleanup(); return true;});
+  }
+
+  /// Abort the goals whose execution does not end.
+  void abort_goals()
+  {
+    for (const auto & receiver : receivers_) {
+      receiver->stop();
+      receiver->abandon();
+    }
   }
 
 private:
   void read_parameters()
   {
+    supervisor_.set_stop_timeout(private_.param("stop_timeout", 2.0));
     WorkerConfig config;
     read_parameter(private_, "prefix", config.prefix);
     read_parameter(private_, "weights", config.weights);
@@ -98,47 +111,66 @@ private:
   void connect_senders()
   {
     WorkerPassthrough passthrough;
-    passthrough.log = Logger(write_log);
+    passthrough.log = log_;
     passthrough.now = [] {
         return Time(static_cast<std::int64_t>(ros::Time::now().toNSec()));
       };
+    passthrough.sleep = [this](double seconds) {return clock_.sleep(seconds);};
     out_counter_ = node_.advertise<worker_types::OutCounter>(
       "counter",
-      QUEUE);
+      10);
     out_status_ = node_.advertise<worker_types::OutStatus>(
       "/status",
-      QUEUE);
+      10);
     passthrough.pub_echo = advertise<worker_types::PubEcho>(
       node_,
-      "echo");
+      "echo",
+      10);
     passthrough.pub_empty = advertise<worker_types::PubEmpty>(
       private_,
-      "empty");
+      "empty",
+      10);
     passthrough.client_permit = watch(
       "service permit",
       std::make_shared<RosServiceClient<worker_types::ClientPermit>>(
-        "permit"));
-    passthrough.action_delegate = watch(
+        "permit",
+        supervisor_.waits()));
+    passthrough.action_delegate = action_delegate_ = watch(
       "action delegate",
       std::make_shared<RosActionClient<worker_types::ActionDelegate>>(
         node_,
         "delegate"));
-    const auto listener = std::make_shared<RosTransformListener>();
+    const auto listener = std::make_shared<RosTransformListener>(supervisor_.waits());
     passthrough.listener_frames = listener;
     const auto broadcaster = std::make_shared<RosTransformBroadcaster>();
     passthrough.broadcaster_pose = broadcaster;
-    impl_ = std::make_unique<WorkerImpl>(passthrough);
-  }
-
-  /// Create subscriptions and servers; callbacks that may block get their own thread.
-  void connect_receivers()
-  {
     reconfigure_server_ =
       std::make_unique<dynamic_reconfigure::Server<WorkerDynamicConfig>>(private_);
     reconfigure_server_->setCallback(
       [this](const WorkerDynamicConfig & values, std::uint32_t) {
         reconfigure(values);
       });
+    timer_ = watch_.node().createWallTimer(
+      ros::WallDuration(2.0),
+      [this](const ros::WallTimerEvent &) {
+        report_missing_servers();
+      });
+    impl_ = std::make_unique<WorkerImpl>(passthrough);
+  }
+
+  /// Receive and update until the node stops.
+  void work()
+  {
+    if (!supervisor_.stopping()) {
+      supervisor_.guard("connect_receivers", [this] {connect_receivers();});
+    }
+    loop_.run(supervisor_, log_, [this] {update();});
+    stop_receivers();
+  }
+
+  /// Create subscriptions and servers; callbacks that may block get their own thread.
+  void connect_receivers()
+  {
     subscribe(
       node_,
       "speed",
@@ -150,24 +182,45 @@ private:
     subscribe_direct<worker_types::SayMessage>(
       node_,
       "say",
+      "receive_say",
       &WorkerImpl::receive_say);
     serve<worker_types::ResetService>(
       node_,
       "reset",
+      "serve_reset",
       &WorkerImpl::serve_reset);
     serve<worker_types::EnableService>(
       node_,
       "enable",
+      "serve_enable",
       &WorkerImpl::serve_enable);
     serve_action<worker_types::ComputeAction>(
       node_,
       "compute",
+      "execute_compute",
+      GoalPolicy::replace,
       &WorkerImpl::execute_compute);
-    timer_ = node_.createWallTimer(
-      ros::WallDuration(2.0),
-      [this](const ros::WallTimerEvent &) {
-        report_missing_servers();
-      });
+  }
+
+  /// Wait for the callbacks to return. Subscriptions and servers last as long as the node: it takes
+  /// an answer of the master to destroy them.
+  void stop_receivers()
+  {
+    for (const auto & receiver : receivers_) {
+      receiver->stop();
+    }
+    std::string late;
+    for (const auto & receiver : receivers_) {
+      if (!receiver->wait_until(supervisor_.deadline())) {
+        late += (late.empty() ? "" : ", ") + receiver->name();
+        receiver->abandon();
+      }
+    }
+    if (!late.empty()) {
+      supervisor_.report_late(late);
+      return;
+    }
+    wait_for_sending();  // the last responses and results
   }
 
   /// Run one cycle: take the latest messages, call update, publish the active outputs.
@@ -177,7 +230,11 @@ private:
     data_.in_counter_updated = in_counter_.take(data_.in_counter);
     data_.out_counter_active = true;
     data_.out_status_active = true;
-    impl_->update(data_, *current_config());
+    const bool returned = supervisor_.step(
+      "update", [this] {impl_->update(data_, *current_config()); return true;});
+    if (!returned) {
+      return;
+    }
     if (data_.out_counter_active) {
       out_counter_.publish(data_.out_counter);
     }
@@ -222,14 +279,19 @@ private:
       }
     }
     if (!missing.empty()) {
-      ROS_WARN_THROTTLE(10.0, "Waiting for %s.", missing.c_str());
+      log_.warning_throttle(10.0, "Waiting for " + missing + ".");
     }
   }
 
   template<typename Message>
-  std::shared_ptr<Publisher<Message>> advertise(ros::NodeHandle & node, const std::string & topic)
+  std::shared_ptr<Publisher<Message>> advertise(
+    ros::NodeHandle & node,
+    const std::string & topic,
+    std::uint32_t queue_size,
+    bool latch = false)
   {
-    return std::make_shared<RosPublisher<Message>>(node.advertise<Message>(topic, QUEUE));
+    return std::make_shared<RosPublisher<Message>>(
+      node.advertise<Message>(topic, queue_size, latch));
   }
 
   /// Subscribe to a topic whose latest message is an input of the next cycle.
@@ -237,15 +299,19 @@ private:
   void subscribe(
     ros::NodeHandle & node,
     const std::string & topic,
-    const Inbox<Message> & inbox)
+    const Inbox<Message> & inbox,
+    std::uint32_t queue_size = 10,
+    const ros::TransportHints & hints = ros::TransportHints())
   {
     subscribers_.push_back(
       node.subscribe<Message, const boost::shared_ptr<Message> &>(
         topic,
-        QUEUE,
+        queue_size,
         [inbox](const boost::shared_ptr<Message> & message) {
           inbox.put(message);
-        }));
+        },
+        ros::VoidConstPtr(),
+        hints));
   }
 
   /// Subscribe to a topic whose messages go directly to a callback of the logic.
@@ -253,16 +319,25 @@ private:
   void subscribe_direct(
     const ros::NodeHandle & node,
     const std::string & topic,
-    void (WorkerImpl::* receive)(const Message &))
+    const std::string & method,
+    void (WorkerImpl::* receive)(const Message &),
+    std::uint32_t queue_size = 10,
+    const ros::TransportHints & hints = ros::TransportHints())
   {
-    threads_.emplace_back(node);
+    const auto thread = std::make_shared<CallbackThread>(node, topic);
+    receivers_.push_back(thread);
     subscribers_.push_back(
-      threads_.back().node().subscribe<Message>(
+      thread->node().subscribe<Message>(
         topic,
-        QUEUE,
-        [this, receive](const boost::shared_ptr<const Message> & message) {
-          (impl_.get()->*receive)(*message);
-        }));
+        queue_size,
+        [this, method, receive](const boost::shared_ptr<const Message> & message) {
+          supervisor_.guard(
+            method, [&] {
+              (impl_.get()->*receive)(*message);
+            });
+        },
+        ros::VoidConstPtr(),
+        hints));
   }
 
   /// Create a service server.
@@ -270,19 +345,23 @@ private:
   void serve(
     const ros::NodeHandle & node,
     const std::string & name,
+    const std::string & method,
     void (WorkerImpl::* answer)(
       const typename Service::Request &,
       typename Service::Response &))
   {
     using Request = typename Service::Request;
     using Response = typename Service::Response;
-    threads_.emplace_back(node);
+    const auto thread = std::make_shared<CallbackThread>(node, name);
+    receivers_.push_back(thread);
     services_.push_back(
-      threads_.back().node().advertiseService<Request, Response>(
+      thread->node().advertiseService<Request, Response>(
         name,
-        [this, answer](auto & request, auto & response) {
-          (impl_.get()->*answer)(request, response);
-          return true;
+        [this, method, answer](auto & request, auto & response) {
+          return supervisor_.guard(
+            method, [&] {
+              (impl_.get()->*answer)(request, response);
+            });
         }));
   }
 
@@ -291,35 +370,44 @@ private:
   void serve_action(
     const ros::NodeHandle & node,
     const std::string & name,
+    const std::string & method,
+    GoalPolicy policy,
     void (WorkerImpl::* execute)(Goal<Action> &))
   {
-    action_servers_.push_back(
+    receivers_.push_back(
       std::make_shared<ActionServer<Action>>(
         node,
         name,
+        method,
+        policy,
+        supervisor_,
         [this, execute](auto & goal) {
           (impl_.get()->*execute)(goal);
         }));
   }
 
+  Supervisor & supervisor_;
+  Logger log_{write_log};
   ros::NodeHandle node_;
   ros::NodeHandle private_{"~"};
+  Clock clock_{node_, supervisor_.waits()};
   std::shared_ptr<const WorkerConfig> config_;
   std::mutex config_mutex_;
   std::unique_ptr<dynamic_reconfigure::Server<WorkerDynamicConfig>> reconfigure_server_;
+  Loop loop_{clock_, FREQUENCY};
   WorkerData data_;
   Inbox<worker_types::InSpeed> in_speed_;
   Inbox<worker_types::InCounter> in_counter_;
   ros::Publisher out_counter_;
   ros::Publisher out_status_;
+  std::shared_ptr<ActionClient<worker_types::ActionDelegate>> action_delegate_;
   std::vector<std::pair<std::string, std::function<bool()>>> servers_;
-  ros::WallTimer timer_;
   std::unique_ptr<WorkerImpl> impl_;
-  bool configured_ = false;
-  std::list<CallbackThread> threads_;
+  std::vector<std::shared_ptr<Receiver>> receivers_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;
-  std::vector<std::shared_ptr<void>> action_servers_;
+  CallbackThread watch_{node_, "watch"};
+  ros::WallTimer timer_;
   ros::AsyncSpinner spinner_{1};
 };
 
@@ -327,12 +415,5 @@ private:
 
 int main(int argc, char ** argv)
 {
-  ros::init(argc, argv, "worker");
-  all_kinds::set_log_level();
-  try {
-    return all_kinds::WorkerNode().run() ? 0 : 1;
-  } catch (const std::exception & error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
+  return all_kinds::run_node<all_kinds::WorkerNode>(argc, argv, "worker");
 }

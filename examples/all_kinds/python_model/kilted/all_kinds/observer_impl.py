@@ -29,6 +29,10 @@ class ObserverImpl:
         """Prepare the logic; return False to reject the configuration."""
         return True
 
+    def activate(self) -> bool:
+        """Start operating; return False to refuse activation."""
+        return True
+
     def update(
         self,
         data: ObserverData,
@@ -37,5 +41,8 @@ class ObserverImpl:
         """Compute the outputs of one cycle from the latest inputs."""
 
     # End of life
+    def deactivate(self) -> None:
+        """Stop everything that moves; publishers, service calls and goals still work here."""
+
     def cleanup(self) -> None:
         """Release everything created in configure."""

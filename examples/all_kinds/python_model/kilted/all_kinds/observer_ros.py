@@ -2,114 +2,74 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node observer: its life-cycle and its ROS interfaces.
+The node observer: its lifecycle and its ROS interfaces.
 
 Generated from all_kinds.ros_package; the logic is in observer_impl.py.
 """
 
-from contextlib import ExitStack
-from threading import Event, Lock, Thread
-import traceback
+from __future__ import annotations
 
+from threading import Lock
+from typing import Any, Callable, Optional
+
+from all_kinds.loop import Loop
+from all_kinds.managed_node import ManagedNode
 from all_kinds.observer_impl import ObserverImpl
 from all_kinds.observer_interface import (
     ObserverConfig,
     ObserverData,
     ObserverPassthrough,
 )
+from all_kinds.process import run
 from rcl_interfaces.msg import ParameterDescriptor
-import rclpy
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
-from rclpy.duration import Duration
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
-from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
+from rclpy.qos import QoSPolicyKind
 from rclpy.qos_overriding_options import QoSOverridingOptions
 import std_msgs.msg
 
 FREQUENCY = 12.5  # Hz
-QUEUE = 10  # messages kept for a topic, unless its QoS is overridden
+OVERRIDABLE_QOS = (
+    QoSPolicyKind.DEPTH,
+    QoSPolicyKind.DURABILITY,
+    QoSPolicyKind.HISTORY,
+    QoSPolicyKind.RELIABILITY,
+)
 
 
-class ObserverNode(LifecycleNode):
+class ObserverNode(ManagedNode):
     """
     A managed node that runs its logic at a fixed frequency while it is active.
 
-    Publishers and clients exist from configure on, subscriptions and servers while it is active.
+    Subscriptions exist while it is active.
     """
 
-    def __init__(self, **options) -> None:
-        """Declare the parameters; everything else is created in configure."""
+    fixed_parameters = [
+        'limit',
+    ]
+
+    def __init__(self, **options: Any) -> None:
+        """Declare the parameters."""
         super().__init__('observer', **options)
-        self.declare_parameter(
-            'autostart',
-            True,
-            ParameterDescriptor(
-                description='Whether the node configures and activates itself.',
-                read_only=True,
-            ),
-        )
         self.declare_parameter(
             'limit',
             100,
             ParameterDescriptor(
                 description='How many to keep',
-                read_only=True,
             ),
         )
         self._config = self._read_config()
-        self._configured = ExitStack()
-        self._active = ExitStack()
-        self._received = {}
+        self._received: dict[str, Any] = {}
         self._received_lock = Lock()
+        self._cycles = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
 
-    def start(self) -> None:
-        """Configure and activate the node if autostart is true."""
-        if not self.get_parameter('autostart').value:
-            return
-        if self.trigger_configure() == TransitionCallbackReturn.SUCCESS:
-            self.trigger_activate()
+    def _configure(self) -> bool:
+        """Configure the logic with the parameters."""
+        self._config = self._read_config()
+        return bool(self._impl.configure(self._config))
 
-    def on_configure(self, state) -> TransitionCallbackReturn:
-        """Create publishers and clients, then configure the logic."""
-        try:
-            self._connect_senders()
-            if self._impl.configure(self._config):
-                self._configured.callback(self._impl.cleanup)
-                return super().on_configure(state)
-            self.get_logger().error('The logic rejected its configuration.')
-        except Exception:
-            self.get_logger().error(traceback.format_exc())
-        self.release()
-        return TransitionCallbackReturn.FAILURE
-
-    def on_activate(self, state) -> TransitionCallbackReturn:
-        """Create subscriptions and servers, and start the update loop."""
-        result = super().on_activate(state)
-        self._connect_receivers()
-        return result
-
-    def on_deactivate(self, state) -> TransitionCallbackReturn:
-        """Stop the update loop and destroy subscriptions and servers."""
-        self._active.close()
-        return super().on_deactivate(state)
-
-    def on_cleanup(self, state) -> TransitionCallbackReturn:
-        """Release everything created in configure."""
-        self.release()
-        return super().on_cleanup(state)
-
-    def on_shutdown(self, state) -> TransitionCallbackReturn:
-        """Shut down from any state."""
-        self.release()
-        return super().on_shutdown(state)
-
-    def release(self) -> None:
-        """Destroy all connections to ROS and clean up the logic."""
-        self._active.close()
-        try:
-            self._configured.close()
-        except Exception:
-            self.get_logger().error(traceback.format_exc())
+    def _loop(self) -> None:
+        """Call update until the node stops."""
+        self._cycles.run(self.stop)
 
     def _read_config(self) -> ObserverConfig:
         """Return the current parameters."""
@@ -123,38 +83,20 @@ class ObserverNode(LifecycleNode):
         self._impl = ObserverImpl(
             ObserverPassthrough(
                 log=self.get_logger(),
-                now=lambda: self.get_clock().now().nanoseconds * 1e-9,
-                stamp=lambda: self.get_clock().now().to_msg(),
+                now=self._time.now,
+                stamp=self._time.stamp,
+                sleep=self._time.sleep,
             ),
         )
 
     def _connect_receivers(self) -> None:
-        """Create subscriptions, servers and the update loop."""
+        """Create subscriptions and servers."""
+        self._received = {}
         self._subscribe(
             std_msgs.msg.String,
             '/status',
             self._receive_status,
         )
-        stop = Event()
-        loop = Thread(target=self._loop, args=(stop,), daemon=True)
-        self._active.callback(loop.join, timeout=1.0)
-        self._active.callback(stop.set)
-        loop.start()
-
-    def _loop(self, stop) -> None:
-        """Run update at FREQUENCY until stopped; skip missed cycles."""
-        clock = self.get_clock()
-        period = Duration(seconds=1.0 / FREQUENCY)
-        due = clock.now()
-        while not stop.is_set() and self.context.ok():
-            try:
-                self._update()
-            except Exception as error:
-                self.executor.create_task(fail, error)
-                return
-            now = clock.now()
-            due = min(max(due + period, now), now + period)
-            clock.sleep_until(due, self.context)
 
     def _update(self) -> None:
         """Run one cycle: take the latest messages, call update, publish the active outputs."""
@@ -165,41 +107,30 @@ class ObserverNode(LifecycleNode):
         data.in_status_updated = 'status' in received
         self._impl.update(data, self._config)
 
-    def _receive_status(self, message) -> None:
+    def _receive_status(self, message: Any) -> None:
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['status'] = message
 
-    def _subscribe(self, message_type, topic, callback) -> None:
-        """Create a subscription that allows QoS overrides."""
+    def _subscribe(
+        self,
+        message_type: Any,
+        topic: str,
+        callback: Callable[[Any], Any],
+        qos: Any = 10,
+    ) -> None:
+        """Create a subscription; its QoS, a profile or a depth, can be overridden."""
         subscription = self.create_subscription(
             message_type,
             topic,
             callback,
-            QUEUE,
+            qos,
             callback_group=MutuallyExclusiveCallbackGroup(),
-            qos_overriding_options=QoSOverridingOptions.with_default_policies(),
+            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
         )
         self._active.callback(self.destroy_subscription, subscription)
 
 
-def fail(error) -> None:
-    """Re-raise an exception of the update loop in the executor."""
-    raise error
-
-
-def main(args=None) -> None:
-    """Spin the node until ROS shuts down."""
-    rclpy.init(args=args)
-    node = ObserverNode()
-    executor = SingleThreadedExecutor()
-    executor.add_node(node)
-    Thread(target=node.start, daemon=True).start()
-    try:
-        executor.spin()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.release()
-        node.destroy_node()
-        rclpy.try_shutdown()
+def main(args: Optional[list[str]] = None) -> int:
+    """Run the node until it is told to stop; return the exit code of the process."""
+    return run(ObserverNode, args)

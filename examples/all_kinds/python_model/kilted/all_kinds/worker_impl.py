@@ -8,6 +8,12 @@ Edit this file: worker_interface.py declares what the logic can use.
 """
 
 from all_kinds.worker_interface import (
+    ComputeGoal,
+    EnableRequest,
+    EnableResponse,
+    ResetRequest,
+    ResetResponse,
+    SayMessage,
     WorkerConfig,
     WorkerData,
     WorkerPassthrough,
@@ -29,6 +35,10 @@ class WorkerImpl:
         """Prepare the logic; return False to reject the configuration."""
         return True
 
+    def activate(self) -> bool:
+        """Start operating; return False to refuse activation."""
+        return True
+
     def update(
         self,
         data: WorkerData,
@@ -37,24 +47,41 @@ class WorkerImpl:
         """Compute the outputs of one cycle from the latest inputs."""
 
     # Topic say
-    def receive_say(self, message) -> None:
+    def receive_say(
+        self,
+        message: SayMessage,
+    ) -> None:
         """Handle a message when it arrives."""
 
     # Service reset
-    def serve_reset(self, request, response):
+    def serve_reset(
+        self,
+        request: ResetRequest,
+        response: ResetResponse,
+    ) -> ResetResponse:
         """Fill in the response and return it."""
         return response
 
     # Service enable
-    def serve_enable(self, request, response):
+    def serve_enable(
+        self,
+        request: EnableRequest,
+        response: EnableResponse,
+    ) -> EnableResponse:
         """Fill in the response and return it."""
         return response
 
     # Action compute
-    def execute_compute(self, goal) -> None:
-        """Execute a goal until it succeeds, is aborted, or a cancel is requested."""
+    def execute_compute(
+        self,
+        goal: ComputeGoal,
+    ) -> None:
+        """Execute a goal and set its outcome; replace this stub, which reports success."""
         goal.succeed()
 
     # End of life
+    def deactivate(self) -> None:
+        """Stop everything that moves; publishers, service calls and goals still work here."""
+
     def cleanup(self) -> None:
         """Release everything created in configure."""

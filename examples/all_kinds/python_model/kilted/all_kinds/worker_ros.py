@@ -2,20 +2,20 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node worker: its life-cycle and its ROS interfaces.
+The node worker: its lifecycle and its ROS interfaces.
 
 Generated from all_kinds.ros_package; the logic is in worker_impl.py.
 """
 
-from contextlib import ExitStack
-from threading import Event, Lock, Thread
-import traceback
+from __future__ import annotations
 
-from all_kinds.action_client import ActionClient
-from all_kinds.action_server import ActionServer
-from all_kinds.service_client import ServiceClient
+from threading import Lock
+from typing import Any, Callable, Optional
+
+from all_kinds.loop import Loop
+from all_kinds.managed_node import ManagedNode
+from all_kinds.process import run
 from all_kinds.transforms import TransformBroadcaster, TransformListener
-from all_kinds.worker import Worker
 from all_kinds.worker_impl import WorkerImpl
 from all_kinds.worker_interface import (
     WorkerConfig,
@@ -24,44 +24,46 @@ from all_kinds.worker_interface import (
 )
 import geometry_msgs.msg
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
-import rclpy
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from rclpy.duration import Duration
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
-from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.parameter import Parameter
+from rclpy.publisher import Publisher
+from rclpy.qos import QoSPolicyKind
 from rclpy.qos_overriding_options import QoSOverridingOptions
 import std_msgs.msg
 import std_srvs.srv
 import test_msgs.action
 
 FREQUENCY = 20  # Hz
-QUEUE = 10  # messages kept for a topic, unless its QoS is overridden
+OVERRIDABLE_QOS = (
+    QoSPolicyKind.DEPTH,
+    QoSPolicyKind.DURABILITY,
+    QoSPolicyKind.HISTORY,
+    QoSPolicyKind.RELIABILITY,
+)
 
 
-class WorkerNode(LifecycleNode):
+class WorkerNode(ManagedNode):
     """
     A managed node that runs its logic at a fixed frequency while it is active.
 
-    Publishers and clients exist from configure on, subscriptions and servers while it is active.
+    Publishers and service clients exist from configure to cleanup. Subscriptions and service
+    servers exist while it is active. Action clients and action servers exist as long as the node;
+    while inactive, a server rejects goals.
     """
 
-    def __init__(self, **options) -> None:
-        """Declare the parameters; everything else is created in configure."""
+    fixed_parameters = [
+        'prefix',
+        'weights',
+    ]
+
+    def __init__(self, **options: Any) -> None:
+        """Declare the parameters and create what lives as long as the node."""
         super().__init__('worker', **options)
-        self.declare_parameter(
-            'autostart',
-            True,
-            ParameterDescriptor(
-                description='Whether the node configures and activates itself.',
-                read_only=True,
-            ),
-        )
         self.declare_parameter(
             'prefix',
             'it\'s "said" <so> & für immer',
             ParameterDescriptor(
                 description='What stands before a status, e.g. "a" < \'b\' and so on',
-                read_only=True,
             ),
         )
         self.declare_parameter(
@@ -69,7 +71,6 @@ class WorkerNode(LifecycleNode):
             (0.5, 1.0, 2000.0),
             ParameterDescriptor(
                 description='Weights of the inputs',
-                read_only=True,
             ),
         )
         self.declare_parameter(
@@ -115,73 +116,28 @@ class WorkerNode(LifecycleNode):
         )
         self._config = self._read_config()
         self.add_post_set_parameters_callback(self._apply_parameters)
-        self._configured = ExitStack()
-        self._active = ExitStack()
-        self._action_client_delegate = ActionClient(
-            self,
+        self._action_client_delegate = self._action_client(
             test_msgs.action.Fibonacci,
             'delegate',
         )
-        self._action_server_compute = ActionServer(
-            self,
+        self._action_server_compute = self._action_server(
             test_msgs.action.Fibonacci,
             'compute',
-            lambda goal: self._impl.execute_compute(goal),
+            'execute_compute',
+            new_goal='replace',
         )
-        self._servers = {
-            'action delegate': self._action_client_delegate,
-        }
-        self._received = {}
+        self._received: dict[str, Any] = {}
         self._received_lock = Lock()
+        self._cycles = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
 
-    def start(self) -> None:
-        """Configure and activate the node if autostart is true."""
-        if not self.get_parameter('autostart').value:
-            return
-        if self.trigger_configure() == TransitionCallbackReturn.SUCCESS:
-            self.trigger_activate()
+    def _configure(self) -> bool:
+        """Configure the logic with the parameters."""
+        self._config = self._read_config()
+        return bool(self._impl.configure(self._config))
 
-    def on_configure(self, state) -> TransitionCallbackReturn:
-        """Create publishers and clients, then configure the logic."""
-        try:
-            self._connect_senders()
-            if self._impl.configure(self._config):
-                self._configured.callback(self._impl.cleanup)
-                return super().on_configure(state)
-            self.get_logger().error('The logic rejected its configuration.')
-        except Exception:
-            self.get_logger().error(traceback.format_exc())
-        self.release()
-        return TransitionCallbackReturn.FAILURE
-
-    def on_activate(self, state) -> TransitionCallbackReturn:
-        """Create subscriptions and servers, and start the update loop."""
-        result = super().on_activate(state)
-        self._connect_receivers()
-        return result
-
-    def on_deactivate(self, state) -> TransitionCallbackReturn:
-        """Stop the update loop and destroy subscriptions and servers."""
-        self._active.close()
-        return super().on_deactivate(state)
-
-    def on_cleanup(self, state) -> TransitionCallbackReturn:
-        """Release everything created in configure."""
-        self.release()
-        return super().on_cleanup(state)
-
-    def on_shutdown(self, state) -> TransitionCallbackReturn:
-        """Shut down from any state."""
-        self.release()
-        return super().on_shutdown(state)
-
-    def release(self) -> None:
-        """Destroy all connections to ROS and clean up the logic."""
-        self._active.close()
-        try:
-            self._configured.close()
-        except Exception:
-            self.get_logger().error(traceback.format_exc())
+    def _loop(self) -> None:
+        """Call update until the node stops."""
+        self._cycles.run(self.stop)
 
     def _read_config(self) -> WorkerConfig:
         """Return the current parameters."""
@@ -194,16 +150,17 @@ class WorkerNode(LifecycleNode):
             label=self.get_parameter('label').value,
         )
 
-    def _apply_parameters(self, parameters) -> None:
+    def _apply_parameters(self, _parameters: list[Parameter[Any]]) -> None:
         """Update the configuration with the changed parameters."""
         self._config = self._read_config()
 
     def _connect_senders(self) -> None:
         """Create publishers and clients, then the logic."""
-        listener = TransformListener(self)
+        listener = TransformListener(self, self.stop)
         self._configured.callback(listener.close)
         broadcaster = TransformBroadcaster(self)
-        self._configured.callback(self._action_client_delegate.forget)
+        self._configured.callback(broadcaster.close)
+        self._configured.callback(self._action_client_delegate.reset)
         self._data = WorkerData()
         self._out_counter = self._advertise(
             std_msgs.msg.Int64,
@@ -216,8 +173,9 @@ class WorkerNode(LifecycleNode):
         self._impl = WorkerImpl(
             WorkerPassthrough(
                 log=self.get_logger(),
-                now=lambda: self.get_clock().now().nanoseconds * 1e-9,
-                stamp=lambda: self.get_clock().now().to_msg(),
+                now=self._time.now,
+                stamp=self._time.stamp,
+                sleep=self._time.sleep,
                 pub_echo=self._advertise(
                     std_msgs.msg.String,
                     'echo',
@@ -237,7 +195,8 @@ class WorkerNode(LifecycleNode):
         )
 
     def _connect_receivers(self) -> None:
-        """Create subscriptions, servers and the update loop."""
+        """Create subscriptions and servers."""
+        self._received = {}
         self._subscribe(
             geometry_msgs.msg.Twist,
             'speed',
@@ -251,41 +210,22 @@ class WorkerNode(LifecycleNode):
         self._subscribe(
             std_msgs.msg.String,
             'say',
-            Worker(self, self._impl.receive_say).run,
+            self._callback(
+                'say',
+                'receive_say',
+            ).receive,
         )
         self._serve(
             std_srvs.srv.Empty,
             'reset',
-            Worker(self, self._impl.serve_reset).run,
+            'serve_reset',
         )
         self._serve(
             std_srvs.srv.SetBool,
             'enable',
-            Worker(self, self._impl.serve_enable).run,
+            'serve_enable',
         )
-        self._active.enter_context(self._action_server_compute)
-        timer = self.create_timer(2.0, self._report_missing_servers)
-        self._active.callback(self.destroy_timer, timer)
-        stop = Event()
-        loop = Thread(target=self._loop, args=(stop,), daemon=True)
-        self._active.callback(loop.join, timeout=1.0)
-        self._active.callback(stop.set)
-        loop.start()
-
-    def _loop(self, stop) -> None:
-        """Run update at FREQUENCY until stopped; skip missed cycles."""
-        clock = self.get_clock()
-        period = Duration(seconds=1.0 / FREQUENCY)
-        due = clock.now()
-        while not stop.is_set() and self.context.ok():
-            try:
-                self._update()
-            except Exception as error:
-                self.executor.create_task(fail, error)
-                return
-            now = clock.now()
-            due = min(max(due + period, now), now + period)
-            clock.sleep_until(due, self.context)
+        self._action_server_compute.accept_goals(True)
 
     def _update(self) -> None:
         """Run one cycle: take the latest messages, call update, publish the active outputs."""
@@ -304,87 +244,46 @@ class WorkerNode(LifecycleNode):
         if data.out_status_active:
             self._out_status.publish(data.out_status)
 
-    def _receive_speed(self, message) -> None:
+    def _receive_speed(self, message: Any) -> None:
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['speed'] = message
 
-    def _receive_counter(self, message) -> None:
+    def _receive_counter(self, message: Any) -> None:
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['counter'] = message
 
-    def _report_missing_servers(self) -> None:
-        """Warn about servers that are not available."""
-        missing = [name for name, client in self._servers.items() if not client.is_ready()]
-        if missing:
-            self.get_logger().warning(
-                'Waiting for ' + ', '.join(missing) + '.',
-                throttle_duration_sec=10.0,
-            )
-
-    def _advertise(self, message_type, topic):
-        """Create a publisher that allows QoS overrides."""
-        publisher = self.create_lifecycle_publisher(
+    def _advertise(self, message_type: Any, topic: str, qos: Any = 10) -> Publisher[Any]:
+        """Create a publisher; its QoS, a profile or a depth, can be overridden."""
+        publisher = self.create_publisher(
             message_type,
             topic,
-            QUEUE,
-            qos_overriding_options=QoSOverridingOptions.with_default_policies(),
+            qos,
+            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
         )
-        self._configured.callback(self.destroy_lifecycle_publisher, publisher)
+        self._configured.callback(self._drop_publisher, publisher)
         return publisher
 
-    def _service_client(self, service_type, name) -> ServiceClient:
-        """Create a client whose responses arrive while a callback waits."""
-        client = self.create_client(
-            service_type,
-            name,
-            callback_group=ReentrantCallbackGroup(),
-        )
-        self._configured.callback(self.destroy_client, client)
-        self._servers['service ' + name] = ServiceClient(client)
-        return self._servers['service ' + name]
-
-    def _subscribe(self, message_type, topic, callback) -> None:
-        """Create a subscription that allows QoS overrides."""
+    def _subscribe(
+        self,
+        message_type: Any,
+        topic: str,
+        callback: Callable[[Any], Any],
+        qos: Any = 10,
+    ) -> None:
+        """Create a subscription; its QoS, a profile or a depth, can be overridden."""
         subscription = self.create_subscription(
             message_type,
             topic,
             callback,
-            QUEUE,
+            qos,
             callback_group=MutuallyExclusiveCallbackGroup(),
-            qos_overriding_options=QoSOverridingOptions.with_default_policies(),
+            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
         )
         self._active.callback(self.destroy_subscription, subscription)
 
-    def _serve(self, service_type, name, callback) -> None:
-        """Create a service server."""
-        service = self.create_service(
-            service_type,
-            name,
-            callback,
-            callback_group=MutuallyExclusiveCallbackGroup(),
-        )
-        self._active.callback(self.destroy_service, service)
 
-
-def fail(error) -> None:
-    """Re-raise an exception of the update loop in the executor."""
-    raise error
-
-
-def main(args=None) -> None:
-    """Spin the node until ROS shuts down."""
-    rclpy.init(args=args)
-    node = WorkerNode()
-    executor = SingleThreadedExecutor()
-    executor.add_node(node)
-    Thread(target=node.start, daemon=True).start()
-    try:
-        executor.spin()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.release()
-        node.destroy_node()
-        rclpy.try_shutdown()
+def main(args: Optional[list[str]] = None) -> int:
+    """Run the node until it is told to stop; return the exit code of the process."""
+    return run(WorkerNode, args)

@@ -3,10 +3,18 @@
 
 """A non-blocking action client."""
 
-from actionlib import GoalStatus, SimpleActionClient
-import rospy
+from __future__ import annotations
 
-STATES = {
+from threading import Lock
+from time import monotonic
+from typing import Any, List, Optional
+
+import actionlib
+from actionlib import CommState, GoalStatus
+from actionlib_msgs.msg import GoalID
+
+PATIENCE = 1.0  # seconds without a server until its goals are lost
+OUTCOMES = {
     GoalStatus.REJECTED: 'rejected',
     GoalStatus.SUCCEEDED: 'succeeded',
     GoalStatus.ABORTED: 'aborted',
@@ -24,50 +32,122 @@ class ActionClient:
     result: the result message once the goal has ended, or None.
     """
 
-    def __init__(self, name, action_type):
+    def __init__(self, name: str, action_type: Any) -> None:
         """Create the client."""
         self.Goal = type(action_type().action_goal.goal)
-        self.state = 'idle'
-        self.feedback = None
-        self.result = None
-        self._sent = None
-        self._client = SimpleActionClient(name, action_type)
+        self._client = actionlib.ActionClient(name, action_type)
+        self._goal = SentGoal(self._client, 'idle')
+        self._under_way: List[SentGoal] = []
+        self._last_seen = monotonic()
 
-    def is_ready(self):
-        """Return whether a server is available."""
-        return self._client.wait_for_server(rospy.Duration(0.001))
+    @property
+    def state(self) -> str:
+        """Return the state of the goal."""
+        return self._goal.state
 
-    def send_goal(self, goal):
-        """Send a goal, replacing the previous one; return False if no server is available."""
-        self.feedback = None
-        self.result = None
-        if not self.is_ready():
-            self.state = 'lost'
+    @property
+    def feedback(self) -> Optional[Any]:
+        """Return the latest feedback."""
+        return self._goal.feedback
+
+    @property
+    def result(self) -> Optional[Any]:
+        """Return the result."""
+        return self._goal.result
+
+    def is_ready(self) -> bool:
+        """Return whether a server is available: connected by all topics, and heard."""
+        status = self._client.last_status_msg
+        if status is None:
             return False
-        self.state = 'pending'
-        self._sent = sent = object()
-        self._client.send_goal(
-            goal,
-            done_cb=lambda status, result: self._receive_result(sent, status, result),
-            active_cb=lambda: self._receive_start(sent),
-            feedback_cb=lambda feedback: self._receive_feedback(sent, feedback),
+        server = status._connection_header['callerid']
+        heard = (self._client.status_sub, self._client.result_sub, self._client.feedback_sub)
+        told = (self._client.pub_goal, self._client.pub_cancel)
+        return all(publisher.impl.has_connection(server) for publisher in told) and all(
+            any(connection.callerid_pub == server for connection in topic.impl.connections)
+            for topic in heard
         )
+
+    def send_goal(self, goal: Any) -> bool:
+        """Send a goal and cancel the one before; return False if no server is available."""
+        self.cancel()
+        if not self.is_ready():
+            self._goal = SentGoal(self._client, 'lost')
+            return False
+        self._last_seen = monotonic()
+        self._goal = SentGoal(self._client, 'pending')
+        self._under_way = [sent for sent in self._under_way if sent.is_under_way()]
+        self._under_way.append(self._goal)
+        self._goal.send(goal)
         return True
 
-    def cancel(self):
+    def cancel(self) -> None:
         """Ask the server to cancel the goal."""
-        if self.state in ('pending', 'active'):
-            self._client.cancel_goal()
+        self._goal.cancel()
 
-    def _receive_start(self, sent):
-        if sent is self._sent:
-            self.state = 'active'
+    def watch(self) -> None:
+        """Give the goals up as lost if the server has been away for too long."""
+        if self.is_ready():
+            self._last_seen = monotonic()
+        elif monotonic() - self._last_seen >= PATIENCE:
+            for sent in self._under_way:
+                sent.lose()
 
-    def _receive_feedback(self, sent, feedback):
-        if sent is self._sent:
-            self.feedback = feedback
 
-    def _receive_result(self, sent, status, result):
-        if sent is self._sent:
+class SentGoal:
+    """A goal on its way to its end; its attributes are those of the client."""
+
+    def __init__(self, client: actionlib.ActionClient, state: str) -> None:
+        """Prepare a goal that is pending, or stand for none."""
+        self.state = state
+        self.feedback: Optional[Any] = None
+        self.result: Optional[Any] = None
+        self._client = client
+        self._handle: Optional[actionlib.ClientGoalHandle] = None
+        self._lock = Lock()  # goals end in the threads of topics and in the one that watches
+
+    def is_under_way(self) -> bool:
+        """Return whether the goal has not ended."""
+        return self.state in ('pending', 'active')
+
+    def send(self, goal: Any) -> None:
+        """Send the goal message."""
+        self._handle = self._client.send_goal(goal, self._receive_state, self._receive_feedback)
+
+    def cancel(self) -> None:
+        """Ask the server to cancel the goal."""
+        handle = self._handle
+        if handle is not None and self.is_under_way():
+            # handle.cancel() would take a goal for lost that the server has yet to list.
+            machine = handle.comm_state_machine
+            machine.send_cancel_fn(GoalID(id=machine.action_goal.goal_id.id))
+
+    def lose(self) -> None:
+        """Give the goal up, unless it has ended."""
+        self._end('lost')
+
+    def _receive_state(self, handle: actionlib.ClientGoalHandle) -> None:
+        state = handle.get_comm_state()
+        if state in (CommState.ACTIVE, CommState.PREEMPTING):
+            self._become_active()
+        elif state == CommState.DONE:
+            self._end(OUTCOMES.get(handle.get_goal_status(), 'lost'), handle.get_result())
+
+    def _receive_feedback(self, _handle: actionlib.ClientGoalHandle, feedback: Any) -> None:
+        self.feedback = feedback
+
+    def _become_active(self) -> None:
+        with self._lock:
+            if self.is_under_way():
+                self.state = 'active'
+
+    def _end(self, state: str, result: Optional[Any] = None) -> None:
+        with self._lock:
+            if not self.is_under_way():
+                return
             self.result = result
-            self.state = STATES.get(status, 'lost')
+            self.state = state
+        self._handle = None
+        manager = self._client.manager  # of actionlib, which keeps the goals that have ended
+        with manager.list_mutex:
+            manager.statuses = [goal for goal in manager.statuses if goal() is not None]

@@ -8,9 +8,16 @@ Generated from all_kinds.ros_package; change the interface there.
 """
 
 from dataclasses import dataclass
-from typing import Any, Callable
+from typing import Callable
 
+from all_kinds.protocols import (
+    Log,
+    Stamp,
+)
 import std_msgs.msg
+
+# Message, service and action types, under the same names in ROS 1 and ROS 2.
+InStatus = std_msgs.msg.String
 
 
 @dataclass(frozen=True)
@@ -32,7 +39,7 @@ class ObserverData:
     def __init__(self) -> None:
         """Create empty messages."""
         # What the worker does
-        self.in_status = std_msgs.msg.String()
+        self.in_status = InStatus()
         self.in_status_updated = False
 
 
@@ -41,10 +48,13 @@ class ObserverPassthrough:
     """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
 
     # The node's logger: log.debug(text), log.info, log.warning, log.error.
-    log: Any
+    log: Log
 
     # Returns the ROS time in seconds.
     now: Callable[[], float]
 
     # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Any]
+    stamp: Callable[[], Stamp]
+
+    # Waits that many seconds of ROS time; returns False at once when the node stops.
+    sleep: Callable[[float], bool]

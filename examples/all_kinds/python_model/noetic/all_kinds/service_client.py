@@ -3,49 +3,69 @@
 
 """Service calls with a timeout."""
 
-from queue import Empty, SimpleQueue
+from __future__ import annotations
+
+from concurrent.futures import Future
 from threading import Thread
 from time import monotonic
+from typing import Any, Optional
 
+from all_kinds.stop import Stop
 import rosgraph
 import rospy
+from rospy.impl.tcpros_base import TCPROSTransport
+
+DISCOVERY = 0.1  # seconds between two looks for a server
 
 
 class ServiceClient:
-    """A client of a service, for use in any callback."""
+    """A client of a service, for use in any method of the logic."""
 
-    def __init__(self, name, service_type):
+    def __init__(self, name: str, service_type: Any, stop: Stop) -> None:
         """Create the client."""
         self._name = rospy.resolve_name(name)
         self._service_type = service_type
-        self._master = rosgraph.Master(rospy.get_name())
-        self.Request = service_type._request_class
+        self._stop = stop
 
-    def is_ready(self):
+    def is_ready(self) -> bool:
         """Return whether a server is available."""
+        master = rosgraph.Master(rospy.get_name())  # of its own, as threads cannot share one
         try:
-            self._master.lookupService(self._name)
-        except rosgraph.MasterException:
+            master.lookupService(self._name)
+        except (rosgraph.MasterException, OSError):
             return False
         return True
 
-    def call(self, request, timeout=1.0):
-        """Return the response, or None if none arrives within `timeout` seconds."""
+    def call(self, request: Any, timeout: float = 1.0) -> Optional[Any]:
+        """Return the response, or None after `timeout` seconds or when the node stops."""
         end = monotonic() + timeout
-        try:
-            rospy.wait_for_service(self._name, max(timeout, 0.001))  # 0 is not allowed
-        except rospy.ROSException:
-            return None
-        answers = SimpleQueue()
-        Thread(target=self._call, args=(request, answers), daemon=True).start()
-        try:
-            return answers.get(timeout=max(0.0, end - monotonic()))
-        except Empty:
-            return None
+        while not self.is_ready():
+            self._stop.wait_for(lambda: False, min(DISCOVERY, end - monotonic()))
+            if self._stop.requested or monotonic() >= end:
+                return None
+        # Persistent, so that closing it ends a call that waits for the response.
+        proxy = rospy.ServiceProxy(self._name, self._service_type, persistent=True)
+        proxy.transport = TCPROSTransport(proxy.protocol, self._name)  # to close it at any time
+        answer: Future[Any] = Future()
+        answer.add_done_callback(lambda _: self._stop.wake())
+        arguments = (proxy, request, answer)
+        Thread(target=self._call, args=arguments, name=self._name, daemon=True).start()
+        if self._stop.wait_for(answer.done, end - monotonic()):
+            return answer.result()
+        answer.cancel()
+        proxy.close()
+        return None
 
-    def _call(self, request, answers):
+    def _call(self, proxy: Any, request: Any, answer: Future[Any]) -> None:
+        response = None
         try:
-            answers.put(rospy.ServiceProxy(self._name, self._service_type)(request))
-        except rospy.ServiceException as error:
-            rospy.logwarn('Service %s: %s', self._name, error)
-            answers.put(None)
+            uri = proxy._get_service_uri(request)
+            proxy.transport.connect(*rospy.core.parse_rosrpc_uri(uri), uri)
+            if not answer.cancelled():
+                response = proxy(request)
+        except Exception as error:  # of rospy, or of the socket that was closed
+            if not answer.cancelled():
+                rospy.logwarn_throttle(10.0, f'Service {self._name}: {error}')
+        proxy.close()
+        if answer.set_running_or_notify_cancel():
+            answer.set_result(response)

@@ -8,13 +8,48 @@ Generated from all_kinds.ros_package; change the interface there.
 """
 
 from dataclasses import dataclass
-from typing import Any, Callable, Sequence
+from typing import Callable, Sequence
 
-from all_kinds.action_client import ActionClient
-from all_kinds.service_client import ServiceClient
-from all_kinds.transforms import TransformBroadcaster, TransformListener
+from all_kinds.protocols import (
+    ActionClient,
+    Goal,
+    Log,
+    Publisher,
+    ServiceClient,
+    Stamp,
+    TransformBroadcaster,
+    TransformListener,
+)
 import geometry_msgs.msg
 import std_msgs.msg
+import std_srvs.srv
+import test_msgs.msg
+
+# Message, service and action types, under the same names in ROS 1 and ROS 2.
+InSpeed = geometry_msgs.msg.Twist
+InCounter = std_msgs.msg.Int64
+OutCounter = std_msgs.msg.Int64
+OutStatus = std_msgs.msg.String
+PubEcho = std_msgs.msg.String
+PubEmpty = std_msgs.msg.Empty
+SayMessage = std_msgs.msg.String
+ClientPermitRequest = std_srvs.srv.TriggerRequest
+ClientPermitResponse = std_srvs.srv.TriggerResponse
+ResetRequest = std_srvs.srv.EmptyRequest
+ResetResponse = std_srvs.srv.EmptyResponse
+EnableRequest = std_srvs.srv.SetBoolRequest
+EnableResponse = std_srvs.srv.SetBoolResponse
+ActionDelegateGoal = test_msgs.msg.FibonacciGoal
+ActionDelegateFeedback = test_msgs.msg.FibonacciFeedback
+ActionDelegateResult = test_msgs.msg.FibonacciResult
+ComputeGoalRequest = test_msgs.msg.FibonacciGoal
+ComputeFeedback = test_msgs.msg.FibonacciFeedback
+ComputeResult = test_msgs.msg.FibonacciResult
+ComputeGoal = Goal[
+    ComputeGoalRequest,
+    ComputeFeedback,
+    ComputeResult,
+]
 
 
 @dataclass(frozen=True)
@@ -51,16 +86,16 @@ class WorkerData:
     def __init__(self) -> None:
         """Create empty messages."""
         # Wanted speed
-        self.in_speed = geometry_msgs.msg.Twist()
+        self.in_speed = InSpeed()
         self.in_speed_updated = False
         # Its own counter, heard again
-        self.in_counter = std_msgs.msg.Int64()
+        self.in_counter = InCounter()
         self.in_counter_updated = False
         # Cycles since the start
-        self.out_counter = std_msgs.msg.Int64()
+        self.out_counter = OutCounter()
         self.out_counter_active = True
         # What the worker does
-        self.out_status = std_msgs.msg.String()
+        self.out_status = OutStatus()
         self.out_status_active = True
 
 
@@ -69,29 +104,35 @@ class WorkerPassthrough:
     """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
 
     # The node's logger: log.debug(text), log.info, log.warning, log.error.
-    log: Any
+    log: Log
 
     # Returns the ROS time in seconds.
     now: Callable[[], float]
 
     # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Any]
+    stamp: Callable[[], Stamp]
+
+    # Waits that many seconds of ROS time; returns False at once when the node stops.
+    sleep: Callable[[float], bool]
 
     # What was said, said again
-    # std_msgs.msg.String: pub_echo.publish(message)
-    pub_echo: Any
+    pub_echo: Publisher[PubEcho]
 
     # Nothing, as a message
-    # std_msgs.msg.Empty: pub_empty.publish(message)
-    pub_empty: Any
+    pub_empty: Publisher[PubEmpty]
 
     # Asks whether it may work
-    # std_srvs.srv.Trigger
-    client_permit: ServiceClient
+    client_permit: ServiceClient[
+        ClientPermitRequest,
+        ClientPermitResponse,
+    ]
 
     # Lets another compute
-    # test_msgs.action.Fibonacci
-    action_delegate: ActionClient
+    action_delegate: ActionClient[
+        ActionDelegateGoal,
+        ActionDelegateFeedback,
+        ActionDelegateResult,
+    ]
 
     # Finds the worker
     listener_frames: TransformListener

@@ -2,18 +2,21 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node worker: its life-cycle and its ROS interfaces.
+The node worker: its lifecycle and its ROS interfaces.
 
 Generated from all_kinds.ros_package; the logic is in worker_impl.py.
 """
 
-from dataclasses import replace
-import logging
-from threading import Lock
+from __future__ import annotations
 
-from all_kinds.action_client import ActionClient
-from all_kinds.action_server import ActionServer
+from dataclasses import replace
+from threading import Lock
+from typing import Any, Dict
+
 from all_kinds.cfg import WorkerConfig as WorkerReconfigure
+from all_kinds.loop import Loop
+from all_kinds.managed_node import ManagedNode
+from all_kinds.process import run
 from all_kinds.service_client import ServiceClient
 from all_kinds.service_server import ServiceServer
 from all_kinds.transforms import TransformBroadcaster, TransformListener
@@ -31,14 +34,14 @@ import std_srvs.srv
 import test_msgs.msg
 
 FREQUENCY = 20  # Hz
-QUEUE = 10  # messages kept for a topic
 
 
-class WorkerNode:
-    """A node that runs its logic at a fixed frequency until shutdown."""
+class WorkerNode(ManagedNode):
+    """A node that runs its logic at a fixed frequency."""
 
-    def __init__(self):
-        """Read the parameters, create publishers and clients, and construct the logic."""
+    def __init__(self) -> None:
+        """Read the parameters; everything else is created in configure."""
+        super().__init__()
         default = WorkerConfig()
         self._config = WorkerConfig(
             prefix=read_parameter('prefix', default.prefix),
@@ -49,102 +52,108 @@ class WorkerNode:
             label=read_parameter('label', default.label),
         )
         self._data = WorkerData()
-        self._received = {}
+        self._received: Dict[str, Any] = {}
         self._received_lock = Lock()
-        self._servers = {}
+        self._cycles = Loop(self._update, FREQUENCY, self._time, self._log.warning)
+
+    def _configure(self) -> bool:
+        """Configure the logic with the parameters."""
+        return bool(self._impl.configure(self._config))
+
+    def _loop(self) -> None:
+        """Call update until the node stops."""
+        self._cycles.run(self.stop)
+
+    def _connect_senders(self) -> None:
+        """Create publishers and clients, then the logic."""
+        ReconfigureServer(WorkerReconfigure, self._reconfigure)
         self._out_counter = rospy.Publisher(
             'counter',
             std_msgs.msg.Int64,
-            queue_size=QUEUE,
+            queue_size=10,
         )
         self._out_status = rospy.Publisher(
             '/status',
             std_msgs.msg.String,
-            queue_size=QUEUE,
+            queue_size=10,
         )
         self._impl = WorkerImpl(
             WorkerPassthrough(
-                log=logging.getLogger('rosout'),
-                now=rospy.get_time,
-                stamp=rospy.Time.now,
+                log=self._log,
+                now=self._time.now,
+                stamp=self._time.stamp,
+                sleep=self._time.sleep,
                 pub_echo=rospy.Publisher(
                     'echo',
                     std_msgs.msg.String,
-                    queue_size=QUEUE,
+                    queue_size=10,
                 ),
                 pub_empty=rospy.Publisher(
                     '~empty',
                     std_msgs.msg.Empty,
-                    queue_size=QUEUE,
+                    queue_size=10,
                 ),
                 client_permit=self._client(
                     'service permit',
-                    ServiceClient('permit', std_srvs.srv.Trigger),
+                    ServiceClient(
+                        'permit',
+                        std_srvs.srv.Trigger,
+                        self.stop,
+                    ),
                 ),
                 action_delegate=self._client(
                     'action delegate',
-                    ActionClient('delegate', test_msgs.msg.FibonacciAction),
+                    self._action_client(
+                        'delegate',
+                        test_msgs.msg.FibonacciAction,
+                    ),
                 ),
-                listener_frames=TransformListener(),
+                listener_frames=TransformListener(self.stop),
                 broadcaster_pose=TransformBroadcaster(),
             ),
         )
 
-    def run(self):
-        """Configure the logic, connect its callbacks, and run the update loop until shutdown."""
-        if not self._impl.configure(self._config):
-            rospy.logfatal('The logic rejected its configuration.')
-            return
-        self._connect_receivers()
-        rate = rospy.Rate(FREQUENCY, reset=True)
-        try:
-            while not rospy.is_shutdown():
-                self._update()
-                rate.sleep()
-        except rospy.ROSInterruptException:
-            pass
-        finally:
-            self._impl.cleanup()
-
-    def _connect_receivers(self):
+    def _connect_receivers(self) -> None:
         """Create subscriptions and servers."""
-        ReconfigureServer(WorkerReconfigure, self._reconfigure)
         rospy.Subscriber(
             'speed',
             geometry_msgs.msg.Twist,
             self._receive_speed,
-            queue_size=QUEUE,
+            queue_size=10,
         )
         rospy.Subscriber(
             'counter',
             std_msgs.msg.Int64,
             self._receive_counter,
-            queue_size=QUEUE,
+            queue_size=10,
         )
         rospy.Subscriber(
             'say',
             std_msgs.msg.String,
-            self._impl.receive_say,
-            queue_size=QUEUE,
+            self._callback(
+                'say',
+                'receive_say',
+            ).receive,
+            queue_size=10,
         )
         ServiceServer(
             'reset',
             std_srvs.srv.Empty,
-            self._impl.serve_reset,
+            self._callback('reset', 'serve_reset'),
         )
         ServiceServer(
             'enable',
             std_srvs.srv.SetBool,
-            self._impl.serve_enable,
+            self._callback('enable', 'serve_enable'),
         )
-        ActionServer(
+        self._action_server(
             'compute',
             test_msgs.msg.FibonacciAction,
-            self._impl.execute_compute,
+            'execute_compute',
+            new_goal='replace',
         )
-        rospy.Timer(rospy.Duration(2.0), self._report_missing_servers)
 
-    def _update(self):
+    def _update(self) -> None:
         """Run one cycle: take the latest messages, call update, publish the active outputs."""
         data = self._data
         with self._received_lock:
@@ -161,17 +170,17 @@ class WorkerNode:
         if data.out_status_active:
             self._out_status.publish(data.out_status)
 
-    def _receive_speed(self, message):
+    def _receive_speed(self, message: Any) -> None:
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['speed'] = message
 
-    def _receive_counter(self, message):
+    def _receive_counter(self, message: Any) -> None:
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['counter'] = message
 
-    def _reconfigure(self, values, _level):
+    def _reconfigure(self, values: Any, _level: int) -> Any:
         """Update the configuration with the changed parameters."""
         self._config = replace(
             self._config,
@@ -182,19 +191,8 @@ class WorkerNode:
         )
         return values
 
-    def _client(self, name, client):
-        """Register a client for the check of missing servers."""
-        self._servers[name] = client
-        return client
 
-    def _report_missing_servers(self, _event):
-        """Warn about servers that are not available."""
-        missing = [name for name, client in self._servers.items() if not client.is_ready()]
-        if missing:
-            rospy.logwarn_throttle(10.0, 'Waiting for ' + ', '.join(missing) + '.')
-
-
-def read_parameter(name, default):
+def read_parameter(name: str, default: Any) -> Any:
     """Return a private parameter; raise if its type is not that of the default."""
     value = rospy.get_param('~' + name, default)
     if isinstance(value, list):
@@ -203,12 +201,10 @@ def read_parameter(name, default):
         value = float(value)
     if type(value) is not type(default):
         wanted = type(default).__name__
-        raise rospy.ROSInitException('Parameter %s: %r is not a %s.' % (name, value, wanted))
+        raise rospy.ROSInitException(f'Parameter {name} must be of type {wanted}, not {value!r}.')
     return value
 
 
-def main():
-    """Spin the node until ROS shuts down."""
-    rospy.init_node('worker')
-    logging.getLogger('rosout').setLevel(rospy.get_param('~log_level', 'info').upper())
-    WorkerNode().run()
+def main() -> int:
+    """Run the node until it is told to stop; return the exit code of the process."""
+    return run('worker', WorkerNode)

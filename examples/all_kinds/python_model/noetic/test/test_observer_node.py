@@ -1,39 +1,142 @@
-#!/usr/bin/env python3
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Tests of the node observer, which nodes.test starts, and of its logic."""
+"""Tests of observer: what its spec says, tried from outside."""
 
-import time
+import os
+import signal
+import sys
+from time import sleep
 import unittest
 
-import rosnode
-import rostest
-from test_observer_impl import TestObserverImpl  # noqa: F401 (rostest runs it too)
+from all_kinds.observer_interface import ObserverConfig
+from peer import Peer
+import rospy
+from running import eventually, RunningNode
+import std_msgs.msg
 
-NODE = '/observer'
-TIMEOUT = 10.0  # seconds
-
-
-class TestObserverNode(unittest.TestCase):
-    """The running node, without its peers."""
-
-    def test_starts(self):
-        """The node responds."""
-        end = time.monotonic() + TIMEOUT
-        while not self.is_alive() and time.monotonic() < end:
-            time.sleep(0.1)
-        self.assertTrue(self.is_alive())
-
-    @staticmethod
-    def is_alive():
-        """Return whether the node responds."""
-        return NODE in rosnode.get_node_names() and rosnode.rosnode_ping(NODE, max_count=1)
+NAME = '/observer'
+RECORDER = [
+    sys.executable,
+    os.path.join(os.path.dirname(__file__), 'recorder.py'),
+    'observer',
+    'ObserverImpl',
+]
+LOGIC = [
+    sys.executable,
+    os.path.join(os.path.dirname(__file__), '..', 'scripts', 'observer'),
+]
+LIFE = ['configure', 'activate', 'deactivate', 'cleanup']
+PERIOD = 1.0 / 12.5  # seconds
 
 
-if __name__ == '__main__':
-    rostest.rosrun(
-        'all_kinds',
-        'observer',
-        'test_observer_node',
-    )
+class TestInterfaces(unittest.TestCase):
+    """The active node, with a logic that records its calls."""
+
+    @classmethod
+    def setUpClass(cls):
+        """Start the node."""
+        cls.peer = Peer(NAME)
+        cls.addClassCleanup(cls.peer.close)
+        cls.node = RunningNode(RECORDER)
+        cls.addClassCleanup(cls.node.kill)
+        assert cls.node.is_called('activate')
+
+    @classmethod
+    def tearDownClass(cls):
+        """Stop the node, which still runs."""
+        assert cls.node.stop() == 0
+
+    def publishes(self, topic, *expected):
+        """Check that the node publishes to a topic, with type and latching."""
+        self.assertEqual(set(expected) - set(self.peer.publisher(topic)), set(), topic)
+
+    def subscribes(self, topic, *expected):
+        """Check that the node subscribes to a topic, with type."""
+        self.assertEqual(set(expected) - set(self.peer.subscription(topic)), set(), topic)
+
+    def test_topics(self):
+        """Every topic has its name, type and latching."""
+        self.subscribes(
+            '/status',
+            'std_msgs/String',
+        )
+
+    def test_messages_in(self):
+        """A message reaches the logic, and is new once."""
+        self.receives(
+            std_msgs.msg.String(),
+            '/status',
+            'in_status_updated',
+            once=True,
+        )
+
+    def receives(self, message, topic, call, once):
+        """Check that each message published makes one call, unless others publish as well."""
+        sent = self.peer.publish(message, topic, lambda: self.node.is_called(call, timeout=0.1))
+        self.assertTrue(self.node.is_called(call), topic)
+        sleep(3 * PERIOD)
+        if once:
+            self.assertLessEqual(len(self.node.calls(call)), sent, topic)
+
+    def test_parameters(self):
+        """Parameters have their defaults, stay within their ranges, and reach update."""
+        default = ObserverConfig()
+        self.assertEqual(self.node.words('configure'), [ascii(default)])
+
+
+class TestLifeCycle(unittest.TestCase):
+    """Nodes that are started and stopped."""
+
+    def start(self, command, parameters=None):
+        """Start a node for this test, and a peer."""
+        peer = Peer(NAME)
+        self.addCleanup(peer.close)
+        rospy.set_param(NAME, parameters or {})
+        node = RunningNode(command)
+        self.addCleanup(node.kill)
+        return node, peer
+
+    def test_every_edge(self):
+        """The node activates itself, works at its frequency, and ends well at SIGINT."""
+        node, _ = self.start(RECORDER)
+        self.assertTrue(node.is_called('activate'))
+        sleep(1.0 + 5 * PERIOD)
+        self.assertEqual(node.calls(*LIFE), LIFE[:2])
+        self.assertEqual(node.stop(signal.SIGINT), 0)
+        self.assertEqual(node.calls(*LIFE), LIFE)
+        rate = float(node.words('rate')[0])
+        self.assertGreater(rate, 0.2 / PERIOD)
+        self.assertLess(rate, 1.5 / PERIOD)
+
+    def test_given_parameters(self):
+        """Parameters reach the logic; one of a wrong type ends the node."""
+        given = {
+            'limit': 0,
+        }
+        node, _ = self.start(RECORDER, given)
+        self.assertTrue(node.is_called('configure'))
+        config = ObserverConfig(**given)
+        self.assertEqual(node.words('configure'), [ascii(config)])
+        node.kill()
+        wrong = {
+            'limit': 'wrong',
+        }
+        for name, value in wrong.items():
+            node, _ = self.start(RECORDER, {name: value})
+            self.assertEqual(node.exit_code(), 1, name)
+            self.assertEqual(node.calls(), [])
+
+    def test_rosnode_kill(self):
+        """The node ends as well when it is told to by `rosnode kill`."""
+        node, peer = self.start(RECORDER)
+        self.assertTrue(node.is_called('activate'))
+        peer.kill()
+        self.assertEqual(node.exit_code(), 0)
+        self.assertEqual(node.calls('deactivate', 'cleanup'), ['deactivate', 'cleanup'])
+
+    def test_logic(self):
+        """The node runs with its own logic, and ends well at SIGTERM."""
+        node, peer = self.start(LOGIC)
+        self.assertTrue(eventually(peer.is_connected))
+        self.assertEqual(node.stop(signal.SIGTERM), 0)

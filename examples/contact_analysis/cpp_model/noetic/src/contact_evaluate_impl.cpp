@@ -20,6 +20,11 @@ bool ContactEvaluateImpl::configure(
   return true;
 }
 
+bool ContactEvaluateImpl::activate()
+{
+  return true;
+}
+
 void ContactEvaluateImpl::update(
   [[maybe_unused]] ContactEvaluateData & data,
   [[maybe_unused]] const ContactEvaluateConfig & config)
@@ -55,6 +60,10 @@ void ContactEvaluateImpl::execute_evaluate(
 }
 
 // End of life
+void ContactEvaluateImpl::deactivate()
+{
+}
+
 void ContactEvaluateImpl::cleanup()
 {
 }

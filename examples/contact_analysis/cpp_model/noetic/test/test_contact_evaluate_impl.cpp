@@ -5,24 +5,28 @@
 
 #include "gtest/gtest.h"
 
-#include "contact_analysis/contact_evaluate_impl.hpp"
+#include "./contact_evaluate_harness.hpp"
 
-/// The logic alone; publishers and clients do nothing.
+/// The logic alone, with fakes that record what it does.
 class TestContactEvaluateImpl : public ::testing::Test
 {
 protected:
-  contact_analysis::ContactEvaluateConfig config;
-  contact_analysis::ContactEvaluateData data;
-  contact_analysis::ContactEvaluatePassthrough passthrough;
-  contact_analysis::ContactEvaluateImpl impl{passthrough};
+  void SetUp() override
+  {
+    ASSERT_TRUE(harness.impl.configure(harness.config));
+    ASSERT_TRUE(harness.impl.activate());
+  }
+
+  void TearDown() override
+  {
+    harness.impl.deactivate();
+    harness.impl.cleanup();
+  }
+
+  contact_analysis::ContactEvaluateHarness harness;
 };
 
-TEST_F(TestContactEvaluateImpl, AcceptsItsDefaultParameters) {
-  EXPECT_TRUE(impl.configure(config));
-}
-
 TEST_F(TestContactEvaluateImpl, WorksWithoutAnyMessageReceived) {
-  ASSERT_TRUE(impl.configure(config));
-  impl.update(data, config);
-  impl.cleanup();
+  harness.run_cycle();
+  harness.run_cycle();
 }

@@ -3,9 +3,17 @@
 
 """An action server that executes one goal at a time."""
 
-from contact_analysis.worker import Worker
+from __future__ import annotations
+
+from concurrent.futures import Future
+from typing import Any
+
+from contact_analysis.callbacks import CallbackThread
+from contact_analysis.stop import Stop
 from rclpy.action import ActionServer as RosActionServer, CancelResponse, GoalResponse
+from rclpy.action.server import ServerGoalHandle
 from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.node import Node
 
 
 class Goal:
@@ -15,85 +23,134 @@ class Goal:
     request: the goal message; feedback and result: messages to fill in.
     """
 
-    def __init__(self, handle, action_type) -> None:
+    def __init__(
+        self,
+        handle: ServerGoalHandle[Any, Any, Any],
+        action_type: Any,
+        stop: Stop,
+    ) -> None:
         """Wrap an rclpy goal handle."""
         self.request = handle.request
         self.feedback = action_type.Feedback()
         self.result = action_type.Result()
         self._handle = handle
+        self._stop = stop
         self._replaced = False
+        self._outcome = 'canceled'
+        self._given_up: Future[None] = Future()
 
     @property
     def cancel_requested(self) -> bool:
-        """Whether to stop: the client canceled the goal or sent a new one."""
-        return self._replaced or self._handle.is_cancel_requested
+        """Whether to stop: canceled, replaced by another goal, or the node stops."""
+        return self._replaced or self._stop.requested or self._handle.is_cancel_requested
 
     def publish_feedback(self) -> None:
         """Publish the current feedback."""
-        self._handle.publish_feedback(self.feedback)
+        if not self._given_up.done():
+            self._handle.publish_feedback(self.feedback)
 
     def succeed(self) -> None:
         """Mark the goal as succeeded."""
-        self._handle.succeed()
+        self._outcome = 'succeeded'
 
     def abort(self) -> None:
         """Mark the goal as aborted."""
-        self._handle.abort()
+        self._outcome = 'aborted'
 
     def canceled(self) -> None:
         """Mark the goal as canceled, after `cancel_requested` was true."""
-        if self._handle.is_cancel_requested:
+        self._outcome = 'canceled'
+
+    def replace(self) -> None:
+        """Ask the logic to end the goal in favour of a new one."""
+        self._replaced = True
+
+    def give_up(self) -> None:
+        """End the goal without the logic."""
+        if not self._given_up.done():
+            self._given_up.set_result(None)
+
+    def start(self) -> None:
+        """Have the server execute the goal."""
+        self._handle.execute()
+
+    async def execute(self, thread: CallbackThread) -> None:
+        """Let the logic execute the goal, unless it is to end already, and tell its outcome."""
+        if not self.cancel_requested:
+            self._outcome = 'none'  # until the logic tells it
+            await thread.run(self, until=self._given_up)
+            if self._outcome == 'none' and not self.cancel_requested:
+                thread.warn('returned without an outcome: the goal is aborted.')
+        if self._outcome == 'succeeded' and not self._given_up.done():
+            self._handle.succeed()
+        elif self._outcome == 'canceled' and self._handle.is_cancel_requested:
             self._handle.canceled()
         else:
             self._handle.abort()
 
-    def replace(self) -> None:
-        """Preempt the goal in favour of a new one."""
-        self._replaced = True
-
 
 class ActionServer:
     """
-    An action server with one goal at a time; a new goal preempts the current one.
+    An action server with one goal at a time.
 
-    It accepts goals inside a `with` block: while the node is active.
+    new_goal: what becomes of a goal that comes while another is executed: it is to `replace` that
+    one, is put into a `queue`, or the server is to `reject` it.
     """
 
-    def __init__(self, node, action_type, name, execute) -> None:
-        """Advertise the action; `execute` is called with each goal."""
+    def __init__(
+        self,
+        node: Node,
+        action_type: Any,
+        name: str,
+        thread: CallbackThread,
+        stop: Stop,
+        new_goal: str,
+    ) -> None:
+        """Advertise the action, whose goals the thread executes."""
         self._action_type = action_type
-        self._worker = Worker(node, execute)
+        self._thread = thread
+        self._stop = stop
+        self._new_goal = new_goal
         self._open = False
-        self._latest = None
+        self._goals: list[Goal] = []  # the first is being executed
         self._server = RosActionServer(
             node,
             action_type,
             name,
-            self._take_turn,
+            self._execute,
             goal_callback=self._answer,
+            handle_accepted_callback=self._accept,
             cancel_callback=lambda _: CancelResponse.ACCEPT,
             callback_group=ReentrantCallbackGroup(),
         )
 
-    def __enter__(self):
-        """Accept goals."""
-        self._open = True
-        return self
+    def accept_goals(self, whether: bool) -> None:
+        """Accept new goals, or reject them."""
+        self._open = whether
 
-    def __exit__(self, *_error) -> None:
-        """Reject new goals and preempt the current one."""
-        self._open = False
-        if self._latest is not None:
-            self._latest.replace()
+    def give_up(self) -> None:
+        """End the goals that the logic does not end."""
+        for goal in self._goals.copy():
+            goal.give_up()
 
-    def _answer(self, _request):
-        return GoalResponse.ACCEPT if self._open else GoalResponse.REJECT
+    def _answer(self, _request: Any) -> GoalResponse:
+        if not self._open or (self._goals and self._new_goal == 'reject'):
+            return GoalResponse.REJECT
+        return GoalResponse.ACCEPT
 
-    async def _take_turn(self, handle):
-        """Execute a goal after the previous one has ended."""
-        goal = Goal(handle, self._action_type)
-        if self._latest is not None:
-            self._latest.replace()
-        self._latest = goal
-        await self._worker.run(goal)
+    def _accept(self, handle: ServerGoalHandle[Any, Any, Any]) -> None:
+        if self._new_goal == 'replace':
+            for goal in self._goals:
+                goal.replace()
+        self._goals.append(Goal(handle, self._action_type, self._stop))
+        if len(self._goals) == 1:
+            self._goals[0].start()
+
+    async def _execute(self, _handle: ServerGoalHandle[Any, Any, Any]) -> Any:
+        """Execute the first goal and start the next."""
+        goal = self._goals[0]
+        await goal.execute(self._thread)
+        self._goals.remove(goal)
+        if self._goals:
+            self._goals[0].start()
         return goal.result

@@ -11,6 +11,12 @@ from contact_analysis.contact_evaluate_interface import (
     ContactEvaluateConfig,
     ContactEvaluateData,
     ContactEvaluatePassthrough,
+    EvaluateGoal,
+    LearnGoal,
+    LoadRequest,
+    LoadResponse,
+    StoreRequest,
+    StoreResponse,
 )
 
 
@@ -29,6 +35,10 @@ class ContactEvaluateImpl:
         """Prepare the logic; return False to reject the configuration."""
         return True
 
+    def activate(self) -> bool:
+        """Start operating; return False to refuse activation."""
+        return True
+
     def update(
         self,
         data: ContactEvaluateData,
@@ -37,25 +47,42 @@ class ContactEvaluateImpl:
         """Compute the outputs of one cycle from the latest inputs."""
 
     # Service load
-    def serve_load(self, request, response):
+    def serve_load(
+        self,
+        request: LoadRequest,
+        response: LoadResponse,
+    ) -> LoadResponse:
         """Fill in the response and return it."""
         return response
 
     # Service store
-    def serve_store(self, request, response):
+    def serve_store(
+        self,
+        request: StoreRequest,
+        response: StoreResponse,
+    ) -> StoreResponse:
         """Fill in the response and return it."""
         return response
 
     # Action learn
-    def execute_learn(self, goal) -> None:
-        """Execute a goal until it succeeds, is aborted, or a cancel is requested."""
+    def execute_learn(
+        self,
+        goal: LearnGoal,
+    ) -> None:
+        """Execute a goal and set its outcome; replace this stub, which reports success."""
         goal.succeed()
 
     # Action evaluate
-    def execute_evaluate(self, goal) -> None:
-        """Execute a goal until it succeeds, is aborted, or a cancel is requested."""
+    def execute_evaluate(
+        self,
+        goal: EvaluateGoal,
+    ) -> None:
+        """Execute a goal and set its outcome; replace this stub, which reports success."""
         goal.succeed()
 
     # End of life
+    def deactivate(self) -> None:
+        """Stop everything that moves; publishers, service calls and goals still work here."""
+
     def cleanup(self) -> None:
         """Release everything created in configure."""

@@ -2,63 +2,65 @@
 # SPDX-License-Identifier: GPL-3.0-only
 
 """
-The node contact_evaluate: its life-cycle and its ROS interfaces.
+The node contact_evaluate: its lifecycle and its ROS interfaces.
 
 Generated from contact_analysis.ros_package; the logic is in contact_evaluate_impl.py.
 """
 
-from contextlib import ExitStack
-from threading import Event, Lock, Thread
-import traceback
+from __future__ import annotations
 
-from contact_analysis.action_server import ActionServer
+from threading import Lock
+from typing import Any, Callable, Optional
+
 from contact_analysis.contact_evaluate_impl import ContactEvaluateImpl
 from contact_analysis.contact_evaluate_interface import (
     ContactEvaluateConfig,
     ContactEvaluateData,
     ContactEvaluatePassthrough,
 )
-from contact_analysis.worker import Worker
+from contact_analysis.loop import Loop
+from contact_analysis.managed_node import ManagedNode
+from contact_analysis.process import run
 import contact_msgs.action
 import contact_msgs.msg
 import contact_msgs.srv
 import geometry_msgs.msg
 from rcl_interfaces.msg import ParameterDescriptor
-import rclpy
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
-from rclpy.duration import Duration
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
-from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
+from rclpy.parameter import Parameter
+from rclpy.publisher import Publisher
+from rclpy.qos import QoSPolicyKind
 from rclpy.qos_overriding_options import QoSOverridingOptions
 
 FREQUENCY = 1000  # Hz
-QUEUE = 10  # messages kept for a topic, unless its QoS is overridden
+OVERRIDABLE_QOS = (
+    QoSPolicyKind.DEPTH,
+    QoSPolicyKind.DURABILITY,
+    QoSPolicyKind.HISTORY,
+    QoSPolicyKind.RELIABILITY,
+)
 
 
-class ContactEvaluateNode(LifecycleNode):
+class ContactEvaluateNode(ManagedNode):
     """
     A managed node that runs its logic at a fixed frequency while it is active.
 
-    Publishers and clients exist from configure on, subscriptions and servers while it is active.
+    Publishers exist from configure to cleanup. Subscriptions and service servers exist while it is
+    active. Action servers exist as long as the node; while inactive, a server rejects goals.
     """
 
-    def __init__(self, **options) -> None:
-        """Declare the parameters; everything else is created in configure."""
+    fixed_parameters = [
+        'samples',
+    ]
+
+    def __init__(self, **options: Any) -> None:
+        """Declare the parameters and create what lives as long as the node."""
         super().__init__('contact_evaluate', **options)
-        self.declare_parameter(
-            'autostart',
-            True,
-            ParameterDescriptor(
-                description='Whether the node configures and activates itself.',
-                read_only=True,
-            ),
-        )
         self.declare_parameter(
             'samples',
             200,
             ParameterDescriptor(
                 description='number of samples accumulated for learning',
-                read_only=True,
             ),
         )
         self.declare_parameter(
@@ -70,71 +72,30 @@ class ContactEvaluateNode(LifecycleNode):
         )
         self._config = self._read_config()
         self.add_post_set_parameters_callback(self._apply_parameters)
-        self._configured = ExitStack()
-        self._active = ExitStack()
-        self._action_server_learn = ActionServer(
-            self,
+        self._action_server_learn = self._action_server(
             contact_msgs.action.LearnContact,
             'learn',
-            lambda goal: self._impl.execute_learn(goal),
+            'execute_learn',
+            new_goal='replace',
         )
-        self._action_server_evaluate = ActionServer(
-            self,
+        self._action_server_evaluate = self._action_server(
             contact_msgs.action.EvaluateContact,
             'evaluate',
-            lambda goal: self._impl.execute_evaluate(goal),
+            'execute_evaluate',
+            new_goal='replace',
         )
-        self._received = {}
+        self._received: dict[str, Any] = {}
         self._received_lock = Lock()
+        self._cycles = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
 
-    def start(self) -> None:
-        """Configure and activate the node if autostart is true."""
-        if not self.get_parameter('autostart').value:
-            return
-        if self.trigger_configure() == TransitionCallbackReturn.SUCCESS:
-            self.trigger_activate()
+    def _configure(self) -> bool:
+        """Configure the logic with the parameters."""
+        self._config = self._read_config()
+        return bool(self._impl.configure(self._config))
 
-    def on_configure(self, state) -> TransitionCallbackReturn:
-        """Create publishers and clients, then configure the logic."""
-        try:
-            self._connect_senders()
-            if self._impl.configure(self._config):
-                self._configured.callback(self._impl.cleanup)
-                return super().on_configure(state)
-            self.get_logger().error('The logic rejected its configuration.')
-        except Exception:
-            self.get_logger().error(traceback.format_exc())
-        self.release()
-        return TransitionCallbackReturn.FAILURE
-
-    def on_activate(self, state) -> TransitionCallbackReturn:
-        """Create subscriptions and servers, and start the update loop."""
-        result = super().on_activate(state)
-        self._connect_receivers()
-        return result
-
-    def on_deactivate(self, state) -> TransitionCallbackReturn:
-        """Stop the update loop and destroy subscriptions and servers."""
-        self._active.close()
-        return super().on_deactivate(state)
-
-    def on_cleanup(self, state) -> TransitionCallbackReturn:
-        """Release everything created in configure."""
-        self.release()
-        return super().on_cleanup(state)
-
-    def on_shutdown(self, state) -> TransitionCallbackReturn:
-        """Shut down from any state."""
-        self.release()
-        return super().on_shutdown(state)
-
-    def release(self) -> None:
-        """Destroy all connections to ROS and clean up the logic."""
-        self._active.close()
-        try:
-            self._configured.close()
-        except Exception:
-            self.get_logger().error(traceback.format_exc())
+    def _loop(self) -> None:
+        """Call update until the node stops."""
+        self._cycles.run(self.stop)
 
     def _read_config(self) -> ContactEvaluateConfig:
         """Return the current parameters."""
@@ -143,7 +104,7 @@ class ContactEvaluateNode(LifecycleNode):
             pub_sample=self.get_parameter('pub_sample').value,
         )
 
-    def _apply_parameters(self, parameters) -> None:
+    def _apply_parameters(self, _parameters: list[Parameter[Any]]) -> None:
         """Update the configuration with the changed parameters."""
         self._config = self._read_config()
 
@@ -153,8 +114,9 @@ class ContactEvaluateNode(LifecycleNode):
         self._impl = ContactEvaluateImpl(
             ContactEvaluatePassthrough(
                 log=self.get_logger(),
-                now=lambda: self.get_clock().now().nanoseconds * 1e-9,
-                stamp=lambda: self.get_clock().now().to_msg(),
+                now=self._time.now,
+                stamp=self._time.stamp,
+                sleep=self._time.sleep,
                 pub_plot_learn_cop=self._advertise(
                     contact_msgs.msg.PointArray,
                     'plot_learn_cop',
@@ -163,7 +125,8 @@ class ContactEvaluateNode(LifecycleNode):
         )
 
     def _connect_receivers(self) -> None:
-        """Create subscriptions, servers and the update loop."""
+        """Create subscriptions and servers."""
+        self._received = {}
         self._subscribe(
             geometry_msgs.msg.Point,
             'cop',
@@ -172,35 +135,15 @@ class ContactEvaluateNode(LifecycleNode):
         self._serve(
             contact_msgs.srv.SetString,
             'load',
-            Worker(self, self._impl.serve_load).run,
+            'serve_load',
         )
         self._serve(
             contact_msgs.srv.SetString,
             'store',
-            Worker(self, self._impl.serve_store).run,
+            'serve_store',
         )
-        self._active.enter_context(self._action_server_learn)
-        self._active.enter_context(self._action_server_evaluate)
-        stop = Event()
-        loop = Thread(target=self._loop, args=(stop,), daemon=True)
-        self._active.callback(loop.join, timeout=1.0)
-        self._active.callback(stop.set)
-        loop.start()
-
-    def _loop(self, stop) -> None:
-        """Run update at FREQUENCY until stopped; skip missed cycles."""
-        clock = self.get_clock()
-        period = Duration(seconds=1.0 / FREQUENCY)
-        due = clock.now()
-        while not stop.is_set() and self.context.ok():
-            try:
-                self._update()
-            except Exception as error:
-                self.executor.create_task(fail, error)
-                return
-            now = clock.now()
-            due = min(max(due + period, now), now + period)
-            clock.sleep_until(due, self.context)
+        self._action_server_learn.accept_goals(True)
+        self._action_server_evaluate.accept_goals(True)
 
     def _update(self) -> None:
         """Run one cycle: take the latest messages, call update, publish the active outputs."""
@@ -211,62 +154,41 @@ class ContactEvaluateNode(LifecycleNode):
         data.in_cop_updated = 'cop' in received
         self._impl.update(data, self._config)
 
-    def _receive_cop(self, message) -> None:
+    def _receive_cop(self, message: Any) -> None:
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['cop'] = message
 
-    def _advertise(self, message_type, topic):
-        """Create a publisher that allows QoS overrides."""
-        publisher = self.create_lifecycle_publisher(
+    def _advertise(self, message_type: Any, topic: str, qos: Any = 10) -> Publisher[Any]:
+        """Create a publisher; its QoS, a profile or a depth, can be overridden."""
+        publisher = self.create_publisher(
             message_type,
             topic,
-            QUEUE,
-            qos_overriding_options=QoSOverridingOptions.with_default_policies(),
+            qos,
+            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
         )
-        self._configured.callback(self.destroy_lifecycle_publisher, publisher)
+        self._configured.callback(self._drop_publisher, publisher)
         return publisher
 
-    def _subscribe(self, message_type, topic, callback) -> None:
-        """Create a subscription that allows QoS overrides."""
+    def _subscribe(
+        self,
+        message_type: Any,
+        topic: str,
+        callback: Callable[[Any], Any],
+        qos: Any = 10,
+    ) -> None:
+        """Create a subscription; its QoS, a profile or a depth, can be overridden."""
         subscription = self.create_subscription(
             message_type,
             topic,
             callback,
-            QUEUE,
+            qos,
             callback_group=MutuallyExclusiveCallbackGroup(),
-            qos_overriding_options=QoSOverridingOptions.with_default_policies(),
+            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
         )
         self._active.callback(self.destroy_subscription, subscription)
 
-    def _serve(self, service_type, name, callback) -> None:
-        """Create a service server."""
-        service = self.create_service(
-            service_type,
-            name,
-            callback,
-            callback_group=MutuallyExclusiveCallbackGroup(),
-        )
-        self._active.callback(self.destroy_service, service)
 
-
-def fail(error) -> None:
-    """Re-raise an exception of the update loop in the executor."""
-    raise error
-
-
-def main(args=None) -> None:
-    """Spin the node until ROS shuts down."""
-    rclpy.init(args=args)
-    node = ContactEvaluateNode()
-    executor = SingleThreadedExecutor()
-    executor.add_node(node)
-    Thread(target=node.start, daemon=True).start()
-    try:
-        executor.spin()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.release()
-        node.destroy_node()
-        rclpy.try_shutdown()
+def main(args: Optional[list[str]] = None) -> int:
+    """Run the node until it is told to stop; return the exit code of the process."""
+    return run(ContactEvaluateNode, args)

@@ -8,9 +8,41 @@ Generated from contact_analysis.ros_package; change the interface there.
 """
 
 from dataclasses import dataclass
-from typing import Any, Callable
+from typing import Callable
 
+from contact_analysis.protocols import (
+    Goal,
+    Log,
+    Publisher,
+    Stamp,
+)
+import contact_msgs.msg
+import contact_msgs.srv
 import geometry_msgs.msg
+
+# Message, service and action types, under the same names in ROS 1 and ROS 2.
+InCop = geometry_msgs.msg.Point
+PubPlotLearnCop = contact_msgs.msg.PointArray
+LoadRequest = contact_msgs.srv.SetStringRequest
+LoadResponse = contact_msgs.srv.SetStringResponse
+StoreRequest = contact_msgs.srv.SetStringRequest
+StoreResponse = contact_msgs.srv.SetStringResponse
+LearnGoalRequest = contact_msgs.msg.LearnContactGoal
+LearnFeedback = contact_msgs.msg.LearnContactFeedback
+LearnResult = contact_msgs.msg.LearnContactResult
+LearnGoal = Goal[
+    LearnGoalRequest,
+    LearnFeedback,
+    LearnResult,
+]
+EvaluateGoalRequest = contact_msgs.msg.EvaluateContactGoal
+EvaluateFeedback = contact_msgs.msg.EvaluateContactFeedback
+EvaluateResult = contact_msgs.msg.EvaluateContactResult
+EvaluateGoal = Goal[
+    EvaluateGoalRequest,
+    EvaluateFeedback,
+    EvaluateResult,
+]
 
 
 @dataclass(frozen=True)
@@ -35,7 +67,7 @@ class ContactEvaluateData:
     def __init__(self) -> None:
         """Create empty messages."""
         # Center of Pressure measured
-        self.in_cop = geometry_msgs.msg.Point()
+        self.in_cop = InCop()
         self.in_cop_updated = False
 
 
@@ -44,14 +76,16 @@ class ContactEvaluatePassthrough:
     """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
 
     # The node's logger: log.debug(text), log.info, log.warning, log.error.
-    log: Any
+    log: Log
 
     # Returns the ROS time in seconds.
     now: Callable[[], float]
 
     # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Any]
+    stamp: Callable[[], Stamp]
+
+    # Waits that many seconds of ROS time; returns False at once when the node stops.
+    sleep: Callable[[float], bool]
 
     # Cops defining the latest contact
-    # contact_msgs.msg.PointArray: pub_plot_learn_cop.publish(message)
-    pub_plot_learn_cop: Any
+    pub_plot_learn_cop: Publisher[PubPlotLearnCop]

@@ -2,16 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-only
 
 """
-The node contact_evaluate: its life-cycle and its ROS interfaces.
+The node contact_evaluate: its lifecycle and its ROS interfaces.
 
 Generated from contact_analysis.ros_package; the logic is in contact_evaluate_impl.py.
 """
 
-from dataclasses import replace
-import logging
-from threading import Lock
+from __future__ import annotations
 
-from contact_analysis.action_server import ActionServer
+from dataclasses import replace
+from threading import Lock
+from typing import Any, Dict
+
 from contact_analysis.cfg import ContactEvaluateConfig as ContactEvaluateReconfigure
 from contact_analysis.contact_evaluate_impl import ContactEvaluateImpl
 from contact_analysis.contact_evaluate_interface import (
@@ -19,6 +20,9 @@ from contact_analysis.contact_evaluate_interface import (
     ContactEvaluateData,
     ContactEvaluatePassthrough,
 )
+from contact_analysis.loop import Loop
+from contact_analysis.managed_node import ManagedNode
+from contact_analysis.process import run
 from contact_analysis.service_server import ServiceServer
 import contact_msgs.msg
 import contact_msgs.srv
@@ -27,82 +31,81 @@ import geometry_msgs.msg
 import rospy
 
 FREQUENCY = 1000  # Hz
-QUEUE = 10  # messages kept for a topic
 
 
-class ContactEvaluateNode:
-    """A node that runs its logic at a fixed frequency until shutdown."""
+class ContactEvaluateNode(ManagedNode):
+    """A node that runs its logic at a fixed frequency."""
 
-    def __init__(self):
-        """Read the parameters, create publishers and clients, and construct the logic."""
+    def __init__(self) -> None:
+        """Read the parameters; everything else is created in configure."""
+        super().__init__()
         default = ContactEvaluateConfig()
         self._config = ContactEvaluateConfig(
             samples=read_parameter('samples', default.samples),
             pub_sample=read_parameter('pub_sample', default.pub_sample),
         )
         self._data = ContactEvaluateData()
-        self._received = {}
+        self._received: Dict[str, Any] = {}
         self._received_lock = Lock()
+        self._cycles = Loop(self._update, FREQUENCY, self._time, self._log.warning)
+
+    def _configure(self) -> bool:
+        """Configure the logic with the parameters."""
+        return bool(self._impl.configure(self._config))
+
+    def _loop(self) -> None:
+        """Call update until the node stops."""
+        self._cycles.run(self.stop)
+
+    def _connect_senders(self) -> None:
+        """Create publishers and clients, then the logic."""
+        ReconfigureServer(ContactEvaluateReconfigure, self._reconfigure)
         self._impl = ContactEvaluateImpl(
             ContactEvaluatePassthrough(
-                log=logging.getLogger('rosout'),
-                now=rospy.get_time,
-                stamp=rospy.Time.now,
+                log=self._log,
+                now=self._time.now,
+                stamp=self._time.stamp,
+                sleep=self._time.sleep,
                 pub_plot_learn_cop=rospy.Publisher(
                     'plot_learn_cop',
                     contact_msgs.msg.PointArray,
-                    queue_size=QUEUE,
+                    queue_size=10,
                 ),
             ),
         )
 
-    def run(self):
-        """Configure the logic, connect its callbacks, and run the update loop until shutdown."""
-        if not self._impl.configure(self._config):
-            rospy.logfatal('The logic rejected its configuration.')
-            return
-        self._connect_receivers()
-        rate = rospy.Rate(FREQUENCY, reset=True)
-        try:
-            while not rospy.is_shutdown():
-                self._update()
-                rate.sleep()
-        except rospy.ROSInterruptException:
-            pass
-        finally:
-            self._impl.cleanup()
-
-    def _connect_receivers(self):
+    def _connect_receivers(self) -> None:
         """Create subscriptions and servers."""
-        ReconfigureServer(ContactEvaluateReconfigure, self._reconfigure)
         rospy.Subscriber(
             'cop',
             geometry_msgs.msg.Point,
             self._receive_cop,
-            queue_size=QUEUE,
+            queue_size=10,
         )
         ServiceServer(
             'load',
             contact_msgs.srv.SetString,
-            self._impl.serve_load,
+            self._callback('load', 'serve_load'),
         )
         ServiceServer(
             'store',
             contact_msgs.srv.SetString,
-            self._impl.serve_store,
+            self._callback('store', 'serve_store'),
         )
-        ActionServer(
+        self._action_server(
             'learn',
             contact_msgs.msg.LearnContactAction,
-            self._impl.execute_learn,
+            'execute_learn',
+            new_goal='replace',
         )
-        ActionServer(
+        self._action_server(
             'evaluate',
             contact_msgs.msg.EvaluateContactAction,
-            self._impl.execute_evaluate,
+            'execute_evaluate',
+            new_goal='replace',
         )
 
-    def _update(self):
+    def _update(self) -> None:
         """Run one cycle: take the latest messages, call update, publish the active outputs."""
         data = self._data
         with self._received_lock:
@@ -111,12 +114,12 @@ class ContactEvaluateNode:
         data.in_cop_updated = 'cop' in received
         self._impl.update(data, self._config)
 
-    def _receive_cop(self, message):
+    def _receive_cop(self, message: Any) -> None:
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['cop'] = message
 
-    def _reconfigure(self, values, _level):
+    def _reconfigure(self, values: Any, _level: int) -> Any:
         """Update the configuration with the changed parameters."""
         self._config = replace(
             self._config,
@@ -125,7 +128,7 @@ class ContactEvaluateNode:
         return values
 
 
-def read_parameter(name, default):
+def read_parameter(name: str, default: Any) -> Any:
     """Return a private parameter; raise if its type is not that of the default."""
     value = rospy.get_param('~' + name, default)
     if isinstance(value, list):
@@ -134,12 +137,10 @@ def read_parameter(name, default):
         value = float(value)
     if type(value) is not type(default):
         wanted = type(default).__name__
-        raise rospy.ROSInitException('Parameter %s: %r is not a %s.' % (name, value, wanted))
+        raise rospy.ROSInitException(f'Parameter {name} must be of type {wanted}, not {value!r}.')
     return value
 
 
-def main():
-    """Spin the node until ROS shuts down."""
-    rospy.init_node('contact_evaluate')
-    logging.getLogger('rosout').setLevel(rospy.get_param('~log_level', 'info').upper())
-    ContactEvaluateNode().run()
+def main() -> int:
+    """Run the node until it is told to stop; return the exit code of the process."""
+    return run('contact_evaluate', ContactEvaluateNode)

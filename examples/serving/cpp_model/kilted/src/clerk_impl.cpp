@@ -20,6 +20,11 @@ bool ClerkImpl::configure(
   return true;
 }
 
+bool ClerkImpl::activate()
+{
+  return true;
+}
+
 // Service greet
 void ClerkImpl::serve_greet(
   [[maybe_unused]] const clerk_types::GreetService::Request & request,
@@ -42,6 +47,10 @@ void ClerkImpl::execute_count(
 }
 
 // End of life
+void ClerkImpl::deactivate()
+{
+}
+
 void ClerkImpl::cleanup()
 {
 }

@@ -20,7 +20,16 @@ bool IdlerImpl::configure(
   return true;
 }
 
+bool IdlerImpl::activate()
+{
+  return true;
+}
+
 // End of life
+void IdlerImpl::deactivate()
+{
+}
+
 void IdlerImpl::cleanup()
 {
 }

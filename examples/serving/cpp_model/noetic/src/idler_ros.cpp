@@ -1,62 +1,76 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// The node idler: its life-cycle and its ROS interfaces.
+// The node idler: its lifecycle and its ROS interfaces.
 // Generated from serving.ros_package.
 // The logic is in idler_impl.cpp.
 
 #include <cstdint>
-#include <exception>
 #include <memory>
+#include <string>
 
+#include "ros/clock.hpp"
+#include "ros/process.hpp"
 #include "ros/ros.h"
-#include "ros_log.hpp"
+#include "ros/ros_log.hpp"
+#include "ros/supervisor.hpp"
 #include "serving/idler_impl.hpp"
 #include "serving/idler_interface.hpp"
 
 namespace serving
 {
 
-/// A node that calls its logic back from its start to its end.
+/// The node and its life: configure, activate, serve until it stops, deactivate, cleanup.
 class IdlerNode
 {
 public:
   /// Read the parameters, create publishers and clients, and construct the logic.
-  IdlerNode()
+  explicit IdlerNode(Supervisor & supervisor)
+  : supervisor_(supervisor)
   {
     read_parameters();
     connect_senders();
+    spinner_.start();
   }
 
   IdlerNode(const IdlerNode &) = delete;
   IdlerNode & operator=(const IdlerNode &) = delete;
 
-  /// Destroy subscriptions and servers, then clean up the logic.
   ~IdlerNode()
   {
     spinner_.stop();
-    if (configured_) {
-      impl_->cleanup();
-    }
   }
 
-  /// Configure the logic and serve until shutdown.
-  bool run()
+  /// Go through the lifecycle, in the thread of the logic.
+  void live()
   {
-    if (!impl_->configure(*config_)) {
-      ROS_FATAL("The logic rejected its configuration.");
-      return false;
+    if (!supervisor_.step("configure", [this] {return impl_->configure(*config_);})) {
+      supervisor_.refuse("The logic refused to configure.");
+      return;
     }
-    configured_ = true;
-    connect_receivers();
-    spinner_.start();
-    ros::waitForShutdown();
-    return true;
+    supervisor_.set_state("inactive");
+    const auto activate = [this] {return impl_->activate();};
+    if (!supervisor_.stopping() && supervisor_.step("activate", activate)) {
+      supervisor_.set_state("active");
+      work();
+      supervisor_.set_state("deactivating");
+      supervisor_.waits().clear();
+      supervisor_.step("deactivate", [this] {impl_->deactivate(); return true;});
+    } else {
+      supervisor_.refuse("The logic refused to activate.");
+    }
+    supervisor_.set_state("cleaning up");
+    supervisor_.waits().clear();
+    supervisor_.step("cleanup", [this] {impl_->cleanup(); return true;});
   }
+
+  /// This node has no goals to abort.
+  void abort_goals() {}
 
 private:
   void read_parameters()
   {
+    supervisor_.set_stop_timeout(private_.param("stop_timeout", 2.0));
     config_ = std::make_shared<IdlerConfig>();
   }
 
@@ -64,11 +78,21 @@ private:
   void connect_senders()
   {
     IdlerPassthrough passthrough;
-    passthrough.log = Logger(write_log);
+    passthrough.log = log_;
     passthrough.now = [] {
         return Time(static_cast<std::int64_t>(ros::Time::now().toNSec()));
       };
+    passthrough.sleep = [this](double seconds) {return clock_.sleep(seconds);};
     impl_ = std::make_unique<IdlerImpl>(passthrough);
+  }
+
+  /// Receive and serve until the node stops.
+  void work()
+  {
+    if (!supervisor_.stopping()) {
+      supervisor_.guard("connect_receivers", [this] {connect_receivers();});
+    }
+    supervisor_.wait_for_stop();
   }
 
   /// Create subscriptions and servers; callbacks that may block get their own thread.
@@ -77,11 +101,13 @@ private:
     // Nothing of this node receives.
   }
 
+  Supervisor & supervisor_;
+  Logger log_{write_log};
   ros::NodeHandle node_;
   ros::NodeHandle private_{"~"};
+  Clock clock_{node_, supervisor_.waits()};
   std::shared_ptr<const IdlerConfig> config_;
   std::unique_ptr<IdlerImpl> impl_;
-  bool configured_ = false;
   ros::AsyncSpinner spinner_{1};
 };
 
@@ -89,12 +115,5 @@ private:
 
 int main(int argc, char ** argv)
 {
-  ros::init(argc, argv, "idler");
-  serving::set_log_level();
-  try {
-    return serving::IdlerNode().run() ? 0 : 1;
-  } catch (const std::exception & error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
+  return serving::run_node<serving::IdlerNode>(argc, argv, "idler");
 }

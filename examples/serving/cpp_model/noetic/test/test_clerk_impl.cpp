@@ -5,22 +5,27 @@
 
 #include "gtest/gtest.h"
 
-#include "serving/clerk_impl.hpp"
+#include "./clerk_harness.hpp"
 
-/// The logic alone; publishers and clients do nothing.
+/// The logic alone, with fakes that record what it does.
 class TestClerkImpl : public ::testing::Test
 {
 protected:
-  serving::ClerkConfig config;
-  serving::ClerkPassthrough passthrough;
-  serving::ClerkImpl impl{passthrough};
+  void SetUp() override
+  {
+    ASSERT_TRUE(harness.impl.configure(harness.config));
+    ASSERT_TRUE(harness.impl.activate());
+  }
+
+  void TearDown() override
+  {
+    harness.impl.deactivate();
+    harness.impl.cleanup();
+  }
+
+  serving::ClerkHarness harness;
 };
 
-TEST_F(TestClerkImpl, AcceptsItsDefaultParameters) {
-  EXPECT_TRUE(impl.configure(config));
-}
-
-TEST_F(TestClerkImpl, CleansUpAfterItself) {
-  ASSERT_TRUE(impl.configure(config));
-  impl.cleanup();
+TEST_F(TestClerkImpl, StartsAndEndsWithoutWaiting) {
+  EXPECT_EQ(harness.time.nanoseconds(), 0);
 }

@@ -5,22 +5,27 @@
 
 #include "gtest/gtest.h"
 
-#include "serving/idler_impl.hpp"
+#include "./idler_harness.hpp"
 
-/// The logic alone; publishers and clients do nothing.
+/// The logic alone, with fakes that record what it does.
 class TestIdlerImpl : public ::testing::Test
 {
 protected:
-  serving::IdlerConfig config;
-  serving::IdlerPassthrough passthrough;
-  serving::IdlerImpl impl{passthrough};
+  void SetUp() override
+  {
+    ASSERT_TRUE(harness.impl.configure(harness.config));
+    ASSERT_TRUE(harness.impl.activate());
+  }
+
+  void TearDown() override
+  {
+    harness.impl.deactivate();
+    harness.impl.cleanup();
+  }
+
+  serving::IdlerHarness harness;
 };
 
-TEST_F(TestIdlerImpl, AcceptsItsDefaultParameters) {
-  EXPECT_TRUE(impl.configure(config));
-}
-
-TEST_F(TestIdlerImpl, CleansUpAfterItself) {
-  ASSERT_TRUE(impl.configure(config));
-  impl.cleanup();
+TEST_F(TestIdlerImpl, StartsAndEndsWithoutWaiting) {
+  EXPECT_EQ(harness.time.nanoseconds(), 0);
 }

@@ -10,6 +10,11 @@ Edit this file: clerk_interface.py declares what the logic can use.
 from serving.clerk_interface import (
     ClerkConfig,
     ClerkPassthrough,
+    CountGoal,
+    GreetRequest,
+    GreetResponse,
+    OpenRequest,
+    OpenResponse,
 )
 
 
@@ -28,21 +33,39 @@ class ClerkImpl:
         """Prepare the logic; return False to reject the configuration."""
         return True
 
+    def activate(self) -> bool:
+        """Start operating; return False to refuse activation."""
+        return True
+
     # Service greet
-    def serve_greet(self, request, response):
+    def serve_greet(
+        self,
+        request: GreetRequest,
+        response: GreetResponse,
+    ) -> GreetResponse:
         """Fill in the response and return it."""
         return response
 
     # Service ~/open
-    def serve_open(self, request, response):
+    def serve_open(
+        self,
+        request: OpenRequest,
+        response: OpenResponse,
+    ) -> OpenResponse:
         """Fill in the response and return it."""
         return response
 
     # Action count
-    def execute_count(self, goal) -> None:
-        """Execute a goal until it succeeds, is aborted, or a cancel is requested."""
+    def execute_count(
+        self,
+        goal: CountGoal,
+    ) -> None:
+        """Execute a goal and set its outcome; replace this stub, which reports success."""
         goal.succeed()
 
     # End of life
+    def deactivate(self) -> None:
+        """Stop everything that moves; publishers, service calls and goals still work here."""
+
     def cleanup(self) -> None:
         """Release everything created in configure."""

@@ -8,7 +8,29 @@ Generated from serving.ros_package; change the interface there.
 """
 
 from dataclasses import dataclass
-from typing import Any, Callable
+from typing import Callable
+
+from serving.protocols import (
+    Goal,
+    Log,
+    Stamp,
+)
+import std_srvs.srv
+import test_msgs.action
+
+# Message, service and action types, under the same names in ROS 1 and ROS 2.
+GreetRequest = std_srvs.srv.Trigger.Request
+GreetResponse = std_srvs.srv.Trigger.Response
+OpenRequest = std_srvs.srv.SetBool.Request
+OpenResponse = std_srvs.srv.SetBool.Response
+CountGoalRequest = test_msgs.action.Fibonacci.Goal
+CountFeedback = test_msgs.action.Fibonacci.Feedback
+CountResult = test_msgs.action.Fibonacci.Result
+CountGoal = Goal[
+    CountGoalRequest,
+    CountFeedback,
+    CountResult,
+]
 
 
 @dataclass(frozen=True)
@@ -27,10 +49,13 @@ class ClerkPassthrough:
     """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
 
     # The node's logger: log.debug(text), log.info, log.warning, log.error.
-    log: Any
+    log: Log
 
     # Returns the ROS time in seconds.
     now: Callable[[], float]
 
     # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Any]
+    stamp: Callable[[], Stamp]
+
+    # Waits that many seconds of ROS time; returns False at once when the node stops.
+    sleep: Callable[[float], bool]

@@ -2,55 +2,48 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node clerk: its life-cycle and its ROS interfaces.
+The node clerk: its lifecycle and its ROS interfaces.
 
 Generated from serving.ros_package; the logic is in clerk_impl.py.
 """
 
-from contextlib import ExitStack
-from threading import Thread
-import traceback
+from __future__ import annotations
+
+from typing import Any, Optional
 
 from rcl_interfaces.msg import ParameterDescriptor
-import rclpy
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
-from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
-from serving.action_server import ActionServer
 from serving.clerk_impl import ClerkImpl
 from serving.clerk_interface import (
     ClerkConfig,
     ClerkPassthrough,
 )
-from serving.worker import Worker
+from serving.managed_node import ManagedNode
+from serving.process import run
 import std_srvs.srv
 import test_msgs.action
 
 
-class ClerkNode(LifecycleNode):
+class ClerkNode(ManagedNode):
     """
     A managed node that calls its logic back while it is active.
 
-    Publishers and clients exist from configure on, subscriptions and servers while it is active.
+    Service servers exist while it is active. Action servers exist as long as the node; while
+    inactive, a server rejects goals.
     """
 
-    def __init__(self, **options) -> None:
-        """Declare the parameters; everything else is created in configure."""
+    fixed_parameters = [
+        'greeting',
+        'patience',
+    ]
+
+    def __init__(self, **options: Any) -> None:
+        """Declare the parameters and create what lives as long as the node."""
         super().__init__('clerk', **options)
-        self.declare_parameter(
-            'autostart',
-            True,
-            ParameterDescriptor(
-                description='Whether the node configures and activates itself.',
-                read_only=True,
-            ),
-        )
         self.declare_parameter(
             'greeting',
             'hello',
             ParameterDescriptor(
                 description='What to say',
-                read_only=True,
             ),
         )
         self.declare_parameter(
@@ -58,67 +51,20 @@ class ClerkNode(LifecycleNode):
             0.5,
             ParameterDescriptor(
                 description='Time for a step, s',
-                read_only=True,
             ),
         )
         self._config = self._read_config()
-        self._configured = ExitStack()
-        self._active = ExitStack()
-        self._action_server_count = ActionServer(
-            self,
+        self._action_server_count = self._action_server(
             test_msgs.action.Fibonacci,
             'count',
-            lambda goal: self._impl.execute_count(goal),
+            'execute_count',
+            new_goal='replace',
         )
 
-    def start(self) -> None:
-        """Configure and activate the node if autostart is true."""
-        if not self.get_parameter('autostart').value:
-            return
-        if self.trigger_configure() == TransitionCallbackReturn.SUCCESS:
-            self.trigger_activate()
-
-    def on_configure(self, state) -> TransitionCallbackReturn:
-        """Create publishers and clients, then configure the logic."""
-        try:
-            self._connect_senders()
-            if self._impl.configure(self._config):
-                self._configured.callback(self._impl.cleanup)
-                return super().on_configure(state)
-            self.get_logger().error('The logic rejected its configuration.')
-        except Exception:
-            self.get_logger().error(traceback.format_exc())
-        self.release()
-        return TransitionCallbackReturn.FAILURE
-
-    def on_activate(self, state) -> TransitionCallbackReturn:
-        """Create subscriptions and servers."""
-        result = super().on_activate(state)
-        self._connect_receivers()
-        return result
-
-    def on_deactivate(self, state) -> TransitionCallbackReturn:
-        """Destroy subscriptions and servers."""
-        self._active.close()
-        return super().on_deactivate(state)
-
-    def on_cleanup(self, state) -> TransitionCallbackReturn:
-        """Release everything created in configure."""
-        self.release()
-        return super().on_cleanup(state)
-
-    def on_shutdown(self, state) -> TransitionCallbackReturn:
-        """Shut down from any state."""
-        self.release()
-        return super().on_shutdown(state)
-
-    def release(self) -> None:
-        """Destroy all connections to ROS and clean up the logic."""
-        self._active.close()
-        try:
-            self._configured.close()
-        except Exception:
-            self.get_logger().error(traceback.format_exc())
+    def _configure(self) -> bool:
+        """Configure the logic with the parameters."""
+        self._config = self._read_config()
+        return bool(self._impl.configure(self._config))
 
     def _read_config(self) -> ClerkConfig:
         """Return the current parameters."""
@@ -132,8 +78,9 @@ class ClerkNode(LifecycleNode):
         self._impl = ClerkImpl(
             ClerkPassthrough(
                 log=self.get_logger(),
-                now=lambda: self.get_clock().now().nanoseconds * 1e-9,
-                stamp=lambda: self.get_clock().now().to_msg(),
+                now=self._time.now,
+                stamp=self._time.stamp,
+                sleep=self._time.sleep,
             ),
         )
 
@@ -142,38 +89,16 @@ class ClerkNode(LifecycleNode):
         self._serve(
             std_srvs.srv.Trigger,
             'greet',
-            Worker(self, self._impl.serve_greet).run,
+            'serve_greet',
         )
         self._serve(
             std_srvs.srv.SetBool,
             '~/open',
-            Worker(self, self._impl.serve_open).run,
+            'serve_open',
         )
-        self._active.enter_context(self._action_server_count)
-
-    def _serve(self, service_type, name, callback) -> None:
-        """Create a service server."""
-        service = self.create_service(
-            service_type,
-            name,
-            callback,
-            callback_group=MutuallyExclusiveCallbackGroup(),
-        )
-        self._active.callback(self.destroy_service, service)
+        self._action_server_count.accept_goals(True)
 
 
-def main(args=None) -> None:
-    """Spin the node until ROS shuts down."""
-    rclpy.init(args=args)
-    node = ClerkNode()
-    executor = SingleThreadedExecutor()
-    executor.add_node(node)
-    Thread(target=node.start, daemon=True).start()
-    try:
-        executor.spin()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.release()
-        node.destroy_node()
-        rclpy.try_shutdown()
+def main(args: Optional[list[str]] = None) -> int:
+    """Run the node until it is told to stop; return the exit code of the process."""
+    return run(ClerkNode, args)

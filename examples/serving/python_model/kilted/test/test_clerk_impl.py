@@ -4,26 +4,30 @@
 """Tests of the logic of clerk, without a ROS graph."""
 
 import unittest
-from unittest.mock import MagicMock
 
+from harness import fake
 from serving.clerk_impl import ClerkImpl
-from serving.clerk_interface import ClerkConfig
+from serving.clerk_interface import (
+    ClerkConfig,
+    ClerkPassthrough,
+)
 
 
 class TestClerkImpl(unittest.TestCase):
-    """The logic alone; the passthrough is a mock."""
+    """The logic alone, with fakes of harness.py that record what it does."""
 
     def setUp(self):
-        """Create the logic with its configuration."""
-        self.passthrough = MagicMock()
-        self.config = ClerkConfig()
-        self.impl = ClerkImpl(self.passthrough)
+        """Create the logic and make it ready to work."""
+        self.ros = fake(ClerkPassthrough)
+        self.impl = ClerkImpl(self.ros)
+        self.assertTrue(self.impl.configure(ClerkConfig()))
+        self.assertTrue(self.impl.activate())
 
-    def test_configure(self):
-        """The logic accepts the default parameters."""
-        self.assertTrue(self.impl.configure(self.config))
-
-    def test_cleanup(self):
-        """The logic cleans up after itself."""
-        self.impl.configure(self.config)
+    def tearDown(self):
+        """End the logic as the node does."""
+        self.impl.deactivate()
         self.impl.cleanup()
+
+    def test_without_errors(self):
+        """The logic starts and ends without an error in the log."""
+        self.assertNotIn('error', [level for level, _ in self.ros.log.lines])

@@ -2,74 +2,76 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node clerk: its life-cycle and its ROS interfaces.
+The node clerk: its lifecycle and its ROS interfaces.
 
 Generated from serving.ros_package; the logic is in clerk_impl.py.
 """
 
-import logging
+from __future__ import annotations
+
+from typing import Any
 
 import rospy
-from serving.action_server import ActionServer
 from serving.clerk_impl import ClerkImpl
 from serving.clerk_interface import (
     ClerkConfig,
     ClerkPassthrough,
 )
+from serving.managed_node import ManagedNode
+from serving.process import run
 from serving.service_server import ServiceServer
 import std_srvs.srv
 import test_msgs.msg
 
 
-class ClerkNode:
-    """A node that calls its logic back from its start to its end."""
+class ClerkNode(ManagedNode):
+    """A node that calls its logic back."""
 
-    def __init__(self):
-        """Read the parameters, create publishers and clients, and construct the logic."""
+    def __init__(self) -> None:
+        """Read the parameters; everything else is created in configure."""
+        super().__init__()
         default = ClerkConfig()
         self._config = ClerkConfig(
             greeting=read_parameter('greeting', default.greeting),
             patience=read_parameter('patience', default.patience),
         )
+
+    def _configure(self) -> bool:
+        """Configure the logic with the parameters."""
+        return bool(self._impl.configure(self._config))
+
+    def _connect_senders(self) -> None:
+        """Create publishers and clients, then the logic."""
         self._impl = ClerkImpl(
             ClerkPassthrough(
-                log=logging.getLogger('rosout'),
-                now=rospy.get_time,
-                stamp=rospy.Time.now,
+                log=self._log,
+                now=self._time.now,
+                stamp=self._time.stamp,
+                sleep=self._time.sleep,
             ),
         )
 
-    def run(self):
-        """Configure the logic and serve until shutdown."""
-        if not self._impl.configure(self._config):
-            rospy.logfatal('The logic rejected its configuration.')
-            return
-        self._connect_receivers()
-        try:
-            rospy.spin()
-        finally:
-            self._impl.cleanup()
-
-    def _connect_receivers(self):
+    def _connect_receivers(self) -> None:
         """Create subscriptions and servers."""
         ServiceServer(
             'greet',
             std_srvs.srv.Trigger,
-            self._impl.serve_greet,
+            self._callback('greet', 'serve_greet'),
         )
         ServiceServer(
             '~open',
             std_srvs.srv.SetBool,
-            self._impl.serve_open,
+            self._callback('~/open', 'serve_open'),
         )
-        ActionServer(
+        self._action_server(
             'count',
             test_msgs.msg.FibonacciAction,
-            self._impl.execute_count,
+            'execute_count',
+            new_goal='replace',
         )
 
 
-def read_parameter(name, default):
+def read_parameter(name: str, default: Any) -> Any:
     """Return a private parameter; raise if its type is not that of the default."""
     value = rospy.get_param('~' + name, default)
     if isinstance(value, list):
@@ -78,12 +80,10 @@ def read_parameter(name, default):
         value = float(value)
     if type(value) is not type(default):
         wanted = type(default).__name__
-        raise rospy.ROSInitException('Parameter %s: %r is not a %s.' % (name, value, wanted))
+        raise rospy.ROSInitException(f'Parameter {name} must be of type {wanted}, not {value!r}.')
     return value
 
 
-def main():
-    """Spin the node until ROS shuts down."""
-    rospy.init_node('clerk')
-    logging.getLogger('rosout').setLevel(rospy.get_param('~log_level', 'info').upper())
-    ClerkNode().run()
+def main() -> int:
+    """Run the node until it is told to stop; return the exit code of the process."""
+    return run('clerk', ClerkNode)

@@ -28,6 +28,13 @@ class IdlerImpl:
         """Prepare the logic; return False to reject the configuration."""
         return True
 
+    def activate(self) -> bool:
+        """Start operating; return False to refuse activation."""
+        return True
+
     # End of life
+    def deactivate(self) -> None:
+        """Stop everything that moves; publishers, service calls and goals still work here."""
+
     def cleanup(self) -> None:
         """Release everything created in configure."""

@@ -8,7 +8,12 @@ Generated from serving.ros_package; change the interface there.
 """
 
 from dataclasses import dataclass
-from typing import Any, Callable
+from typing import Callable
+
+from serving.protocols import (
+    Log,
+    Stamp,
+)
 
 
 @dataclass(frozen=True)
@@ -21,10 +26,13 @@ class IdlerPassthrough:
     """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
 
     # The node's logger: log.debug(text), log.info, log.warning, log.error.
-    log: Any
+    log: Log
 
     # Returns the ROS time in seconds.
     now: Callable[[], float]
 
     # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Any]
+    stamp: Callable[[], Stamp]
+
+    # Waits that many seconds of ROS time; returns False at once when the node stops.
+    sleep: Callable[[float], bool]

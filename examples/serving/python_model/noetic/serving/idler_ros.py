@@ -2,53 +2,50 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-The node idler: its life-cycle and its ROS interfaces.
+The node idler: its lifecycle and its ROS interfaces.
 
 Generated from serving.ros_package; the logic is in idler_impl.py.
 """
 
-import logging
+from __future__ import annotations
 
-import rospy
 from serving.idler_impl import IdlerImpl
 from serving.idler_interface import (
     IdlerConfig,
     IdlerPassthrough,
 )
+from serving.managed_node import ManagedNode
+from serving.process import run
 
 
-class IdlerNode:
-    """A node that calls its logic back from its start to its end."""
+class IdlerNode(ManagedNode):
+    """A node that calls its logic back."""
 
-    def __init__(self):
-        """Read the parameters, create publishers and clients, and construct the logic."""
+    def __init__(self) -> None:
+        """Read the parameters; everything else is created in configure."""
+        super().__init__()
         self._config = IdlerConfig()
+
+    def _configure(self) -> bool:
+        """Configure the logic with the parameters."""
+        return bool(self._impl.configure(self._config))
+
+    def _connect_senders(self) -> None:
+        """Create publishers and clients, then the logic."""
         self._impl = IdlerImpl(
             IdlerPassthrough(
-                log=logging.getLogger('rosout'),
-                now=rospy.get_time,
-                stamp=rospy.Time.now,
+                log=self._log,
+                now=self._time.now,
+                stamp=self._time.stamp,
+                sleep=self._time.sleep,
             ),
         )
 
-    def run(self):
-        """Configure the logic and serve until shutdown."""
-        if not self._impl.configure(self._config):
-            rospy.logfatal('The logic rejected its configuration.')
-            return
-        self._connect_receivers()
-        try:
-            rospy.spin()
-        finally:
-            self._impl.cleanup()
-
-    def _connect_receivers(self):
+    def _connect_receivers(self) -> None:
         """Create subscriptions and servers."""
         # Nothing of this node receives.
 
 
-def main():
-    """Spin the node until ROS shuts down."""
-    rospy.init_node('idler')
-    logging.getLogger('rosout').setLevel(rospy.get_param('~log_level', 'info').upper())
-    IdlerNode().run()
+def main() -> int:
+    """Run the node until it is told to stop; return the exit code of the process."""
+    return run('idler', IdlerNode)

@@ -3,16 +3,21 @@
 
 """A service server whose callback fills in a given response."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import rospy
+from serving.callbacks import CallbackThread
 
 
 class ServiceServer:
     """A server that passes the request and an empty response to its callback."""
 
-    def __init__(self, name, service_type, serve):
-        """Advertise the service; serve(request, response) returns the response."""
+    def __init__(self, name: str, service_type: Any, thread: CallbackThread) -> None:
+        """Advertise the service, which the thread serves."""
         self._service = rospy.Service(
             name,
             service_type,
-            lambda request: serve(request, service_type._response_class()),
+            lambda request: thread.serve(request, service_type._response_class()),
         )

@@ -1,39 +1,78 @@
-#!/usr/bin/env python3
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Tests of the node idler, which nodes.test starts, and of its logic."""
+"""Tests of idler: what its spec says, tried from outside."""
 
-import time
+import os
+import signal
+import sys
+from time import sleep
 import unittest
 
-import rosnode
-import rostest
-from test_idler_impl import TestIdlerImpl  # noqa: F401 (rostest runs it too)
+from peer import Peer
+from running import RunningNode
 
-NODE = '/idler'
-TIMEOUT = 10.0  # seconds
-
-
-class TestIdlerNode(unittest.TestCase):
-    """The running node, without its peers."""
-
-    def test_starts(self):
-        """The node responds."""
-        end = time.monotonic() + TIMEOUT
-        while not self.is_alive() and time.monotonic() < end:
-            time.sleep(0.1)
-        self.assertTrue(self.is_alive())
-
-    @staticmethod
-    def is_alive():
-        """Return whether the node responds."""
-        return NODE in rosnode.get_node_names() and rosnode.rosnode_ping(NODE, max_count=1)
+NAME = '/idler'
+RECORDER = [
+    sys.executable,
+    os.path.join(os.path.dirname(__file__), 'recorder.py'),
+    'idler',
+    'IdlerImpl',
+]
+LOGIC = [
+    sys.executable,
+    os.path.join(os.path.dirname(__file__), '..', 'scripts', 'idler'),
+]
+LIFE = ['configure', 'activate', 'deactivate', 'cleanup']
 
 
-if __name__ == '__main__':
-    rostest.rosrun(
-        'serving',
-        'idler',
-        'test_idler_node',
-    )
+class TestInterfaces(unittest.TestCase):
+    """The active node, with a logic that records its calls."""
+
+    @classmethod
+    def setUpClass(cls):
+        """Start the node."""
+        cls.peer = Peer(NAME)
+        cls.addClassCleanup(cls.peer.close)
+        cls.node = RunningNode(RECORDER)
+        cls.addClassCleanup(cls.node.kill)
+        assert cls.node.is_called('activate')
+
+    @classmethod
+    def tearDownClass(cls):
+        """Stop the node, which still runs."""
+        assert cls.node.stop() == 0
+
+
+class TestLifeCycle(unittest.TestCase):
+    """Nodes that are started and stopped."""
+
+    def start(self, command):
+        """Start a node for this test, and a peer."""
+        peer = Peer(NAME)
+        self.addCleanup(peer.close)
+        node = RunningNode(command)
+        self.addCleanup(node.kill)
+        return node, peer
+
+    def test_every_edge(self):
+        """The node activates itself and ends well at SIGINT."""
+        node, _ = self.start(RECORDER)
+        self.assertTrue(node.is_called('activate'))
+        self.assertEqual(node.calls(*LIFE), LIFE[:2])
+        self.assertEqual(node.stop(signal.SIGINT), 0)
+        self.assertEqual(node.calls(*LIFE), LIFE)
+
+    def test_rosnode_kill(self):
+        """The node ends as well when it is told to by `rosnode kill`."""
+        node, peer = self.start(RECORDER)
+        self.assertTrue(node.is_called('activate'))
+        peer.kill()
+        self.assertEqual(node.exit_code(), 0)
+        self.assertEqual(node.calls('deactivate', 'cleanup'), ['deactivate', 'cleanup'])
+
+    def test_logic(self):
+        """The node runs with its own logic, and ends well at SIGTERM."""
+        node, _ = self.start(LOGIC)
+        sleep(3.0)
+        self.assertEqual(node.stop(signal.SIGTERM), 0)

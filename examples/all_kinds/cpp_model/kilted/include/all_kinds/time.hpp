@@ -4,12 +4,15 @@
 #ifndef ALL_KINDS__TIME_HPP_
 #define ALL_KINDS__TIME_HPP_
 
+#include <chrono>
 #include <cstdint>
 
 namespace all_kinds
 {
 
-/// ROS time, real or simulated; it can be assigned to a message's stamp.
+/// ROS time, real or simulated; it converts to a message's stamp and back.
+///
+/// The difference of two is a std::chrono duration: `now() - message.header.stamp < 100ms`.
 class Time
 {
 public:
@@ -17,6 +20,20 @@ public:
 
   explicit Time(std::int64_t nanoseconds)
   : nanoseconds_(nanoseconds)
+  {
+  }
+
+  /// Convert from a stamp of ROS 2.
+  template<typename Stamp, decltype(Stamp::nanosec) * = nullptr>
+  Time(const Stamp & stamp)  // NOLINT(runtime/explicit)
+  : nanoseconds_(stamp.sec * std::int64_t{1000000000} + stamp.nanosec)
+  {
+  }
+
+  /// Convert from a stamp of ROS 1.
+  template<typename Stamp, decltype(Stamp::nsec) * = nullptr>
+  Time(const Stamp & stamp)  // NOLINT(runtime/explicit)
+  : nanoseconds_(stamp.sec * std::int64_t{1000000000} + stamp.nsec)
   {
   }
 
@@ -42,6 +59,28 @@ public:
     stamp.nsec = static_cast<decltype(stamp.nsec)>(nanoseconds_ % 1000000000);
     return stamp;
   }
+
+  friend std::chrono::nanoseconds operator-(Time left, Time right)
+  {
+    return std::chrono::nanoseconds(left.nanoseconds_ - right.nanoseconds_);
+  }
+
+  friend Time operator-(Time time, std::chrono::nanoseconds difference)
+  {
+    return Time(time.nanoseconds_ - difference.count());
+  }
+
+  friend Time operator+(Time time, std::chrono::nanoseconds difference)
+  {
+    return Time(time.nanoseconds_ + difference.count());
+  }
+
+  friend bool operator==(Time left, Time right) {return left.nanoseconds_ == right.nanoseconds_;}
+  friend bool operator!=(Time left, Time right) {return left.nanoseconds_ != right.nanoseconds_;}
+  friend bool operator<(Time left, Time right) {return left.nanoseconds_ < right.nanoseconds_;}
+  friend bool operator<=(Time left, Time right) {return left.nanoseconds_ <= right.nanoseconds_;}
+  friend bool operator>(Time left, Time right) {return left.nanoseconds_ > right.nanoseconds_;}
+  friend bool operator>=(Time left, Time right) {return left.nanoseconds_ >= right.nanoseconds_;}
 
 private:
   std::int64_t nanoseconds_ = 0;

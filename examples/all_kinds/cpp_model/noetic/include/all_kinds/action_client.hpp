@@ -9,7 +9,7 @@
 namespace all_kinds
 {
 
-/// The state of an action client's goal; lost: no server is available.
+/// The state of an action client's goal; lost: there is no server, or it has died.
 enum class ActionState {idle, pending, active, rejected, succeeded, aborted, canceled, lost};
 
 /// Return the name of a state.
@@ -54,7 +54,7 @@ public:
   /// Send a goal, replacing the previous one; return false if no server is available.
   virtual bool send_goal(const Goal & /* goal */) {return false;}
 
-  /// Ask the server to cancel the goal.
+  /// Ask the server to cancel the goal; before it has answered, as soon as it does.
   virtual void cancel() {}
 
   /// Return the state of the goal.

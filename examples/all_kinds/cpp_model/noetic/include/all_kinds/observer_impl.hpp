@@ -24,12 +24,18 @@ public:
   bool configure(
     const ObserverConfig & config);
 
+  /// Start operating; return false to refuse activation.
+  bool activate();
+
   /// Compute the outputs of one cycle from the latest inputs.
   void update(
     ObserverData & data,
     const ObserverConfig & config);
 
   // End of life
+  /// Stop everything that moves; publishers, service calls and goals still work here.
+  void deactivate();
+
   /// Release everything created in configure.
   void cleanup();
 

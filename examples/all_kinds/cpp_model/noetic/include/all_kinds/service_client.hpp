@@ -24,7 +24,7 @@ public:
   /// Return whether a server is available.
   virtual bool is_ready() {return false;}
 
-  /// Return the response, or nothing if none arrives before the timeout.
+  /// Return the response, or nothing: after the timeout, in wall time, or when the node stops.
   std::optional<Response> call(
     const Request & request,
     Seconds timeout = std::chrono::seconds(1))

@@ -6,8 +6,11 @@
 
 #include <array>
 #include <chrono>
+#include <mutex>
 #include <optional>
 #include <string>
+
+#include "all_kinds/time.hpp"
 
 namespace all_kinds
 {
@@ -23,28 +26,48 @@ public:
 
   virtual ~TransformListener() = default;
 
-  /// Return the latest transform from one frame to another.
+  /// Return the transform from one frame to another.
   ///
   /// \param target The frame to transform into.
   /// \param source The frame to transform from.
-  /// \param timeout Time to wait for the transform.
+  /// \param timeout Wall time to wait for the transform; stopping the node ends the wait.
+  /// \param stamp When the transform held, e.g. a message's stamp; by default, the latest.
   /// \return The transform, or nothing if it is not available in time.
   std::optional<Transform> lookup(
     const std::string & target,
     const std::string & source,
-    Seconds timeout = Seconds::zero())
+    Seconds timeout = Seconds::zero(),
+    Time stamp = Time())
   {
-    return wait_for_transform(target, source, timeout);
+    std::string reason;
+    const auto transform = wait_for_transform(target, source, timeout, stamp, reason);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    reason_ = reason;
+    return transform;
+  }
+
+  /// Return why the last lookup found nothing; empty if it found its transform.
+  std::string reason()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return reason_;
   }
 
 protected:
   virtual std::optional<Transform> wait_for_transform(
     const std::string & /* target */,
     const std::string & /* source */,
-    Seconds /* timeout */)
+    Seconds /* timeout */,
+    Time /* stamp */,
+    std::string & reason)
   {
+    reason = "There is no tf.";
     return std::nullopt;
   }
+
+private:
+  std::mutex mutex_;
+  std::string reason_;
 };
 
 /// Publishes transforms to tf.
@@ -54,6 +77,9 @@ template<typename Transform>
 class TransformBroadcaster
 {
 public:
+  using Translation = std::array<double, 3>;
+  using Rotation = std::array<double, 4>;
+
   virtual ~TransformBroadcaster() = default;
 
   /// Publish the pose of a frame in its parent frame, stamped with the current time.
@@ -65,8 +91,37 @@ public:
   void broadcast(
     const std::string & parent,
     const std::string & child,
-    const std::array<double, 3> & translation,
-    const std::array<double, 4> & rotation)
+    const Translation & translation,
+    const Rotation & rotation)
+  {
+    send(make_transform(parent, child, translation, rotation));
+  }
+
+  /// Publish a pose that never changes; later listeners receive it too.
+  void broadcast_static(
+    const std::string & parent,
+    const std::string & child,
+    const Translation & translation,
+    const Rotation & rotation)
+  {
+    send_static(make_transform(parent, child, translation, rotation));
+  }
+
+  /// Publish a transform as given.
+  virtual void send(const Transform & /* transform */) {}
+
+  /// Publish a static transform as given.
+  virtual void send_static(const Transform & /* transform */) {}
+
+protected:
+  virtual void set_stamp(Transform & /* transform */) {}
+
+private:
+  Transform make_transform(
+    const std::string & parent,
+    const std::string & child,
+    const Translation & translation,
+    const Rotation & rotation)
   {
     Transform message;
     set_stamp(message);
@@ -79,14 +134,8 @@ public:
     message.transform.rotation.y = rotation[1];
     message.transform.rotation.z = rotation[2];
     message.transform.rotation.w = rotation[3];
-    send(message);
+    return message;
   }
-
-  /// Publish a transform as given.
-  virtual void send(const Transform & /* transform */) {}
-
-protected:
-  virtual void set_stamp(Transform & /* transform */) {}
 };
 
 }  // namespace all_kinds

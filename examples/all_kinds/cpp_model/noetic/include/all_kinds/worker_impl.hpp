@@ -24,6 +24,9 @@ public:
   bool configure(
     const WorkerConfig & config);
 
+  /// Start operating; return false to refuse activation.
+  bool activate();
+
   /// Compute the outputs of one cycle from the latest inputs.
   void update(
     WorkerData & data,
@@ -47,11 +50,14 @@ public:
     worker_types::EnableService::Response & response);
 
   // Action compute
-  /// Execute a goal until it succeeds, is aborted, or a cancel is requested.
+  /// Execute a goal until it succeeds, is aborted, or a cancel is requested; replace the stub.
   void execute_compute(
     Goal<worker_types::ComputeAction> & goal);
 
   // End of life
+  /// Stop everything that moves; publishers, service calls and goals still work here.
+  void deactivate();
+
   /// Release everything created in configure.
   void cleanup();
 

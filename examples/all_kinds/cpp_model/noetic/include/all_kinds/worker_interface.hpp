@@ -113,11 +113,15 @@ struct WorkerData
 /// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
 struct WorkerPassthrough
 {
-  /// The node's logger: log.debug(text), log.info, log.warning, log.error.
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write at most every
+  /// two seconds: log.info_throttle(2.0, text).
   Logger log;
 
-  /// Returns the ROS time; it can be assigned to a message's stamp.
+  /// Returns the ROS time; it converts to a message's stamp and back.
   std::function<Time()> now = [] {return Time();};
+
+  /// Waits that many seconds of ROS time; returns false at once when the node stops.
+  std::function<bool(double)> sleep = [](double) {return true;};
 
   /// What was said, said again
   std::shared_ptr<Publisher<worker_types::PubEcho>> pub_echo =

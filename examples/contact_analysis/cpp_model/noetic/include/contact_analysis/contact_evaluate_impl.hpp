@@ -24,6 +24,9 @@ public:
   bool configure(
     const ContactEvaluateConfig & config);
 
+  /// Start operating; return false to refuse activation.
+  bool activate();
+
   /// Compute the outputs of one cycle from the latest inputs.
   void update(
     ContactEvaluateData & data,
@@ -42,16 +45,19 @@ public:
     contact_evaluate_types::StoreService::Response & response);
 
   // Action learn
-  /// Execute a goal until it succeeds, is aborted, or a cancel is requested.
+  /// Execute a goal until it succeeds, is aborted, or a cancel is requested; replace the stub.
   void execute_learn(
     Goal<contact_evaluate_types::LearnAction> & goal);
 
   // Action evaluate
-  /// Execute a goal until it succeeds, is aborted, or a cancel is requested.
+  /// Execute a goal until it succeeds, is aborted, or a cancel is requested; replace the stub.
   void execute_evaluate(
     Goal<contact_evaluate_types::EvaluateAction> & goal);
 
   // End of life
+  /// Stop everything that moves; publishers, service calls and goals still work here.
+  void deactivate();
+
   /// Release everything created in configure.
   void cleanup();
 

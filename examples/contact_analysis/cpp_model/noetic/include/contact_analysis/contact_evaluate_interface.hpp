@@ -73,11 +73,15 @@ struct ContactEvaluateData
 /// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
 struct ContactEvaluatePassthrough
 {
-  /// The node's logger: log.debug(text), log.info, log.warning, log.error.
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write at most every
+  /// two seconds: log.info_throttle(2.0, text).
   Logger log;
 
-  /// Returns the ROS time; it can be assigned to a message's stamp.
+  /// Returns the ROS time; it converts to a message's stamp and back.
   std::function<Time()> now = [] {return Time();};
+
+  /// Waits that many seconds of ROS time; returns false at once when the node stops.
+  std::function<bool(double)> sleep = [](double) {return true;};
 
   /// Cops defining the latest contact
   std::shared_ptr<Publisher<contact_evaluate_types::PubPlotLearnCop>> pub_plot_learn_cop =

@@ -24,6 +24,9 @@ public:
   bool configure(
     const ClerkConfig & config);
 
+  /// Start operating; return false to refuse activation.
+  bool activate();
+
   // Service greet
   /// Fill in the response.
   void serve_greet(
@@ -37,11 +40,14 @@ public:
     clerk_types::OpenService::Response & response);
 
   // Action count
-  /// Execute a goal until it succeeds, is aborted, or a cancel is requested.
+  /// Execute a goal until it succeeds, is aborted, or a cancel is requested; replace the stub.
   void execute_count(
     Goal<clerk_types::CountAction> & goal);
 
   // End of life
+  /// Stop everything that moves; publishers, service calls and goals still work here.
+  void deactivate();
+
   /// Release everything created in configure.
   void cleanup();
 

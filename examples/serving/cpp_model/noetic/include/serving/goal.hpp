@@ -24,7 +24,8 @@ public:
 
   virtual ~Goal() = default;
 
-  /// Return whether to stop: the client canceled the goal or sent a new one.
+  /// Return whether to return soon: the client cancels, a new goal replaces this one, or the node
+  /// stops.
   virtual bool cancel_requested() {return false;}
 
   /// Publish the current feedback.

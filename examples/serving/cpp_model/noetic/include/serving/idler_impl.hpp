@@ -24,7 +24,13 @@ public:
   bool configure(
     const IdlerConfig & config);
 
+  /// Start operating; return false to refuse activation.
+  bool activate();
+
   // End of life
+  /// Stop everything that moves; publishers, service calls and goals still work here.
+  void deactivate();
+
   /// Release everything created in configure.
   void cleanup();
 

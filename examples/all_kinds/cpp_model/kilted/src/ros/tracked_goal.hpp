@@ -1,0 +1,151 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef ROS__TRACKED_GOAL_HPP_
+#define ROS__TRACKED_GOAL_HPP_
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "all_kinds/action_client.hpp"
+
+namespace all_kinds
+{
+
+/// What is known of a goal that the node has sent; thread-safe.
+template<typename Action, typename Handle>
+class TrackedGoal
+{
+public:
+  using Clock = std::chrono::steady_clock;
+  using Feedback = std::shared_ptr<const typename Action::Feedback>;
+  using Result = std::shared_ptr<const typename Action::Result>;
+
+  /// The goal is lost when its server has been away for so long.
+  static constexpr std::chrono::seconds PATIENCE{2};
+
+  void set_state(ActionState state)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    state_ = state;
+  }
+
+  void set_feedback(Feedback feedback)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    feedback_.swap(feedback);
+  }
+
+  /// Store the handle of the accepted goal; return whether it was canceled in the meantime.
+  bool accept(const Handle & handle)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (is_running()) {
+      state_ = ActionState::active;
+      handle_ = handle;
+    }
+    return wants_cancel_;
+  }
+
+  /// Keep the wish to cancel; return the handle to do so if the server has answered.
+  Handle want_cancel()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    wants_cancel_ = is_running();
+    return handle_;
+  }
+
+  void set_canceled()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      is_canceled_ = true;
+    }
+    changed_.notify_all();
+  }
+
+  /// Wait until the server has answered the cancel, or the goal has ended.
+  void wait_until_canceled(Clock::time_point end)
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_until(lock, end, [this] {return is_canceled_ || !is_running();});
+  }
+
+  /// End the goal, unless it has ended before.
+  void end(ActionState state, Result result = nullptr)
+  {
+    Handle handle;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (state_ != ActionState::idle && !is_running()) {
+        return;
+      }
+      state_ = state;
+      result_ = std::move(result);
+      handle_.swap(handle);
+    }
+    changed_.notify_all();
+  }
+
+  /// Take note of whether the server is there.
+  void watch(bool is_server_ready)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (is_server_ready || !is_running()) {
+        is_server_away_ = false;
+        return;
+      }
+      if (!is_server_away_) {
+        is_server_away_ = true;
+        away_since_ = Clock::now();
+      }
+      if (Clock::now() - away_since_ < PATIENCE) {
+        return;
+      }
+    }
+    end(ActionState::lost);
+  }
+
+  ActionState state()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return state_;
+  }
+
+  Feedback feedback()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return feedback_;
+  }
+
+  Result result()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return result_;
+  }
+
+private:
+  bool is_running() const
+  {
+    return state_ == ActionState::pending || state_ == ActionState::active;
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  ActionState state_ = ActionState::idle;
+  Feedback feedback_;
+  Result result_;
+  Handle handle_;
+  bool wants_cancel_ = false;
+  bool is_canceled_ = false;
+  bool is_server_away_ = false;
+  Clock::time_point away_since_;
+};
+
+}  // namespace all_kinds
+
+#endif  // ROS__TRACKED_GOAL_HPP_

@@ -1,0 +1,181 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef ROS__SERVICE_CALLER_HPP_
+#define ROS__SERVICE_CALLER_HPP_
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "ros/connection.h"
+#include "ros/serialized_message.h"
+#include "ros/service.h"
+#include "ros/service_manager.h"
+#include "ros/service_server_link.h"
+
+#include "stop.hpp"
+#include "thread_name.hpp"
+
+namespace all_kinds
+{
+
+/// Calls a service in a thread of its own, since calls of roscpp know no timeout.
+///
+/// The connection is kept from call to call, and dropped when a call times out.
+class ServiceCaller
+{
+public:
+  ServiceCaller(const std::string & service, const std::string & md5sum, Stop & stop)
+  : service_(service),
+    md5sum_(md5sum),
+    stop_(stop),
+    thread_([this] {work();})
+  {
+  }
+
+  ServiceCaller(const ServiceCaller &) = delete;
+  ServiceCaller & operator=(const ServiceCaller &) = delete;
+
+  ~ServiceCaller()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ended_ = true;
+    }
+    give_up();
+    thread_.join();
+  }
+
+  /// Take the caller for a call; return false if another call has not ended.
+  bool take()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::exchange(taken_, true) == false;
+  }
+
+  /// Return the response, or nothing at the end of the time or when the node stops. Take it before.
+  std::optional<ros::SerializedMessage> call(
+    const ros::SerializedMessage & request,
+    Stop::Clock::time_point end)
+  {
+    const auto call = std::make_shared<Call>();
+    call->request = request;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      call_ = call;
+    }
+    changed_.notify_one();
+    if (stop_.wait_until(end, [&] {return call->done;})) {
+      return call->response;
+    }
+    give_up();
+    return std::nullopt;
+  }
+
+private:
+  struct Call
+  {
+    ros::SerializedMessage request;
+    std::optional<ros::SerializedMessage> response;
+    bool done = false;
+  };
+
+  static constexpr std::chrono::milliseconds RETRY{100};
+
+  void work()
+  {
+    name_this_thread(service_);
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (true) {
+      changed_.wait(lock, [this] {return ended_ || call_;});
+      const auto call = call_;
+      if (!call) {
+        return;
+      }
+      lock.unlock();
+      auto response = response_to(*call);
+      lock.lock();
+      call_ = nullptr;
+      taken_ = false;
+      stop_.change(
+        [&] {
+          call->response = std::move(response);
+          call->done = true;
+        });
+    }
+  }
+
+  /// Return the response; nothing if the server gives none, or nobody waits for it any more.
+  std::optional<ros::SerializedMessage> response_to(const Call & call)
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (call_) {
+      auto link = link_;
+      // A link does not notice that its connection was refused before it listened.
+      if (!link || link->getConnection()->isDropped()) {
+        lock.unlock();
+        link = connect();
+        lock.lock();
+        link_ = link;
+      }
+      if (!link) {
+        changed_.wait_for(lock, RETRY, [this] {return !call_;});
+      } else if (call_) {
+        lock.unlock();
+        ros::SerializedMessage response;
+        if (link->call(call.request, response)) {
+          return response;
+        }
+        return std::nullopt;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Return a connection to the server, if there is one.
+  ros::ServiceServerLinkPtr connect()
+  {
+    // The address of a dead server is tried in vain here, where roscpp cannot come to a dead-lock.
+    if (!ros::service::exists(service_, false)) {
+      return nullptr;
+    }
+    return ros::ServiceManager::instance()->createServiceServerLink(
+      service_, true, md5sum_, md5sum_, ros::M_string());
+  }
+
+  /// End the current call, of which nobody waits for the response any more.
+  void give_up()
+  {
+    ros::ServiceServerLinkPtr link;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      call_ = nullptr;
+      link.swap(link_);
+    }
+    changed_.notify_one();
+    if (link) {
+      link->getConnection()->drop(ros::Connection::Destructing);
+    }
+  }
+
+  std::string service_;
+  std::string md5sum_;
+  Stop & stop_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::shared_ptr<Call> call_;
+  ros::ServiceServerLinkPtr link_;
+  bool taken_ = false;
+  bool ended_ = false;
+  std::thread thread_;
+};
+
+}  // namespace all_kinds
+
+#endif  // ROS__SERVICE_CALLER_HPP_

@@ -1,0 +1,59 @@
+// Copyright 2019 My Company
+// SPDX-License-Identifier: GPL-3.0-only
+
+#ifndef ROS__INBOX_HPP_
+#define ROS__INBOX_HPP_
+
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "boost/shared_ptr.hpp"
+
+namespace contact_analysis
+{
+
+/// Holds the latest message of a topic until the next cycle; copies share it.
+template<typename Message>
+class Inbox
+{
+public:
+  using Pointer = boost::shared_ptr<Message>;
+
+  /// Store a message, replacing the previous one.
+  void put(Pointer message) const
+  {
+    const std::lock_guard<std::mutex> lock(slot_->mutex);
+    slot_->message.swap(message);
+    slot_->is_new = true;
+    // The previous message is freed by the caller, after the lock.
+  }
+
+  /// Swap a new message into the data of the cycle, which frees nothing.
+  ///
+  /// Return whether there was one.
+  bool take(Message & destination) const
+  {
+    const std::lock_guard<std::mutex> lock(slot_->mutex);
+    if (!slot_->is_new) {
+      return false;
+    }
+    slot_->is_new = false;
+    std::swap(destination, *slot_->message);
+    return true;
+  }
+
+private:
+  struct Slot
+  {
+    std::mutex mutex;
+    Pointer message;
+    bool is_new = false;
+  };
+
+  std::shared_ptr<Slot> slot_ = std::make_shared<Slot>();
+};
+
+}  // namespace contact_analysis
+
+#endif  // ROS__INBOX_HPP_

@@ -1,0 +1,163 @@
+# Copyright 2019 My Company
+# SPDX-License-Identifier: GPL-3.0-only
+
+"""
+A harness for tests of the logic without ROS: fakes that record, and a clock that one sets.
+
+    ros = fake(DriverPassthrough)
+    ros.clock.time = 12.0  # seconds
+    impl = DriverImpl(ros)
+    data = run_cycle(impl, in_speed=Twist())
+    data.out_throttle, ros.pub_echo.published, ros.log.lines
+
+    goal = FakeGoal(MoveGoal, distance=1.0)
+    impl.execute_move(goal)
+    goal.outcome, goal.result, goal.published
+"""
+
+from copy import deepcopy
+from typing import get_args, get_origin, get_type_hints
+
+from contact_analysis import protocols
+
+
+class Clock:
+    """A clock that stands still between what sets it and what sleeps."""
+
+    __slots__ = ('time', 'stopped')
+
+    def __init__(self):
+        """Start at 0 s, in a node that does not stop."""
+        self.time = 0.0
+        self.stopped = False
+
+    def now(self):
+        """Return the time in seconds."""
+        return self.time
+
+    def stamp(self):
+        """Return the time as a stamp for messages."""
+        seconds, fraction = divmod(self.time, 1.0)
+        return protocols.Stamp(sec=int(seconds), nanosec=int(fraction * 1e9))
+
+    def sleep(self, seconds):
+        """Let the time pass at once, unless the node stops."""
+        if not self.stopped:
+            self.time += seconds
+        return not self.stopped
+
+
+class FakeLog:
+    """Records lines of the log: pairs of a level and a text."""
+
+    __slots__ = ('lines',)
+
+    def __init__(self):
+        """Start without lines."""
+        self.lines = []
+
+    def debug(self, text):
+        """Record a line."""
+        self.lines.append(('debug', text))
+
+    def info(self, text):
+        """Record a line."""
+        self.lines.append(('info', text))
+
+    def warning(self, text):
+        """Record a line."""
+        self.lines.append(('warning', text))
+
+    def error(self, text):
+        """Record a line."""
+        self.lines.append(('error', text))
+
+
+class FakePublisher:
+    """Records messages."""
+
+    __slots__ = ('published',)
+
+    def __init__(self):
+        """Start without messages."""
+        self.published = []
+
+    def publish(self, message):
+        """Record a message as it is now."""
+        self.published.append(deepcopy(message))
+
+
+class FakeGoal:
+    """A goal for execute_<action>: FakeGoal(MoveGoal, distance=1.0); `published` is feedback."""
+
+    __slots__ = ('request', 'feedback', 'result', 'published', 'outcome', 'cancel_requested')
+
+    def __init__(self, goal_type, **fields):
+        """Create a goal of a type of the interface, with fields of its request."""
+        request, feedback, result = get_args(goal_type)
+        self.request = request()
+        for name, value in fields.items():
+            setattr(self.request, name, value)
+        self.feedback = feedback()
+        self.result = result()
+        self.published = []
+        self.outcome = None
+        self.cancel_requested = False
+
+    def publish_feedback(self):
+        """Record the feedback as it is now."""
+        self.published.append(deepcopy(self.feedback))
+
+    def succeed(self):
+        """Record the outcome."""
+        self.outcome = 'succeeded'
+
+    def abort(self):
+        """Record the outcome."""
+        self.outcome = 'aborted'
+
+    def canceled(self):
+        """Record the outcome."""
+        self.outcome = 'canceled'
+
+
+FAKES = {
+    protocols.Log: FakeLog,
+    protocols.Publisher: FakePublisher,
+}
+
+
+def fake(passthrough_type):
+    """Return a passthrough of fakes, with the `clock` that they go by."""
+    clock = Clock()
+    members = {'now': clock.now, 'stamp': clock.stamp, 'sleep': clock.sleep}
+    for name, type_ in get_type_hints(passthrough_type).items():
+        if name not in members:
+            members[name] = FAKES[get_origin(type_) or type_]()
+    passthrough = passthrough_type(**members)
+    passthrough.clock = clock
+    return passthrough
+
+
+def run_cycle(impl, data=None, config=None, **messages):
+    """
+    Run one cycle as the node does and return its data.
+
+    messages: those received, as in in_speed=Twist(); names that the node lacks are refused.
+    data: that of the cycle before, to go on from there. config: by default, that of the spec.
+    """
+    types = get_type_hints(impl.update)
+    data = types['data']() if data is None else data
+    config = types['config']() if config is None else config
+    fields = dict(vars(data))
+    for name, message in messages.items():
+        if name not in fields or not isinstance(message, type(fields[name])):
+            raise TypeError(f'{name} is not received, or not as a {type(message).__name__}.')
+    for name, value in fields.items():
+        if isinstance(value, bool):
+            setattr(data, name, name.endswith('_active') or name[: -len('_updated')] in messages)
+    vars(data).update(messages)
+    impl.update(data, config)
+    if vars(data).keys() != fields.keys():
+        raise AttributeError(f'The data has no {vars(data).keys() - fields.keys()}.')
+    return data

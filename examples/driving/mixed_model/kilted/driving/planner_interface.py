@@ -1,0 +1,64 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""
+The interface between ROS and the logic of planner.
+
+Generated from driving.ros_package; change the interface there.
+"""
+
+from dataclasses import dataclass
+from typing import Callable
+
+from driving.protocols import (
+    Log,
+    Stamp,
+)
+import std_msgs.msg
+
+# Message, service and action types, under the same names in ROS 1 and ROS 2.
+InSpeed = std_msgs.msg.Float64
+OutTargetSpeed = std_msgs.msg.Float64
+
+
+@dataclass(frozen=True)
+class PlannerConfig:
+    """A snapshot of the node's parameters."""
+
+    # Highest speed, m/s
+    speed_limit: float = 1.0
+
+
+class PlannerData:
+    """
+    The input and output messages of one cycle.
+
+    in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
+    out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
+    """
+
+    def __init__(self) -> None:
+        """Create empty messages."""
+        # Speed commanded, m/s
+        self.in_speed = InSpeed()
+        self.in_speed_updated = False
+        # Speed planned, m/s
+        self.out_target_speed = OutTargetSpeed()
+        self.out_target_speed_active = True
+
+
+@dataclass
+class PlannerPassthrough:
+    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
+
+    # The node's logger: log.debug(text), log.info, log.warning, log.error.
+    log: Log
+
+    # Returns the ROS time in seconds.
+    now: Callable[[], float]
+
+    # Returns the ROS time as a stamp for messages.
+    stamp: Callable[[], Stamp]
+
+    # Waits that many seconds of ROS time; returns False at once when the node stops.
+    sleep: Callable[[float], bool]

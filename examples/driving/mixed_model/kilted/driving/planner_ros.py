@@ -1,0 +1,155 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""
+The node planner: its lifecycle and its ROS interfaces.
+
+Generated from driving.ros_package; the logic is in planner_impl.py.
+"""
+
+from __future__ import annotations
+
+from threading import Lock
+from typing import Any, Callable, Optional
+
+from driving.loop import Loop
+from driving.managed_node import ManagedNode
+from driving.planner_impl import PlannerImpl
+from driving.planner_interface import (
+    PlannerConfig,
+    PlannerData,
+    PlannerPassthrough,
+)
+from driving.process import run
+from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.publisher import Publisher
+from rclpy.qos import QoSPolicyKind
+from rclpy.qos_overriding_options import QoSOverridingOptions
+import std_msgs.msg
+
+FREQUENCY = 10  # Hz
+OVERRIDABLE_QOS = (
+    QoSPolicyKind.DEPTH,
+    QoSPolicyKind.DURABILITY,
+    QoSPolicyKind.HISTORY,
+    QoSPolicyKind.RELIABILITY,
+)
+
+
+class PlannerNode(ManagedNode):
+    """
+    A managed node that runs its logic at a fixed frequency while it is active.
+
+    Publishers exist from configure to cleanup. Subscriptions exist while it is active.
+    """
+
+    fixed_parameters = [
+        'speed_limit',
+    ]
+
+    def __init__(self, **options: Any) -> None:
+        """Declare the parameters."""
+        super().__init__('planner', **options)
+        self.declare_parameter(
+            'speed_limit',
+            1.0,
+            ParameterDescriptor(
+                description='Highest speed, m/s',
+            ),
+        )
+        self._config = self._read_config()
+        self._received: dict[str, Any] = {}
+        self._received_lock = Lock()
+        self._cycles = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
+
+    def _configure(self) -> bool:
+        """Configure the logic with the parameters."""
+        self._config = self._read_config()
+        return bool(self._impl.configure(self._config))
+
+    def _loop(self) -> None:
+        """Call update until the node stops."""
+        self._cycles.run(self.stop)
+
+    def _read_config(self) -> PlannerConfig:
+        """Return the current parameters."""
+        return PlannerConfig(
+            speed_limit=self.get_parameter('speed_limit').value,
+        )
+
+    def _connect_senders(self) -> None:
+        """Create publishers and clients, then the logic."""
+        self._data = PlannerData()
+        self._out_target_speed = self._advertise(
+            std_msgs.msg.Float64,
+            'target_speed',
+        )
+        self._impl = PlannerImpl(
+            PlannerPassthrough(
+                log=self.get_logger(),
+                now=self._time.now,
+                stamp=self._time.stamp,
+                sleep=self._time.sleep,
+            ),
+        )
+
+    def _connect_receivers(self) -> None:
+        """Create subscriptions and servers."""
+        self._received = {}
+        self._subscribe(
+            std_msgs.msg.Float64,
+            'speed',
+            self._receive_speed,
+        )
+
+    def _update(self) -> None:
+        """Run one cycle: take the latest messages, call update, publish the active outputs."""
+        data = self._data
+        with self._received_lock:
+            received, self._received = self._received, {}
+        data.in_speed = received.get('speed', data.in_speed)
+        data.in_speed_updated = 'speed' in received
+        data.out_target_speed_active = True
+        self._impl.update(data, self._config)
+        if data.out_target_speed_active:
+            self._out_target_speed.publish(data.out_target_speed)
+
+    def _receive_speed(self, message: Any) -> None:
+        """Store the message for the next cycle."""
+        with self._received_lock:
+            self._received['speed'] = message
+
+    def _advertise(self, message_type: Any, topic: str, qos: Any = 10) -> Publisher[Any]:
+        """Create a publisher; its QoS, a profile or a depth, can be overridden."""
+        publisher = self.create_publisher(
+            message_type,
+            topic,
+            qos,
+            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
+        )
+        self._configured.callback(self._drop_publisher, publisher)
+        return publisher
+
+    def _subscribe(
+        self,
+        message_type: Any,
+        topic: str,
+        callback: Callable[[Any], Any],
+        qos: Any = 10,
+    ) -> None:
+        """Create a subscription; its QoS, a profile or a depth, can be overridden."""
+        subscription = self.create_subscription(
+            message_type,
+            topic,
+            callback,
+            qos,
+            callback_group=MutuallyExclusiveCallbackGroup(),
+            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
+        )
+        self._active.callback(self.destroy_subscription, subscription)
+
+
+def main(args: Optional[list[str]] = None) -> int:
+    """Run the node until it is told to stop; return the exit code of the process."""
+    return run(PlannerNode, args)

@@ -1,0 +1,107 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef ROS__CALLBACK_THREAD_HPP_
+#define ROS__CALLBACK_THREAD_HPP_
+
+#include <chrono>
+#include <exception>
+#include <future>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "rclcpp/callback_group.hpp"
+#include "rclcpp/executors/single_threaded_executor.hpp"
+#include "rclcpp/logging.hpp"
+#include "rclcpp_lifecycle/lifecycle_node.hpp"
+
+#include "thread_name.hpp"
+
+namespace driving
+{
+
+/// A thread that spins a callback group of its own, so that it waits for no other callback.
+///
+/// This works with any executor.
+class CallbackThread
+{
+public:
+  CallbackThread(rclcpp_lifecycle::LifecycleNode & node, const std::string & name)
+  : spinner_(std::make_shared<Spinner>(node))
+  {
+    std::packaged_task<void()> spin(
+      [spinner = spinner_, name, logger = node.get_logger()] {
+        name_this_thread(name);
+        while (!spinner->spin(name, logger)) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }
+      });
+    ended_ = spin.get_future();
+    thread_ = std::thread(std::move(spin));
+  }
+
+  /// Join the thread, or leave it to itself if its callback does not return.
+  ~CallbackThread()
+  {
+    using std::chrono_literals::operator""ms;
+    auto status = std::future_status::timeout;
+    for (auto tries = 0; tries < 100 && status != std::future_status::ready; ++tries) {
+      // Repeatedly: a cancel before the thread spins has no effect.
+      spinner_->executor.cancel();
+      status = ended_.wait_for(10ms);
+    }
+    if (status == std::future_status::ready) {
+      thread_.join();
+    } else {
+      thread_.detach();
+    }
+  }
+
+  CallbackThread(const CallbackThread &) = delete;
+  CallbackThread & operator=(const CallbackThread &) = delete;
+
+  const rclcpp::CallbackGroup::SharedPtr & group() const {return spinner_->group;}
+
+private:
+  struct Spinner
+  {
+    explicit Spinner(rclcpp_lifecycle::LifecycleNode & node)
+    : group(node.create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive, false)),
+      executor(options(node))
+    {
+      executor.add_callback_group(group, node.get_node_base_interface());
+    }
+
+    static rclcpp::ExecutorOptions options(rclcpp_lifecycle::LifecycleNode & node)
+    {
+      rclcpp::ExecutorOptions options;
+      options.context = node.get_node_base_interface()->get_context();
+      return options;
+    }
+
+    /// Return false after an exception of rclcpp; those of the logic do not come so far.
+    bool spin(const std::string & name, const rclcpp::Logger & logger)
+    {
+      try {
+        executor.spin();
+        return true;
+      } catch (const std::exception & error) {
+        RCLCPP_ERROR(logger, "%s: %s", name.c_str(), error.what());
+        return false;
+      }
+    }
+
+    rclcpp::CallbackGroup::SharedPtr group;
+    rclcpp::executors::SingleThreadedExecutor executor;
+  };
+
+  std::shared_ptr<Spinner> spinner_;
+  std::future<void> ended_;
+  std::thread thread_;
+};
+
+}  // namespace driving
+
+#endif  // ROS__CALLBACK_THREAD_HPP_

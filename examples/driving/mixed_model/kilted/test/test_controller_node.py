@@ -1,0 +1,195 @@
+#!/usr/bin/env python3
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""Tests of controller: what its spec says, tried from outside."""
+
+import os
+import signal
+from time import sleep
+import unittest
+
+from peer import Peer
+from running import eventually, RunningNode
+import std_msgs.msg
+import std_srvs.srv
+
+NAME = '/controller'
+if 'RECORDER' not in os.environ:
+    raise unittest.SkipTest('ctest runs this, as CMakeLists.txt says')
+RECORDER = [os.environ['RECORDER'], '--ros-args']
+LOGIC = [os.environ['NODE']]
+LIFE = ['configure', 'activate', 'update', 'deactivate', 'cleanup']
+PERIOD = 1.0 / 100  # seconds
+
+
+class TestInterfaces(unittest.TestCase):
+    """The active node, with a logic that records its calls."""
+
+    @classmethod
+    def setUpClass(cls):
+        """Start the node."""
+        cls.peer = Peer(NAME)
+        cls.addClassCleanup(cls.peer.close)
+        cls.node = RunningNode(RECORDER)
+        cls.addClassCleanup(cls.node.kill)
+        assert cls.node.is_called('activate')
+
+    @classmethod
+    def tearDownClass(cls):
+        """Stop the node, which still runs."""
+        assert cls.node.stop() == 0
+
+    def publishes(self, topic, *expected):
+        """Check that the node publishes to a topic, with type and QoS."""
+        self.assertEqual(set(expected) - set(self.peer.publisher(topic)), set(), topic)
+
+    def subscribes(self, topic, *expected):
+        """Check that the node subscribes to a topic, with type and QoS."""
+        self.assertEqual(set(expected) - set(self.peer.subscription(topic)), set(), topic)
+
+    def test_topics(self):
+        """Every topic has its name, type and QoS."""
+        self.publishes(
+            '/speed',
+            'std_msgs/msg/Float64',
+            'reliable',
+            'volatile',
+        )
+        self.subscribes(
+            '/target_speed',
+            'std_msgs/msg/Float64',
+            'reliable',
+            'volatile',
+        )
+
+    def test_messages_in(self):
+        """A message reaches the logic, and is new once."""
+        self.receives(
+            std_msgs.msg.Float64(),
+            '/target_speed',
+            'in_target_speed',
+            once=True,
+        )
+
+    def receives(self, message, topic, call, once):
+        """Check that each message published makes one call, unless others publish as well."""
+        sent = self.peer.publish(message, topic, lambda: self.node.is_called(call, timeout=0.1))
+        self.assertTrue(self.node.is_called(call), topic)
+        sleep(3 * PERIOD)
+        if once:
+            self.assertLessEqual(len(self.node.calls(call)), sent, topic)
+
+    def test_messages_out(self):
+        """Every output leaves."""
+        self.sends(
+            std_msgs.msg.Float64,
+            '/speed',
+        )
+
+    def sends(self, message_type, topic):
+        """Check that the node publishes to a topic again and again."""
+        messages = self.peer.subscribe(message_type, topic)
+        self.assertTrue(eventually(lambda: len(messages) > 1), topic)
+
+    def test_services(self):
+        """Every service has its name and type, and answers."""
+        self.assertTrue(
+            self.peer.has(
+                'service server',
+                '/stop',
+                'std_srvs/srv/Trigger',
+            )
+        )
+        self.assertIsNotNone(
+            self.peer.call(
+                std_srvs.srv.Trigger,
+                '/stop',
+            )
+        )
+        self.assertTrue(self.node.is_called('serve_stop'))
+
+    def test_parameters(self):
+        """Parameters have their values, are refused where they must be, and reach the logic."""
+        values = {
+            'speed_limit': 1.0,
+        }
+        for name, value in values.items():
+            self.assertEqual(self.peer.parameter(name), value, name)
+        self.refuses('speed_limit', 0.0)
+
+    def refuses(self, name, value):
+        """Check that a parameter cannot be set now, or not to that value."""
+        before = self.peer.parameter(name)
+        self.assertFalse(self.peer.set_parameter(name, value), name)
+        self.assertEqual(self.peer.parameter(name), before)
+
+
+class TestLifeCycle(unittest.TestCase):
+    """Nodes that are started, managed and stopped."""
+
+    def start(self, command):
+        """Start a node for this test, and a peer."""
+        peer = Peer(NAME)
+        self.addCleanup(peer.close)
+        node = RunningNode(command)
+        self.addCleanup(node.kill)
+        return node, peer
+
+    def test_every_edge(self):
+        """The node activates itself, obeys every transition, and is heard to its end at SIGINT."""
+        node, peer = self.start(RECORDER)
+        calls = LIFE[:3]
+        self.assertTrue(node.is_called(calls[-1]))
+        self.assertTrue(eventually(lambda: peer.state() == 'active'))
+        sleep(1.0 + 2.5 * PERIOD)
+        for transition, state, *called in (
+            ('deactivate', 'inactive', 'deactivate'),
+            ('activate', 'active', 'activate', 'update'),
+            ('deactivate', 'inactive', 'deactivate'),
+            ('cleanup', 'unconfigured', 'cleanup'),
+            ('configure', 'inactive', 'configure'),
+            ('cleanup', 'unconfigured', 'cleanup'),
+            ('configure', 'inactive', 'configure'),
+            ('activate', 'active', 'activate', 'update'),
+        ):
+            self.assertTrue(peer.change(transition), transition)
+            self.assertEqual(peer.state(), state)
+            calls += called
+            self.assertTrue(node.is_called(calls[-1], calls.count(calls[-1])))
+            self.assertEqual(node.calls(*LIFE), calls)
+        rate = float(node.words('rate')[0])
+        self.assertGreater(rate, 0.2 / PERIOD)
+        self.assertLess(rate, 1.5 / PERIOD)
+        self.assertEqual(node.stop(signal.SIGINT), 0)
+        self.assertEqual(node.calls(*LIFE), [*calls, 'deactivate', 'cleanup'])
+
+    def test_managed(self):
+        """Without autostart the node waits to be managed, and shuts down from any state."""
+        node, peer = self.start([*RECORDER, '-p', 'autostart:=false'])
+        self.assertTrue(eventually(lambda: peer.state() == 'unconfigured'))
+        sleep(1.0)
+        self.assertEqual(node.calls(), [])
+        given = {
+            'speed_limit': 0.0,
+        }
+        for name, value in given.items():
+            self.assertTrue(peer.set_parameter(name, value), name)
+        for transition in ('configure', 'activate', 'shutdown'):
+            self.assertTrue(peer.change(transition))
+        self.assertTrue(node.is_called('cleanup'))
+        calls = ['configure', 'activate', 'deactivate', 'cleanup']
+        self.assertEqual(node.calls(*calls), calls)
+        self.assertEqual(peer.state(), 'finalized')
+        for name in given:
+            self.assertTrue(node.is_called('config.' + name), name)
+
+    def test_logic(self):
+        """The node runs with its own logic, and ends well at SIGTERM."""
+        node, peer = self.start(LOGIC)
+        self.assertTrue(eventually(lambda: peer.state() == 'active'))
+        self.assertEqual(node.stop(signal.SIGTERM), 0)
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,39 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""Tests of the logic of planner, without a ROS graph."""
+
+import unittest
+
+from driving.planner_impl import PlannerImpl
+from driving.planner_interface import (
+    PlannerConfig,
+    PlannerPassthrough,
+)
+from harness import fake, run_cycle
+
+
+class TestPlannerImpl(unittest.TestCase):
+    """The logic alone, with fakes of harness.py that record what it does."""
+
+    def setUp(self):
+        """Create the logic and make it ready to work."""
+        self.ros = fake(PlannerPassthrough)
+        self.impl = PlannerImpl(self.ros)
+        self.assertTrue(self.impl.configure(PlannerConfig()))
+        self.assertTrue(self.impl.activate())
+
+    def tearDown(self):
+        """End the logic as the node does."""
+        self.impl.deactivate()
+        self.impl.cleanup()
+
+    def test_update(self):
+        """A cycle works; with messages it is run_cycle(self.impl, in_name=message).out_name."""
+        data = run_cycle(self.impl)
+        run_cycle(self.impl, data)
+
+    def test_misspelt_name(self):
+        """The harness refuses a message that the node does not receive."""
+        with self.assertRaises(TypeError):
+            run_cycle(self.impl, in_misspelt_name=None)

@@ -1,0 +1,68 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+// The interface between ROS and the logic of controller.
+// Generated from driving.ros_package; change the interface there.
+
+#ifndef DRIVING__CONTROLLER_INTERFACE_HPP_
+#define DRIVING__CONTROLLER_INTERFACE_HPP_
+
+#include <functional>
+
+#include "driving/logger.hpp"
+#include "driving/time.hpp"
+#include "std_msgs/Float64.h"
+#include "std_srvs/Trigger.h"
+
+namespace driving
+{
+
+/// Message, service and action types, under the same names in ROS 1 and ROS 2.
+namespace controller_types
+{
+
+using InTargetSpeed = std_msgs::Float64;
+using OutSpeed = std_msgs::Float64;
+using StopService = std_srvs::Trigger;
+
+}  // namespace controller_types
+
+/// A snapshot of the node's parameters.
+struct ControllerConfig
+{
+  /// Highest speed, m/s
+  double speed_limit = 1.0;
+};
+
+/// The input and output messages of one cycle.
+///
+/// in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
+/// out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
+struct ControllerData
+{
+  /// Speed planned, m/s
+  controller_types::InTargetSpeed in_target_speed;
+  bool in_target_speed_updated = false;
+
+  /// Speed commanded, m/s
+  controller_types::OutSpeed out_speed;
+  bool out_speed_active = true;
+};
+
+/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
+struct ControllerPassthrough
+{
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write at most every
+  /// two seconds: log.info_throttle(2.0, text).
+  Logger log;
+
+  /// Returns the ROS time; it converts to a message's stamp and back.
+  std::function<Time()> now = [] {return Time();};
+
+  /// Waits that many seconds of ROS time; returns false at once when the node stops.
+  std::function<bool(double)> sleep = [](double) {return true;};
+};
+
+}  // namespace driving
+
+#endif  // DRIVING__CONTROLLER_INTERFACE_HPP_

@@ -1,0 +1,164 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""Tests of planner: what its spec says, tried from outside."""
+
+import os
+import signal
+import sys
+from time import sleep
+import unittest
+
+from driving.planner_interface import PlannerConfig
+from peer import Peer
+import rospy
+from running import eventually, RunningNode
+import std_msgs.msg
+
+NAME = '/planner'
+RECORDER = [
+    sys.executable,
+    os.path.join(os.path.dirname(__file__), 'recorder.py'),
+    'planner',
+    'PlannerImpl',
+]
+LOGIC = [
+    sys.executable,
+    os.path.join(os.path.dirname(__file__), '..', 'scripts', 'planner'),
+]
+LIFE = ['configure', 'activate', 'deactivate', 'cleanup']
+PERIOD = 1.0 / 10  # seconds
+
+
+class TestInterfaces(unittest.TestCase):
+    """The active node, with a logic that records its calls."""
+
+    @classmethod
+    def setUpClass(cls):
+        """Start the node."""
+        cls.peer = Peer(NAME)
+        cls.addClassCleanup(cls.peer.close)
+        cls.node = RunningNode(RECORDER)
+        cls.addClassCleanup(cls.node.kill)
+        assert cls.node.is_called('activate')
+
+    @classmethod
+    def tearDownClass(cls):
+        """Stop the node, which still runs."""
+        assert cls.node.stop() == 0
+
+    def publishes(self, topic, *expected):
+        """Check that the node publishes to a topic, with type and latching."""
+        self.assertEqual(set(expected) - set(self.peer.publisher(topic)), set(), topic)
+
+    def subscribes(self, topic, *expected):
+        """Check that the node subscribes to a topic, with type."""
+        self.assertEqual(set(expected) - set(self.peer.subscription(topic)), set(), topic)
+
+    def test_topics(self):
+        """Every topic has its name, type and latching."""
+        self.publishes(
+            '/target_speed',
+            'std_msgs/Float64',
+            'not latched',
+        )
+        self.subscribes(
+            '/speed',
+            'std_msgs/Float64',
+        )
+
+    def test_messages_in(self):
+        """A message reaches the logic, and is new once."""
+        self.receives(
+            std_msgs.msg.Float64(),
+            '/speed',
+            'in_speed_updated',
+            once=True,
+        )
+
+    def receives(self, message, topic, call, once):
+        """Check that each message published makes one call, unless others publish as well."""
+        sent = self.peer.publish(message, topic, lambda: self.node.is_called(call, timeout=0.1))
+        self.assertTrue(self.node.is_called(call), topic)
+        sleep(3 * PERIOD)
+        if once:
+            self.assertLessEqual(len(self.node.calls(call)), sent, topic)
+
+    def test_messages_out(self):
+        """Every output leaves."""
+        self.sends(
+            std_msgs.msg.Float64,
+            '/target_speed',
+        )
+
+    def sends(self, message_type, topic):
+        """Check that the node publishes to a topic again and again."""
+        messages = self.peer.subscribe(message_type, topic)
+        self.assertTrue(eventually(lambda: len(messages) > 1), topic)
+
+    def test_parameters(self):
+        """Parameters have their defaults, stay within their ranges, and reach update."""
+        default = PlannerConfig()
+        self.assertEqual(self.node.words('configure'), [ascii(default)])
+
+
+class TestLifeCycle(unittest.TestCase):
+    """Nodes that are started and stopped."""
+
+    def start(self, command, parameters=None):
+        """Start a node for this test, and a peer."""
+        peer = Peer(NAME)
+        self.addCleanup(peer.close)
+        rospy.set_param(NAME, parameters or {})
+        node = RunningNode(command)
+        self.addCleanup(node.kill)
+        return node, peer
+
+    def test_every_edge(self):
+        """The node activates itself, works at its frequency, and ends well at SIGINT."""
+        node, peer = self.start(RECORDER)
+        self.assertTrue(node.is_called('activate'))
+        outputs = peer.subscribe(
+            std_msgs.msg.Float64,
+            '/target_speed',
+        )
+        self.assertTrue(eventually(lambda: outputs))
+        sleep(1.0 + 5 * PERIOD)
+        self.assertEqual(node.calls(*LIFE), LIFE[:2])
+        self.assertEqual(node.stop(signal.SIGINT), 0)
+        self.assertEqual(node.calls(*LIFE), LIFE)
+        rate = float(node.words('rate')[0])
+        self.assertGreater(rate, 0.2 / PERIOD)
+        self.assertLess(rate, 1.5 / PERIOD)
+
+    def test_given_parameters(self):
+        """Parameters reach the logic; one of a wrong type ends the node."""
+        given = {
+            'speed_limit': 0.0,
+        }
+        node, _ = self.start(RECORDER, given)
+        self.assertTrue(node.is_called('configure'))
+        config = PlannerConfig(**given)
+        self.assertEqual(node.words('configure'), [ascii(config)])
+        node.kill()
+        wrong = {
+            'speed_limit': 'wrong',
+        }
+        for name, value in wrong.items():
+            node, _ = self.start(RECORDER, {name: value})
+            self.assertEqual(node.exit_code(), 1, name)
+            self.assertEqual(node.calls(), [])
+
+    def test_rosnode_kill(self):
+        """The node ends as well when it is told to by `rosnode kill`."""
+        node, peer = self.start(RECORDER)
+        self.assertTrue(node.is_called('activate'))
+        peer.kill()
+        self.assertEqual(node.exit_code(), 0)
+        self.assertEqual(node.calls('deactivate', 'cleanup'), ['deactivate', 'cleanup'])
+
+    def test_logic(self):
+        """The node runs with its own logic, and ends well at SIGTERM."""
+        node, peer = self.start(LOGIC)
+        self.assertTrue(eventually(peer.is_connected))
+        self.assertEqual(node.stop(signal.SIGTERM), 0)

@@ -1,0 +1,262 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef ROS__ACTION_SERVER_HPP_
+#define ROS__ACTION_SERVER_HPP_
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "rclcpp/logging.hpp"
+#include "rclcpp_action/rclcpp_action.hpp"
+
+#include "calls.hpp"
+#include "job_thread.hpp"
+#include "managed_node.hpp"
+#include "served_goal.hpp"
+
+namespace serving
+{
+
+/// What becomes of a goal that comes while another is executed.
+enum class GoalPolicy {replace, queue, reject};
+
+/// The base of action servers, whatever their type.
+class ActionServerBase
+{
+public:
+  virtual ~ActionServerBase() = default;
+
+  /// Accept goals.
+  virtual void start() = 0;
+
+  /// Reject new goals and ask the current ones to end.
+  virtual void stop() = 0;
+
+  /// Abort the goals that have not ended.
+  virtual void end() = 0;
+
+  /// Let clients ask for the results of the last goals, within this time.
+  virtual void flush(std::chrono::steady_clock::time_point end) = 0;
+};
+
+/// The goals of an action server that have no result yet; thread-safe.
+template<typename Action>
+class Goals
+{
+public:
+  using Clock = std::chrono::steady_clock;
+  using Pointer = std::shared_ptr<ServedGoal<Action>>;
+
+  explicit Goals(GoalPolicy policy)
+  : policy_(policy)
+  {
+  }
+
+  void open()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_open_ = true;
+  }
+
+  /// Reject new goals and ask the others to end.
+  void close()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_open_ = false;
+    ask_all_to_end();
+  }
+
+  /// Return whether another goal is welcome.
+  bool is_open()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return is_open_ && (policy_ != GoalPolicy::reject || goals_.empty());
+  }
+
+  void push(const Pointer & goal)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (policy_ == GoalPolicy::replace) {
+      ask_all_to_end();
+    }
+    if (!is_open_) {
+      goal->ask_to_end();
+    }
+    goals_.push_back(goal);
+  }
+
+  /// Forget a goal that is executed, before its client hears of the end and sends another.
+  void remove(const Pointer & goal)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    goals_.erase(std::remove(goals_.begin(), goals_.end(), goal), goals_.end());
+    last_end_ = Clock::now();
+  }
+
+  /// Abort all goals that have no result yet.
+  void give_up()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const auto & goal : goals_) {
+      goal->give_up();
+      last_end_ = Clock::now();
+    }
+  }
+
+  /// Return when the last goal ended.
+  Clock::time_point last_end()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return last_end_;
+  }
+
+private:
+  void ask_all_to_end()
+  {
+    for (const auto & goal : goals_) {
+      goal->ask_to_end();
+    }
+  }
+
+  const GoalPolicy policy_;
+  std::mutex mutex_;
+  std::deque<Pointer> goals_;
+  Clock::time_point last_end_;
+  bool is_open_ = false;
+};
+
+/// Serves an action, one goal at a time, in a thread of its own.
+template<typename Action>
+class ActionServer : public ActionServerBase
+{
+public:
+  using Execute = std::function<void (Goal<Action> &)>;
+
+  /// Call `execute` with each goal; `label` names it in the log.
+  ActionServer(
+    ManagedNode & node,
+    const std::string & name,
+    GoalPolicy policy,
+    const std::string & label,
+    const Execute & execute)
+  : goals_(std::make_shared<Goals<Action>>(policy)),
+    worker_(std::make_shared<JobThread>(name))
+  {
+    typename Server::AcceptedCallback accept =
+      [goals = goals_, worker = std::weak_ptr<JobThread>(worker_), calls = node.calls(),
+        logger = node.get_logger(), label, execute](const auto & handle) {
+        const auto goal = std::make_shared<ServedGoal<Action>>(handle);
+        goals->push(goal);
+        if (const auto thread = worker.lock()) {
+          thread->post(
+            [goal, goals, calls, pass = calls->pass(), logger, label, execute] {
+              work(*goals, goal, *calls, pass, logger, label, execute);
+            });
+        }
+      };
+    // rclcpp locks a clock to create and destroy what hears of its jumps; rclcpp_action does not.
+    const auto clock = node.get_clock();
+    auto destroy = [clock, accept](Server * server) mutable {
+        {
+          const std::lock_guard<std::mutex> lock(clock->get_clock_mutex());
+          delete server;
+        }
+        accept = nullptr;  // What it owns is freed without the lock.
+      };
+    {
+      const std::lock_guard<std::mutex> lock(clock->get_clock_mutex());
+      server_.reset(
+        new Server(
+          node.get_node_base_interface(),
+          node.get_node_clock_interface(),
+          node.get_node_logging_interface(),
+          name,
+          rcl_action_server_get_default_options(),
+          [goals = goals_](const auto &, const auto &) {
+            using Response = rclcpp_action::GoalResponse;
+            return goals->is_open() ? Response::ACCEPT_AND_EXECUTE : Response::REJECT;
+          },
+          [](const auto &) {
+            return rclcpp_action::CancelResponse::ACCEPT;
+          },
+          accept),
+        std::move(destroy));
+    }
+    // Not by create_server, for the same reason as in RosActionClient.
+    node.get_node_waitables_interface()->add_waitable(server_, node.callback_group("action", name));
+  }
+
+  ~ActionServer() override
+  {
+    stop();
+    end();
+    worker_->end_by(JobThread::Clock::now() + std::chrono::milliseconds(100));
+  }
+
+  ActionServer(const ActionServer &) = delete;
+  ActionServer & operator=(const ActionServer &) = delete;
+
+  void start() override {goals_->open();}
+  void stop() override {goals_->close();}
+  void end() override {goals_->give_up();}
+
+  void flush(std::chrono::steady_clock::time_point end) override
+  {
+    // A client asks once it knows that its goal was accepted, which it does not tell.
+    const auto soon = goals_->last_end() + std::chrono::milliseconds(200);
+    std::this_thread::sleep_until(std::min(soon, end));
+  }
+
+private:
+  using Server = rclcpp_action::Server<Action>;
+
+  /// Execute a goal, unless it is unwanted by now, and send its result.
+  static void work(
+    Goals<Action> & goals,
+    const std::shared_ptr<ServedGoal<Action>> & goal,
+    Calls & calls,
+    Calls::Pass pass,
+    const rclcpp::Logger & logger,
+    const std::string & label,
+    const Execute & execute)
+  {
+    const bool is_wanted = !goal->cancel_requested();
+    const bool has_returned = is_wanted && calls.run(
+      pass, label, [&] {
+        try {
+          execute(*goal);
+        } catch (...) {
+          goals.remove(goal);
+          goal->give_up();
+          throw;
+        }
+        if (goal->outcome() == Outcome::none && !goal->cancel_requested()) {
+          RCLCPP_WARN(
+            logger, "%s returned without an outcome: the goal is aborted.", label.c_str());
+        }
+        goals.remove(goal);
+        goal->finish();
+      });
+    if (!has_returned) {
+      goals.remove(goal);
+      goal->canceled();
+      goal->finish();
+    }
+  }
+
+  std::shared_ptr<Goals<Action>> goals_;
+  std::shared_ptr<JobThread> worker_;
+  std::shared_ptr<Server> server_;
+};
+
+}  // namespace serving
+
+#endif  // ROS__ACTION_SERVER_HPP_

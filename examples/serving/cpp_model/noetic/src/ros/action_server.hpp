@@ -1,0 +1,247 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef ROS__ACTION_SERVER_HPP_
+#define ROS__ACTION_SERVER_HPP_
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "actionlib/server/action_server.h"
+#include "ros/console.h"
+#include "ros/node_handle.h"
+
+#include "receiver.hpp"
+#include "supervisor.hpp"
+
+#include "serving/goal.hpp"
+
+namespace serving
+{
+
+/// What becomes of a goal that comes while another is executed.
+enum class GoalPolicy {replace, queue, reject};
+
+/// Serves an action: executes one goal at a time in a thread of its own. To be destroyed when ROS
+/// takes no more goals, as actionlib destroys its publishers before its subscriptions.
+template<typename Action>
+class ActionServer : public Receiver
+{
+public:
+  using Execute = std::function<void (Goal<Action> &)>;
+
+  /// Call `execute` with each goal; `method` is its name in the log.
+  ActionServer(
+    const ros::NodeHandle & node,
+    const std::string & name,
+    const std::string & method,
+    GoalPolicy policy,
+    Supervisor & supervisor,
+    Execute execute)
+  : Receiver(name),
+    method_(method),
+    policy_(policy),
+    supervisor_(supervisor),
+    execute_(std::move(execute)),
+    server_(
+      node,
+      name,
+      [this](Handle handle) {
+        take(handle);
+      },
+      [this](Handle handle) {
+        cancel(handle);
+      },
+      false)
+  {
+    start([this] {work();});
+    server_.start();
+  }
+
+  ~ActionServer() override {join();}
+
+  /// Take no more goals, and abort those that wait.
+  void stop() final
+  {
+    std::deque<Handle> waiting;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      stopped_ = true;
+      waiting.swap(waiting_);
+    }
+    changed_.notify_one();
+    for (auto & handle : waiting) {
+      handle.setAborted(Result(), "The node stops.");
+    }
+  }
+
+  /// Abort the current goal, whose execution does not end.
+  void abandon() override
+  {
+    std::shared_ptr<ServedGoal> goal;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      goal.swap(current_);
+    }
+    if (goal) {
+      goal->handle.setAborted(Result(), "The node stops.");
+    }
+  }
+
+private:
+  using Server = actionlib::ActionServer<typename Action::Type>;
+  using Handle = typename Server::GoalHandle;
+  using Result = typename Action::Result;
+
+  class ServedGoal : public Goal<Action>
+  {
+public:
+    ServedGoal(const Handle & handle, const Supervisor & supervisor)
+    : Goal<Action>(*handle.getGoal()),
+      handle(handle),
+      supervisor_(supervisor)
+    {
+    }
+
+    bool cancel_requested() override {return canceled || supervisor_.stopping();}
+    void publish_feedback() override {handle.publishFeedback(this->feedback);}
+
+    Handle handle;
+    std::atomic<bool> canceled{false};
+
+private:
+    const Supervisor & supervisor_;
+  };
+
+  void take(Handle & handle)
+  {
+    if (is_refused()) {
+      handle.setRejected(Result(), "Another goal is executed, or the node stops.");
+      return;
+    }
+    handle.setAccepted();
+    std::deque<Handle> replaced;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (policy_ == GoalPolicy::replace) {
+        replaced.swap(waiting_);
+        if (current_) {
+          current_->canceled = true;
+        }
+      }
+      if (!stopped_) {
+        waiting_.push_back(handle);
+        handle = Handle();
+      }
+    }
+    changed_.notify_one();
+    if (handle.isValid()) {
+      handle.setAborted(Result(), "The node stops.");
+    }
+    for (auto & old : replaced) {
+      old.setCanceled(Result(), "A new goal replaces this one.");
+    }
+  }
+
+  bool is_refused()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return stopped_ || (policy_ == GoalPolicy::reject && (current_ || !waiting_.empty()));
+  }
+
+  void cancel(Handle & handle)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (current_ && current_->handle == handle) {
+        current_->canceled = true;
+        return;
+      }
+      const auto found = std::find(waiting_.begin(), waiting_.end(), handle);
+      if (found == waiting_.end()) {
+        return;
+      }
+      waiting_.erase(found);
+    }
+    handle.setCanceled();
+  }
+
+  void work()
+  {
+    while (const auto goal = next()) {
+      const bool returned = supervisor_.guard(method_, [&] {execute_(*goal);});
+      if (finish(goal)) {
+        report(*goal, returned);
+      }
+    }
+  }
+
+  /// Return the next goal to execute, nothing when the node stops.
+  std::shared_ptr<ServedGoal> next()
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait(lock, [this] {return stopped_ || !waiting_.empty();});
+    if (stopped_ || supervisor_.stopping()) {
+      return nullptr;
+    }
+    current_ = std::make_shared<ServedGoal>(waiting_.front(), supervisor_);
+    waiting_.pop_front();
+    return current_;
+  }
+
+  /// Return whether the goal has not been abandoned.
+  bool finish(const std::shared_ptr<ServedGoal> & goal)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool is_current = current_ == goal;
+    current_ = nullptr;
+    return is_current;
+  }
+
+  void report(ServedGoal & goal, bool returned)
+  {
+    switch (returned ? goal.outcome() : Outcome::aborted) {
+      case Outcome::succeeded:
+        goal.handle.setSucceeded(goal.result);
+        break;
+      case Outcome::canceled:
+        if (goal.canceled) {
+          goal.handle.setCanceled(goal.result);
+        } else {  // the node stops
+          goal.handle.setAborted(goal.result);
+        }
+        break;
+      case Outcome::aborted:
+        goal.handle.setAborted(goal.result);
+        break;
+      case Outcome::none:
+        if (!goal.cancel_requested()) {
+          ROS_WARN("%s returned without an outcome: the goal is aborted.", method_.c_str());
+        }
+        goal.handle.setAborted(goal.result);
+        break;
+    }
+  }
+
+  std::string method_;
+  GoalPolicy policy_;
+  Supervisor & supervisor_;
+  Execute execute_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Handle> waiting_;
+  std::shared_ptr<ServedGoal> current_;
+  bool stopped_ = false;
+  Server server_;
+};
+
+}  // namespace serving
+
+#endif  // ROS__ACTION_SERVER_HPP_

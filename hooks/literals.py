@@ -1,0 +1,117 @@
+"""Values that a spec writes as text, of the type that another attribute names."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import yaml
+
+from .faults import quoted
+from .formats import boolean, integer, number, raw, whole
+
+_LONGEST_LIST = 100_000
+_FLOAT32_MAX = 3.4028234663852886e38
+
+
+def literal(value: str, type_name: str) -> Any:
+    """Return the value that `value` writes, of the type `bool`, `int`, `double`, `string`.
+
+    Or of a primitive type of fields, such as `uint8`. With `[]` after the type, or `[3]` or
+    `[<=3]`, a list written as `[a, b]`.
+
+    Raises:
+        ValueError: the text is not a value of that type, or no text is.
+
+    """
+    form = r"([^<\[]*)(?:<=(\d+))?(\[(<=)?(\d*)\])?"
+    base, bound, is_list, limit, size = re.fullmatch(form, type_name).groups()  # type: ignore[union-attr]
+    if base not in LITERALS:
+        raise ValueError(f"no text is a value of {type_name}; drop it")
+
+    def parse(text: str) -> Any:
+        found = LITERALS[base](text)
+        if bound and len(found) > int(bound):
+            raise ValueError(f"{quoted(text)} is too long for a {base}<={bound}")
+        return found
+
+    if not is_list:
+        return parse(value)
+    if len(value) > _LONGEST_LIST:
+        raise ValueError(
+            f"a list of {len(value)} characters is too long; allowed: {_LONGEST_LIST}"
+        )
+    try:
+        items = list(_items(value))
+    except (yaml.YAMLError, ValueError, OverflowError):
+        example = "allowed: a list such as [first, second]"
+        raise ValueError(f"{quoted(value)} is not a {type_name}; {example}") from None
+    if not items:
+        raise ValueError(
+            "a list must not be empty, for ROS 2 could not tell the type of its values"
+        )
+    if size and (len(items) > int(size) if limit else len(items) != int(size)):
+        raise ValueError(f"{len(items)} values do not fit {type_name}")
+    return [parse(item) for item in items]
+
+
+def spelled(value: Any) -> str:
+    """Return a value as a spec would write it: `true`, `12`, any text as it stands."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    whole_number = isinstance(value, float) and value.is_integer()
+    return str(int(value) if whole_number else value)
+
+
+def _between(type_name: str, lowest: int, highest: int) -> Callable[[str], int]:
+    def parse(text: str) -> int:
+        value = whole(text)
+        if not lowest <= value <= highest:
+            raise ValueError(f"{value} is no {type_name}; allowed: {lowest} to {highest}")
+        return value
+
+    return parse
+
+
+def _float32(text: str) -> float:
+    value = number(text)
+    if abs(value) > _FLOAT32_MAX:
+        raise ValueError(f"{text} is no float32; allowed: up to {_FLOAT32_MAX:.4g}")
+    return value
+
+
+LITERALS: dict[str, Callable[[str], Any]] = {
+    "bool": boolean,
+    "int": integer,
+    "double": number,
+    "float32": _float32,
+    "float64": number,
+    "byte": _between("byte", 0, 255),
+    "char": _between("char", 0, 255),
+    "string": raw,
+    "wstring": raw,
+}
+"""The types of which a text can be a value."""
+for _bits in (8, 16, 32, 64):
+    _half = 2 ** (_bits - 1)
+    LITERALS[f"int{_bits}"] = _between(f"int{_bits}", -_half, _half - 1)
+    LITERALS[f"uint{_bits}"] = _between(f"uint{_bits}", 0, 2 * _half - 1)
+
+
+def _items(value: str) -> Iterator[str]:
+    """Yield the values of one YAML list, which has no other inside."""
+    events = yaml.parse(value, Loader=yaml.SafeLoader)
+    kinds = [yaml.StreamStartEvent, yaml.DocumentStartEvent, yaml.SequenceStartEvent]
+    if not all(isinstance(next(events), kind) for kind in kinds):
+        raise ValueError
+    for event in events:
+        if isinstance(event, yaml.SequenceEndEvent):
+            break
+        if not isinstance(event, yaml.ScalarEvent):
+            raise ValueError
+        yield event.value
+    if not isinstance(next(events), yaml.DocumentEndEvent) or not isinstance(
+        next(events), yaml.StreamEndEvent
+    ):
+        raise ValueError

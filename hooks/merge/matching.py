@@ -1,0 +1,203 @@
+"""Which block of one version is which of another, wherever the developer has put it.
+
+Several blocks may have one name: an `if(UNIX)` for each node. And a developer may put a container
+of their own around generated blocks: `if`, `#ifdef`, `<group>`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import count, takewhile
+
+from .blocks import Block, is_condition
+
+Blocks = Sequence[Block]
+_NUMBER = re.compile(r" #\d+$")
+
+
+def align(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Block], list[Block]]:
+    """Return three versions in which a key is that of one thing, at one place."""
+    match(new, old)
+    match(mine, old, new)
+    return list(mine), wrap(old, mine, old, new), wrap(new, mine, old, new)
+
+
+def match(blocks: Blocks, *versions: Blocks) -> None:
+    """Give blocks the keys of those that they are in other versions; the rest has its own keys.
+
+    What a container of the developer's holds is looked for around that container.
+    """
+    known = _by_key(versions)
+    _match(blocks, {key: same[0] for key, same in known.items()}, known)
+
+
+def _match(blocks: Blocks, free: dict[str, Block], known: Mapping[str, Blocks]) -> None:
+    """Match blocks with those that are `free`, which become less."""
+    for name, ours in _by_name(blocks).items():
+        namesakes = [same[0] for key, same in known.items() if _name(key) == name]
+        if namesakes:
+            pairs = _pairs(ours, namesakes, free)
+            for place, block in enumerate(ours):
+                if place in pairs:
+                    _take_key(block, pairs[place], free)
+                else:
+                    block.key = _own_key(name, {*known, *(other.key for other in blocks)})
+    for block in blocks:
+        _match_changed(block, free, known)
+        if block.key in known:
+            match(block.children, *(same.children for same in known[block.key]))
+        else:
+            _match(block.children, free, known)
+
+
+def _match_changed(block: Block, free: dict[str, Block], known: Mapping[str, Blocks]) -> None:
+    """Match a condition that reads otherwise now, but most of what it holds is what it held."""
+    if is_condition(block) and _name(block.key) not in map(_name, known):
+        inside = set(_names_in(block))
+        others = {
+            key: o for key, o in free.items() if is_condition(o) and _name(key) not in inside
+        }
+        alike = [(_likeness(block, other), key) for key, other in others.items()]
+        likeness, key = max(alike, default=(0, ""))
+        if likeness > 0.6:
+            _take_key(block, free[key], free)
+
+
+def _names_in(block: Block) -> Iterator[str]:
+    for child in block.children:
+        yield _name(child.key)
+        yield from _names_in(child)
+
+
+def _likeness(one: Block, other: Block) -> float:
+    """Return which part of the lines in a condition another one has."""
+    ours, theirs = map(_lines_in, (one, other))
+    return (ours & theirs).total() / max(ours.total(), 1)
+
+
+def _lines_in(block: Block) -> Counter[str]:
+    lines = "".join(child.text for child in block.children).split("\n")
+    return Counter(line.strip() for line in lines if line.strip())
+
+
+def _take_key(block: Block, other: Block, free: dict[str, Block]) -> None:
+    block.key = other.key
+    del free[other.key]
+
+
+def _pairs(ours: Blocks, namesakes: Blocks, free: Mapping[str, Block]) -> dict[int, Block]:
+    """Find out which of the blocks of one name are which of another version.
+
+    Where there are several, it is the words that no other one has which tell.
+    """
+    theirs = [other for other in namesakes if other.key in free]
+    if len(ours) == len(namesakes) == 1:
+        return dict(enumerate(theirs))
+    likely = []
+    for at, other in enumerate(theirs):
+        special = _words(other).difference(*(_words(o) for o in namesakes if o is not other))
+        for place, block in enumerate(ours):
+            common = len(special & _words(block))
+            is_same = block.text == other.text
+            if is_same or common or not special:
+                likely.append((not is_same, -common, abs(place - at), place, at))
+    pairs: dict[int, int] = {}
+    for *_, place, at in sorted(likely):
+        if place not in pairs and at not in pairs.values():
+            pairs[place] = at
+    return {place: theirs[at] for place, at in pairs.items()}
+
+
+def _own_key(name: str, taken: set[str]) -> str:
+    return next(key for n in count(2) if (key := f"{name} #{n}") not in taken)
+
+
+def wrap(blocks: Blocks, mine: Blocks, *versions: Blocks) -> list[Block]:
+    """Put blocks into the containers that the developer has put around them in `mine`.
+
+    `versions` have all that is generated. A container without lines stands for the developer's.
+    """
+    known = _by_key(versions)
+    places = dict(_places(mine, known, ()))
+    wrapped: list[Block] = []
+    for block in blocks:
+        level = wrapped
+        if block.key in places:
+            *around, same = places[block.key]
+            for container in around:
+                level = _inside(level, container.key)
+            children = (version.children for version in known[block.key])
+            inner = wrap(block.children, same.children, *children)
+            block = Block(block.key, block.lines, inner, block.tail)
+            block = _set_like(same, block) if around else block
+        level.append(block)
+    return wrapped
+
+
+def _places(
+    mine: Blocks, known: Mapping[str, Blocks], around: tuple[Block, ...]
+) -> Iterator[tuple[str, tuple[Block, ...]]]:
+    """Yield the keys of generated blocks, each with the containers it is in, and what it is."""
+    for block in mine:
+        if block.key in known:
+            yield block.key, (*around, block)
+        else:
+            yield from _places(block.children, known, (*around, block))
+
+
+def _inside(level: list[Block], key: str) -> list[Block]:
+    """Return what a container of a level holds; put the container there if it is new."""
+    found = next((block for block in level if block.key == key), None)
+    if found is None:
+        found = Block(key, [])
+        level.append(found)
+    return found.children
+
+
+def _set_like(same: Block, block: Block) -> Block:
+    """Return a block with the margin of another one, and as many empty lines above."""
+    shifted = _shifted(block, _margin(same) - _margin(block))
+    gaps, found = ([*takewhile(str.isspace, b.lines)] for b in (same, shifted))
+    shifted.lines[: len(found)] = gaps
+    return shifted
+
+
+def _margin(block: Block) -> int:
+    line = next((line for line in block.text.split("\n") if line.strip()), "")
+    return len(line) - len(line.lstrip())
+
+
+def _shifted(block: Block, by: int) -> Block:
+    """Return a block further to the right, or to the left."""
+
+    def shift(line: str) -> str:
+        margin = len(line) - len(line.lstrip())
+        return line if not line.strip() else " " * (margin + by) + line[margin:]
+
+    children = [_shifted(child, by) for child in block.children]
+    return Block(block.key, [*map(shift, block.lines)], children, [*map(shift, block.tail)])
+
+
+def _by_key(versions: Sequence[Blocks]) -> dict[str, list[Block]]:
+    found: dict[str, list[Block]] = {}
+    for version in versions:
+        for block in version:
+            found.setdefault(block.key, []).append(block)
+    return found
+
+
+def _by_name(blocks: Blocks) -> dict[str, list[Block]]:
+    found: dict[str, list[Block]] = {}
+    for block in blocks:
+        found.setdefault(_name(block.key), []).append(block)
+    return found
+
+
+def _name(key: str) -> str:
+    return _NUMBER.sub("", key)
+
+
+def _words(block: Block) -> set[str]:
+    return set(re.findall(r"\w+", block.text))

@@ -1,0 +1,93 @@
+"""What a model asks, as the options of `-d`: read from its copier.yml as Copier reads it."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from .faults import SpecError, allowed, first_of, quoted, shown
+
+
+def check_options(given: Iterable[str], root: Path) -> None:
+    """Insist that each option given is a question of the template in a folder.
+
+    Names that begin with _ are Copier's own.
+
+    Raises:
+        SpecError: there is no such question, so Copier would ignore the option.
+
+    """
+    known = questions(root)
+    options = [name for name, question in known.items() if _is_asked(question)]
+    unknown = [name for name in given if name not in options and not name.startswith("_")]
+    if unknown:
+        lines = [f"-d {shown(each)}: no such option; {allowed(each, options)}" for each in unknown]
+        raise SpecError(first_of(lines))
+
+
+def check_choices(
+    answers: Mapping[str, Any], root: Path, known: Mapping[str, Sequence[str]]
+) -> None:
+    """Insist that each answer is one of the choices of its question.
+
+    `known` has the choices of questions that make theirs when they are asked.
+
+    Raises:
+        SpecError: one is not.
+
+    """
+    for name, question in questions(root).items():
+        choices = known.get(name) or _choices(question)
+        if name in answers and choices and str(answers[name]) not in choices:
+            answer = str(answers[name])
+            raise SpecError(f"{name}: unknown {quoted(answer)}; {allowed(answer, choices)}")
+
+
+def _choices(question: Any) -> list[str]:
+    """Return the choices that a question lists; none where they are more than words."""
+    if not isinstance(question, dict) or question.get("multiselect"):
+        return []
+    listed = question.get("choices") or []
+    found = list(listed.values()) if isinstance(listed, dict) else listed
+    if not isinstance(found, list) or any(isinstance(each, list | dict) for each in found):
+        return []
+    return list(map(str, found))
+
+
+@functools.cache
+def questions(root: Path) -> dict[str, Any]:
+    """Return the questions of a template by name, in their order."""
+    documents = [
+        each for file in sorted(root.glob("copier.y*ml")) for each in _documents(file, root)
+    ]
+    return {
+        name: question
+        for document in documents
+        for name, question in document.items()
+        if not name.startswith("_")
+    }
+
+
+def _is_asked(question: Any) -> bool:
+    return not isinstance(question, dict) or False not in (
+        question.get("ask"),
+        question.get("when"),
+    )
+
+
+def _documents(file: Path, root: Path) -> Iterator[dict[str, Any]]:
+    """Yield the mappings of a YAML file; a document may be `!include` and other files."""
+
+    class Loader(yaml.SafeLoader):
+        pass
+
+    def include(loader: yaml.SafeLoader, files: yaml.ScalarNode) -> list[dict[str, Any]]:
+        return [each for found in root.glob(files.value) for each in _documents(found, root)]
+
+    Loader.add_constructor("!include", include)
+    for document in yaml.load_all(file.read_bytes(), Loader):
+        yield from document if isinstance(document, list) else [document or {}]

@@ -1,0 +1,102 @@
+"""A package of nodes in two languages: which model makes each node, and what it needs."""
+
+from __future__ import annotations
+
+import runpy
+from pathlib import Path
+from typing import Any
+
+_ROOT = next(
+    folder for folder in Path(__file__).parents if (folder / "cpp_model/functions.py").exists()
+)
+_MODELS = {
+    language: runpy.run_path(str(_ROOT / f"{language}_model/functions.py"))
+    for language in ("python", "cpp")
+}
+
+
+def dependencies_from_template(ros_distro: str) -> list[str]:
+    """Return the packages every package of this model needs: those that its nodes need."""
+    return []
+
+
+def dependencies_from_component(
+    kind: str, attributes: dict[str, Any], ros_distro: str
+) -> list[str]:
+    """Return the packages that a node needs in its language."""
+    model = _MODELS[attributes["language"]]
+    own = model["dependencies_from_component"](kind, attributes, ros_distro)
+    return [*model["dependencies_from_template"](ros_distro), *own]
+
+
+def dependencies_from_interface(
+    kind: str, attributes: dict[str, Any], ros_distro: str
+) -> list[str]:
+    """Return the packages that one interface needs in the language of its node."""
+    model = _MODELS[attributes["node"]["language"]]
+    return list(model["dependencies_from_interface"](kind, attributes, ros_distro))
+
+
+def parts(spec: dict[str, Any], language: str, ros_distro: str) -> list[dict[str, Any]]:
+    """Return the spec of the nodes of one language, as its model sees it; none without nodes.
+
+    Packages of messages are those of the whole package, as are those that <depend> adds.
+    """
+    nodes = [node for node in spec["nodes"] if node["language"] == language]
+    if not nodes:
+        return []
+    own = set().union(*(_packages(node, ros_distro) for node in nodes))
+    others = [node for node in spec["nodes"] if node not in nodes]
+    foreign = set().union(*(_packages(node, ros_distro) for node in others))
+    types = {item["type"].split("/")[0] for _, item in _interfaces(spec) if "type" in item}
+    depends = [name for name in spec["depends"] if name in own | types or name not in foreign]
+    kinds = sorted({kind for kind, _ in _interfaces({"nodes": nodes})})
+    return [{**spec, "nodes": nodes, "kinds": kinds, "depends": depends}]
+
+
+def for_cmake(spec: dict[str, Any], ros_distro: str) -> dict[str, Any]:
+    """Return what CMake must know of a spec: the nodes in C++ and all that makes code."""
+    depends = {name for name in spec["depends"] if name == "dynamic_reconfigure"}
+    part: dict[str, Any] = {**spec, "nodes": []}
+    for part in parts(spec, "cpp", ros_distro):
+        depends |= set(part["depends"])
+    return {**part, "kinds": spec["kinds"], "depends": sorted(depends)}
+
+
+def logic_file(node: dict[str, Any], package: str) -> str:
+    """Return where the logic of a node stands."""
+    return str(_MODELS[node["language"]]["logic_file"](node, package))
+
+
+def cfg_name(node: dict[str, Any]) -> str:
+    """Return what dynamic_reconfigure calls the parameters of a node."""
+    return str(_MODELS[node["language"]]["cfg_name"](node))
+
+
+def lines_with(text: str, *endings: str) -> str:
+    """Return the lines of a text that end in one of the endings."""
+    return "".join(line for line in text.splitlines(True) if line.rstrip().endswith(endings))
+
+
+def sort_lines(text: str) -> str:
+    """Return the lines of a text, each once and sorted, without empty ones."""
+    return "".join(sorted({line for line in text.splitlines(True) if line.strip()}))
+
+
+def _packages(node: dict[str, Any], ros_distro: str) -> set[str]:
+    """Return the packages that a node needs with its interfaces."""
+    packages = dependencies_from_component("node", node, ros_distro)
+    for kind, item in _interfaces({"nodes": [node]}):
+        packages += dependencies_from_interface(kind, {**item, "node": node}, ros_distro)
+    return set(packages)
+
+
+def _interfaces(spec: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
+    """Return the interfaces of all nodes, each with its kind."""
+    return [
+        (key.removesuffix("s"), item)
+        for node in spec["nodes"]
+        for key, items in node.items()
+        if isinstance(items, list)
+        for item in items
+    ]

@@ -1,0 +1,74 @@
+"""The package of the contract, built once for each variant, and a stage for each test."""
+
+import dataclasses
+
+import pytest
+
+from support import ros
+from support.contract import Peer, Stage, Variant
+from support.packages import MODELS
+
+VARIANTS = [
+    pytest.param(
+        (model, version), id=f"{model}-{distro}", marks=getattr(pytest.mark, f"ros{version}")
+    )
+    for version, distro in ((2, "kilted"), (1, "noetic"))
+    for model in MODELS
+]
+
+
+@pytest.fixture(scope="session")
+def _ros1(ros1_interfaces):
+    """ROS 1 with its master, and the interfaces it lacks."""
+    ros1 = ros.ros1()
+    with ros.master(ros1):
+        yield ros1, ros1_interfaces
+
+
+@pytest.fixture(scope="session")
+def _ros2():
+    return ros.ros2() or pytest.skip(ros.NO_ROS2), None
+
+
+@pytest.fixture(scope="session", params=VARIANTS)
+def variant(request, collection, tmp_path_factory):
+    """Each model in each ROS, built; all tests of one come together."""
+    model, version = request.param
+    ros_, underlay = request.getfixturevalue(f"_ros{version}")
+    if (model, version) == ("cpp_model", 2) and not ros.has_package(ros_, "rclcpp"):
+        pytest.skip("rclcpp is not installed: C++ in ROS 2 is not held to the contract here")
+    workspace = tmp_path_factory.mktemp(f"contract_{model}_{version}")
+    return Variant(model, ros_, collection, workspace, underlay)
+
+
+@pytest.fixture(scope="session")
+def humble(_ros2, collection, tmp_path_factory):
+    """The package in Python as it is for Humble, in the ROS 2 that is there."""
+    ros_ = dataclasses.replace(_ros2[0], distro="humble")
+    return Variant("python_model", ros_, collection, tmp_path_factory.mktemp("humble"))
+
+
+@pytest.fixture(scope="session")
+def peer(variant, tmp_path_factory):
+    """A program that talks to the nodes of a variant."""
+    peer = Peer(variant.ros, variant.environment, tmp_path_factory.mktemp("peer"))
+    yield peer
+    peer.kill()
+
+
+@pytest.hookimpl(hookwrapper=True)
+def pytest_runtest_makereport(item, call):
+    outcome = yield
+    if call.when == "call":
+        item.stash[_passed] = outcome.get_result().passed
+
+
+_passed = pytest.StashKey()
+
+
+@pytest.fixture
+def stage(request, variant, peer, tmp_path):
+    """A namespace with a peer, where the test starts nodes; at its end all must end well."""
+    stage = Stage(variant, peer, tmp_path)
+    yield stage
+    stage.close(request.node.stash.get(_passed, False))

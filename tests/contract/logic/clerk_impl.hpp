@@ -1,0 +1,30 @@
+#ifndef CONTRACT__CLERK_IMPL_HPP_
+#define CONTRACT__CLERK_IMPL_HPP_
+
+#include "contract/behaviour.hpp"
+#include "contract/clerk_interface.hpp"
+
+namespace contract
+{
+
+/// The logic of clerk: it does what the test tells it; see clerk_impl.py.
+class ClerkImpl
+{
+public:
+  explicit ClerkImpl(const ClerkPassthrough & passthrough);
+  bool configure(const ClerkConfig & config);
+  bool activate();
+  void serve_greet(
+    const clerk_types::GreetService::Request & request,
+    clerk_types::GreetService::Response & response);
+  void deactivate();
+  void cleanup();
+
+private:
+  ClerkPassthrough passthrough_;
+  Behaviour behaviour_;
+};
+
+}  // namespace contract
+
+#endif  // CONTRACT__CLERK_IMPL_HPP_

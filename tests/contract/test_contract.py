@@ -1,0 +1,1546 @@
+"""docs/nodes.md, line by line, held to running nodes: both languages, both ROS, faults injected.
+
+Each scenario runs for each variant; -k "python_model-kilted and stop" selects. At the end of each,
+`stage` stops the nodes that still run and sees that they end with 0, in silence, and that the
+trace shows the order and the threads of the contract.
+"""
+
+import contextlib
+import copy
+import ctypes
+import dataclasses
+import itertools
+import os
+import random
+import re
+import signal
+import socket
+import statistics
+import time
+from xmlrpc.client import ServerProxy
+
+import pytest
+
+from support import ros
+from support.contract import METHODS, wait_for
+
+SIGNALS = int(os.environ.get("CONTRACT_SIGNALS", 4))
+ROUNDS = int(os.environ.get("CONTRACT_ROUNDS", 150))
+LIVES = int(os.environ.get("CONTRACT_LIVES", 15))
+INT64 = "std_msgs/msg/Int64"
+LIFE = [*METHODS]
+SOON = 15.0  # s; bounds of the contract plus what a busy machine needs, far less than the waits
+
+
+def only_ros2(stage, why="ROS 1 has no lifecycle transitions"):
+    if not stage.variant.is_ros2:
+        pytest.skip(f"does not apply: {why}")
+
+
+def only_ros1(stage, why):
+    if stage.variant.is_ros2:
+        pytest.skip(f"does not apply: {why}")
+
+
+def only_python(stage, why):
+    if not stage.variant.is_python:
+        pytest.skip(f"does not apply: {why}")
+
+
+def only_rclcpp(stage, why):
+    if not stage.variant.is_ros2 or stage.variant.is_python:
+        pytest.skip(f"does not apply: {why}")
+
+
+def only_components(stage):
+    only_rclcpp(stage, "only C++ in ROS 2 has components")
+
+
+def needs_tf(stage):
+    if not stage.variant.has_tf:
+        pytest.skip("tf2_ros is not installed")
+
+
+# The five methods, and the threads
+
+
+def test_order_and_threads(stage):
+    """All runs in order, in the thread `logic`; each callback in a thread named after it."""
+    node = stage.active()
+    stage.publish("hear", "hello")
+    assert stage.call().result() == "served"
+    for action in ("work", "line", "single"):
+        goal = stage.goal(action, 5)
+        assert stage.result(goal) == ["succeeded", [5]]
+    node.wait("receive", "end")
+    named = {name: node.wait(name)["thread"] for name in ("serve", "work", "line", "single")}
+    named["hear"] = node.wait("receive")["thread"]
+    assert all(name in thread for name, thread in named.items()), named
+    assert "logic" in node.threads()
+    assert node.stop() == 0
+    assert node.methods() == LIFE
+
+
+def test_node_without_a_frequency(stage):
+    node = stage.start("clerk", "deactivate: publish STOP")
+    heard = stage.listen(node, ask=lambda: stage.call("greet").result() != "greeted")
+    assert node.stop() == 0
+    assert node.methods() == [name for name in LIFE if name != "update"]
+    wait_for(lambda: heard() == ["STOP"], lambda: f"heard {heard()}")
+
+
+def stop_by_transitions(stage, node):
+    assert stage.transition("deactivate", "cleanup")
+    assert stage.state() == "unconfigured"
+
+
+def stop_by_shutdown(stage, node):
+    assert stage.transition("shutdown")
+    assert stage.state() == "finalized"
+
+
+STOPS = {
+    "sigint": lambda stage, node: node.stop(signal.SIGINT),
+    "sigterm": lambda stage, node: node.stop(signal.SIGTERM),
+    "kill": lambda stage, node: (
+        stage.peer.kill_node(node=stage.name("probe")),
+        node.exit(),
+    ),
+    "transitions": stop_by_transitions,
+    "shutdown": stop_by_shutdown,
+}
+
+
+@pytest.mark.parametrize("way", STOPS)
+def test_last_word(stage, way):
+    """What `deactivate` and `cleanup` publish leaves the node, however it stops."""
+    if way == "kill":
+        only_ros1(stage, "ROS 2 has no rosnode kill")
+    if way in ("transitions", "shutdown"):
+        only_ros2(stage)
+    node = stage.active("deactivate: publish STOP", "cleanup: publish OFF")
+    heard = stage.listen(node)
+    STOPS[way](stage, node)
+    wait_for(lambda: heard() == ["STOP", "OFF"], lambda: f"heard {heard()}: {node.story()}")
+    if way in ("sigint", "sigterm", "kill"):
+        assert node.exit() == 0
+
+
+@pytest.mark.parametrize("way", ["autostart", "transitions"])
+def test_everything_works_in_all_five(stage, way):
+    """Messages leave, calls and goals are answered, transforms are found, in all five."""
+    stage.serve()
+    served = stage.serve_action()
+    heard = stage.hear("say")
+    if stage.variant.has_tf:
+        stage.peer.transform(parent="map", child="robot", x=7.0)
+    lines = [f"once {method}: publish {method}" for method in LIFE]
+    lines += [f"once {method}: call 10" for method in LIFE]
+    lines += [f"once {method}: goal {number}" for number, method in enumerate(LIFE, 1)]
+    if stage.variant.has_tf:
+        lines += [f"once {method}: lookup map robot 10" for method in LIFE]
+    # Both peers need a moment to find each other: as long as a message takes to be heard.
+    lines.insert(0, "once configure: block 0.5")
+    if way == "transitions":
+        only_ros2(stage)
+        node = stage.start("probe", *lines, autostart=False, stop_timeout=10.0)
+        assert stage.transition("configure", "activate"), node.story()
+        node.wait("update", "end")
+        assert stage.transition("deactivate", "cleanup"), node.story()
+    else:
+        node = stage.start("probe", *lines, stop_timeout=10.0)
+        node.wait("update", "end")
+        assert node.stop() == 0, node.story()
+    for method in LIFE:
+        assert node.value(method, "call") == "yes", f"{method}: {node.story()}"
+        assert node.value(method, "goal") == "succeeded", f"{method}: {node.story()}"
+        if stage.variant.has_tf:
+            assert node.value(method, "lookup") == 7.0, f"{method}: {node.story()}"
+    assert [("goal", number) in served() for number in range(1, 6)] == [True] * 5, served()
+    wait_for(lambda: set(heard()) >= {*LIFE[1:]}, lambda: f"heard {heard()}")
+
+
+# Stops
+
+
+WAITS = {
+    "call": ("call 60", None),
+    "call of a missing server": ("call 60", None),
+    "lookup": ("lookup map nowhere 60", ...),
+    "sleep": ("sleep 60", False),
+    "goal": ("goal 1", "stopped"),
+}
+
+
+@pytest.mark.parametrize("wait", WAITS)
+def test_stop_ends_wait(stage, wait):
+    """A wait of `update` ends at once when the node stops; one in `deactivate` works again."""
+    if wait == "lookup":
+        needs_tf(stage)
+    command, value = WAITS[wait]
+    if wait == "call":
+        stage.serve(seconds=60.0)
+    if wait == "goal":
+        served = stage.serve_action(seconds=60.0)
+    node = stage.start("probe", f"once update: {command}", "deactivate: sleep 0.2")
+    node.wait("update")
+    if wait == "call":
+        wait_for(lambda: stage.peer.served_log(name=stage.name("ask")), "not called")
+    elif wait == "goal":
+        wait_for(lambda: served(), "no goal")
+    else:
+        time.sleep(0.3)  # it waits by then, or stops as well if not
+    assert node.stop() == 0
+    if value is not ...:
+        assert node.value("update", command.split()[0]) == value
+    assert node.value("deactivate", "sleep") is True
+
+
+@pytest.mark.parametrize("wait", ["call inf", "lookup map nowhere inf", "sleep inf"])
+def test_stop_ends_endless_wait(stage, wait):
+    if "lookup" in wait:
+        needs_tf(stage)
+    stage.serve(seconds=60.0)
+    node = stage.active()
+    node.tell("once update: block 0", f"once update: {wait}")
+    node.wait("update", "block")
+    if "call" in wait:
+        wait_for(lambda: stage.peer.served_log(name=stage.name("ask")), node.story)
+    time.sleep(0.3)  # it waits by then, or stops as well if not
+    assert not node.events("update", wait.split()[0]), node.story()
+    assert node.stop() == 0, node.story()
+    node.wait("update", wait.split()[0])
+
+
+def test_stop_ends_waits_of_callbacks(stage):
+    """So do those of callbacks, all at the same time; the call that was served is answered."""
+    node = stage.active("receive: sleep 60", "serve: call 60")
+    stage.publish("hear", "wait")
+    answer = stage.call()
+    goal = stage.goal("work", 1000)
+    for method in ("receive", "serve", "work"):
+        node.wait(method)
+    assert node.stop() == 0
+    assert node.value("receive", "sleep") is False
+    assert node.value("serve", "call") is None
+    assert stage.result(goal)[0] == "aborted"
+    assert node.value("work", "over") == 1000
+    assert answer.exception() is None or not stage.variant.is_ros2
+
+
+@pytest.mark.parametrize("where", ["deactivate", "cleanup"])
+def test_stop_bounds_waits(stage, where):
+    """`deactivate` and `cleanup` may wait, for stop_timeout and no longer."""
+    node = stage.active(f"{where}: sleep 60", stop_timeout=0.5)
+    node.send_signal()
+    node.exit(SOON)
+    assert node.value(where, "sleep") is False
+    assert node.methods() == LIFE
+    node.ended_well = False
+
+
+@pytest.mark.parametrize("where", ["deactivate", "cleanup"])
+def test_signal_cuts_no_last_wait(stage, where):
+    """A signal that comes while `deactivate` or `cleanup` waits leaves them their time."""
+    only_ros2(stage)
+    stage.serve(seconds=1.0)
+    node = stage.active(f"{where}: call 10", stop_timeout=10.0)
+    names = ["deactivate", "cleanup"] if where == "cleanup" else ["deactivate"]
+    stage.transition(*names[:-1])
+    stage.peer.begin("change_state", node=stage.name("probe"), transition=names[-1])
+    node.wait(where)
+    time.sleep(0.3)
+    node.send_signal()
+    assert node.exit(SOON) == 0, node.story()
+    assert node.value(where, "call") == "yes", node.story()
+    assert node.methods() == LIFE
+
+
+def test_signal_beside_a_transition(stage):
+    """A transition that begins beside a signal is waited for, and what is left is cleaned up."""
+    only_rclcpp(stage, "it is about a moment within rclcpp")
+    told = ("deactivate: publish STOP", "cleanup: publish OFF")
+    node = stage.active(*told)
+    heard = stage.listen(node)
+    node.tell(*told, "once transition: block 1")
+    stage.peer.begin("change_state", node=stage.name("probe"), transition="deactivate")
+    node.wait("transition")
+    assert node.stop() == 0, node.story()
+    assert node.methods() == LIFE, node.story()
+    wait_for(lambda: heard() == ["STOP", "OFF"], lambda: f"heard {heard()}: {node.story()}")
+
+
+def test_signal_to_another_thread(stage):
+    """The system may give a signal to any thread of a process."""
+    node = stage.active()
+    *_, thread = node.thread_ids()
+    assert ctypes.CDLL(None).tgkill(node.process.pid, thread, signal.SIGINT) == 0
+    assert node.exit(SOON) == 0, node.story()
+
+
+BLOCKS = {"receive": "hear", "serve": "serve", "work": "work"}
+
+
+@pytest.mark.parametrize("where", ["update", "deactivate", "cleanup", *BLOCKS])
+def test_stop_of_what_blocks(stage, where):
+    """A node that is blocked ends all the same, with 1, and its log names the place."""
+    node = stage.active(f"once {where}: block 60", stop_timeout=0.5)
+    if where == "receive":
+        stage.publish("hear", "block")
+    elif where == "serve":
+        stage.call()
+    elif where == "work":
+        goal = stage.goal("work", 5)
+    if where not in ("deactivate", "cleanup"):
+        wait_for(lambda: _told(node, where), lambda: f"not blocked: {node.story()}")
+    node.send_signal()
+    assert node.exit(SOON) == 1, node.story()
+    name = BLOCKS.get(where, where)
+    assert re.search(rf"Still running when the node stops: .*{name}\b", node.log()), node.story()
+    if where == "work":
+        assert stage.result(goal)[0] == "aborted"
+    node.ended_well = False
+
+
+def _told(node, method):
+    """Return whether a method has begun and not ended."""
+    events = node.events(method)
+    return events and events[-1]["event"] == "begin"
+
+
+def test_transitions_while_blocked(stage):
+    """No second logic runs beside the first; the node can be activated when it has returned."""
+    only_ros2(stage)
+    node = stage.active("once update: block 6", stop_timeout=0.5)
+    wait_for(lambda: _told(node, "update"), "not blocked")
+    assert stage.transition("deactivate"), node.story()
+    assert not node.events("update", "block"), "it waited for update"
+    assert re.search(r"\bupdate\b", node.log()), node.story()
+    assert not stage.transition("activate"), node.story()
+    assert re.search(r"Cannot activate: .*update.* has not returned\.", node.log()), node.story()
+    assert stage.state() == "inactive"
+    node.wait("update", "block")
+    node.wait("deactivate", "end")
+    wait_for(lambda: stage.transition("activate"), lambda: f"not activated: {node.story()}")
+    count = len(node.events("update"))
+    node.wait("update", count=count // 2 + 3)
+    node.expect("[ERROR]")
+
+
+def test_late_update_is_the_last(stage):
+    """One that returns just after `stop_timeout` is followed by `deactivate`, not by another."""
+    node = stage.active(stop_timeout=0.5)
+    node.tell("update: hold")
+    node.wait("update", "begin", count=len(node.events("update", "begin")) + 1)
+    held = len(node.events("update", "begin"))
+    if stage.variant.is_ros2:
+        stage.peer.begin("change_state", node=stage.name("probe"), transition="deactivate")
+    else:
+        node.send_signal()
+    node.wait_log("Still running.*update")
+    node.tell("deactivate: sleep 0.2")
+    node.wait("deactivate", "end")
+    assert len(node.events("update", "begin")) == held, node.story()
+    node.expect("[ERROR]")
+    node.ended_well = False
+
+
+@pytest.mark.parametrize("second", [signal.SIGINT, signal.SIGTERM])
+def test_second_signal_ends_at_once(stage, second):
+    node = stage.active("deactivate: block 60", stop_timeout=60.0)
+    node.send_signal()
+    node.wait("deactivate")
+    node.send_signal(second)
+    assert node.exit(SOON) != 0
+    node.ended_well = False
+
+
+def test_stop_while_configuring(stage):
+    """What has been configured is cleaned up, without being activated before."""
+    node = stage.start("probe", "configure: block 1", "activate: throw")
+    node.wait("configure")
+    assert node.stop() == 0, node.story()
+    assert node.methods() == ["configure", "cleanup"], node.story()
+
+
+@pytest.mark.parametrize("place", ["before creating the node", "constructor"])
+def test_stop_before_configure(stage, place):
+    """Nothing is configured then, and nothing needs to be cleaned up."""
+    only_python(stage, "in C++ no place is before `configure`")
+    node = stage.start("probe", f"{place}: block 1")
+    node.wait(place)
+    assert node.stop() == 0, node.story()
+    assert node.methods() == [], node.story()
+
+
+@pytest.mark.parametrize("where", ["receive", "serve"])
+def test_callback_beside_the_stop(stage, where):
+    """One that the node has begun to call when it is told to stop ends before `deactivate`."""
+    only_python(stage, "it is about a moment within the package")
+    place = "after asking for the stop in ros"
+    node = stage.active(stop_timeout=10.0)
+    node.tell(f"{place}: hold")
+    if where == "receive":
+        stage.publish("hear", "beside")
+    else:
+        stage.call()
+    node.wait(place)
+    node.send_signal()
+    end = time.monotonic() + 1.0  # what waits for nothing has ended by then
+    while not node.events("deactivate", "end") and time.monotonic() < end:
+        time.sleep(0.01)
+    node.tell()
+    assert node.exit(SOON) == 0, node.story()
+
+
+def test_random_signals(stage):
+    """At any moment of its life, busy, a node ends with 0, in silence and in order."""
+    stage.serve()
+    stage.serve_action(seconds=0.02)
+    for _ in range(SIGNALS):
+        node = stage.start("probe", "update: call 1", "update: goal 1", "serve: sleep 0.05")
+        node.wait("configure")
+        calls = [stage.call(timeout=5.0) for _ in range(3)]
+        time.sleep(random.uniform(0.0, 0.8))
+        assert node.stop(random.choice((signal.SIGINT, signal.SIGTERM))) == 0, node.story()
+        node.check()
+        del calls
+
+
+def test_kill_at_its_start(stage):
+    """A node that `rosnode kill` finds while it starts ends with 0, in order."""
+    only_ros1(stage, "ROS 2 has no rosnode kill")
+    for _ in range(SIGNALS):
+        node = stage.start("probe")
+        stage.peer.kill_when_known(node=stage.name("probe"))
+        assert node.exit(SOON) == 0, node.story()
+        node.expect("Traceback", "Exception")  # of rospy, whose server is closed at its start
+        node.check()
+
+
+def use_master(stage, address):
+    """Let the nodes and the peers that a test starts from now on have another master."""
+    its = {"ROS_MASTER_URI": address}
+    stage.variant = variant = copy.copy(stage.variant)
+    variant.environment = variant.environment | its
+    return dataclasses.replace(variant.ros, environment=variant.ros.environment | its)
+
+
+@contextlib.contextmanager
+def master_of_its_own(stage):
+    """Run a master for the nodes of a test, and give the number of its process."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        address = f"http://127.0.0.1:{free.getsockname()[1]}"
+    with ros.master(use_master(stage, address), "rosmaster"):
+        yield ServerProxy(address).getPid("/test")[2]
+
+
+@contextlib.contextmanager
+def relayed_master(stage):
+    """Run a relay between the nodes of a test and their master, which can hold requests back."""
+    with ros.Relay(stage.variant.environment["ROS_MASTER_URI"]).running() as relay:
+        use_master(stage, relay.address)
+        yield relay
+
+
+@pytest.mark.parametrize("when", ["active", "starting"])
+def test_stop_with_a_frozen_master(stage, when):
+    """The end waits for a master that does not answer no longer than for the logic."""
+    only_ros1(stage, "ROS 2 has no master")
+    if when == "starting":
+        only_python(stage, "in C++ the thread that connects is that of the logic")
+    with master_of_its_own(stage) as master:
+        told = ["deactivate: publish STOP", "configure: block 1"]
+        node = stage.start("probe", *told, stop_timeout=0.5)
+        node.wait("update" if when == "active" else "configure")
+        os.kill(master, signal.SIGSTOP)
+        node.wait("activate", "end")
+        time.sleep(0.5)
+        code = node.stop()
+    if when == "active":
+        assert node.methods() == LIFE, node.story()
+        assert code == (0 if stage.variant.is_python else 1), node.story()
+        node.ended_well = stage.variant.is_python
+    else:
+        assert code == 1, node.story()
+        assert re.search("Still running.* start", node.log()), node.story()
+        assert node.methods() == [name for name in LIFE if name != "update"]
+        node.ended_well = False
+
+
+@pytest.mark.parametrize("parameter", ["log_level", "stop_timeout", "gain"])
+def test_stop_while_the_master_is_asked(stage, parameter):
+    """One signal ends a node that waits for its parameters, of a master that has frozen."""
+    only_ros1(stage, "ROS 2 has no master")
+    with relayed_master(stage) as master:
+        method = "getParam" if stage.variant.is_python else "hasParam"
+        asked = master.hold(method, stage.name(f"probe/{parameter}"))
+        node = stage.start("probe")
+        asked.wait()
+        master.hold()
+        code = node.stop(timeout=60.0)
+    if stage.variant.is_python:
+        assert code == 0, node.story()
+    else:  # roscpp does not come back from its request
+        assert code == 1, node.story()
+        assert "its process is ended" in node.log(), node.story()
+        node.ended_well = False
+    assert node.methods() == []
+
+
+# Exceptions
+
+
+@pytest.mark.parametrize("where", [*LIFE, "receive", "serve", "work"])
+def test_exception(stage, where):
+    """It is logged with its place; the node stops in order, cleans up, and ends with 1."""
+    node = stage.start("probe", f"{where}: throw", "deactivate: publish STOP")
+    if where in ("deactivate", "cleanup"):
+        node.wait("update")
+        node.send_signal()
+    elif where not in LIFE:
+        heard = stage.listen(node)
+        if where == "receive":
+            stage.publish("hear", "throw")
+        elif where == "serve":
+            stage.call()
+        else:
+            assert stage.result(stage.goal("work", 5))[0] == "aborted"
+    assert node.exit(SOON) == 1, node.story()
+    assert "thrown on purpose" in node.log(), node.story()
+    place = BLOCKS.get(where, where)
+    assert re.search(rf"{place}", node.log()), node.story()
+    expected = {"configure": LIFE[:1], "activate": [*LIFE[:2], "cleanup"]}.get(where, LIFE)
+    assert node.methods() == expected, node.story()
+    if where not in LIFE:
+        wait_for(lambda: heard() == ["STOP"], lambda: f"heard {heard()}: {node.story()}")
+    node.expect("Traceback", "[ERROR]", "[FATAL]", "Exception")
+
+
+def test_exception_while_connecting(stage):
+    """What ROS refuses to subscribe or to serve after `activate` ends the node in order."""
+    if stage.variant.is_ros2:
+        only_python(stage, "what rclcpp refuses differs")
+        setting = f"qos_overrides.{stage.name('number')}.subscription.reliability"
+        node = stage.start("probe", **{setting: "best-effort"})
+    elif stage.variant.is_python:
+        taken = stage.name("probe/get_loggers")
+        node = stage.start("probe", remap={stage.name("serve"): taken})
+    else:  # a topic of one type, subscribed with another
+        node = stage.start("probe", remap={stage.name("hear"): stage.name("number")})
+    assert node.exit(SOON) == 1, node.story()
+    assert "connect_receivers" in node.log(), node.story()
+    assert node.methods() == [name for name in LIFE if name != "update"], node.story()
+    node.expect("Traceback", "[ERROR]", "Exception")
+
+
+def test_result_of_a_wrong_type(stage):
+    """It counts as an exception of the callback: the goal is aborted, the node ends with 1."""
+    only_python(stage, "C++ has types")
+    node = stage.active("work: spoil")
+    assert stage.result(stage.goal("work", 5))[0] == "aborted"
+    assert node.exit(SOON) == 1, node.story()
+    assert "Traceback" in node.log(), node.story()
+    assert node.methods() == LIFE, node.story()
+    node.expect("Traceback", "[ERROR]", "Exception")
+
+
+def test_service_without_a_response(stage):
+    """It counts as an exception of the callback, too; the client is not left without an answer."""
+    only_python(stage, "the compiler of C++ sees it")
+    node = stage.active("serve: spoil")
+    stage.call()
+    assert node.exit(SOON) == 1, node.story()
+    assert "serve_serve returned no response" in node.log(), node.story()
+    assert node.methods() == LIFE, node.story()
+    node.expect("Traceback", "[ERROR]", "Exception")
+
+
+def test_arguments_that_ros_refuses(stage):
+    """The process ends with 1 and says why."""
+    only_ros2(stage, "ROS 1 takes any")
+    node = stage.start("probe", remap={"no rule": ""})
+    assert node.exit() == 1, node.story()
+    assert "no rule" in node.log(), node.story()
+    node.expect("Traceback", "[ERROR]", "Exception")
+
+
+def test_parameter_of_a_wrong_type(stage):
+    """It is not rounded: the process ends with 1 and names it."""
+    node = stage.start("probe", limit=3.7)
+    assert node.exit() == 1, node.story()
+    assert "limit" in node.log(), node.story()
+    assert node.methods() == []
+    node.expect("Traceback", "[ERROR]", "[FATAL]", "Exception", "terminate called")
+
+
+def test_exception_by_transition(stage):
+    """The transition fails, and a node alone in its process ends with 1 then, too."""
+    only_ros2(stage)
+    node = stage.start("probe", "configure: throw", autostart=False)
+    assert not stage.transition("configure")
+    assert node.exit(SOON) == 1, node.story()
+    assert node.methods() == LIFE[:1]
+    node.expect("Traceback", "[ERROR]", "[FATAL]", "Exception")
+
+
+@pytest.mark.parametrize("where", ["serve", "update"])
+def test_exception_while_stopping(stage, where):
+    """One that comes as the stop ends a wait counts as any other."""
+    node = stage.active(f"{where}: sleep 60", f"{where}: throw")
+    if where == "serve":
+        stage.call()
+    node.wait(where)
+    if stage.variant.is_ros2:
+        assert not stage.transition("deactivate")
+    else:
+        node.send_signal()
+    assert node.exit(SOON) == 1, node.story()
+    assert node.methods() == LIFE, node.story()
+    node.expect("Traceback", "[ERROR]", "Exception")
+
+
+def test_exception_while_shutting_down(stage):
+    """The shutdown transition fails and goes through error processing, too."""
+    only_ros2(stage)
+    node = stage.active("deactivate: throw")
+    assert not stage.transition("shutdown")
+    assert node.exit(SOON) == 1, node.story()
+    assert node.methods() == LIFE, node.story()
+    node.expect("Traceback", "[ERROR]", "Exception")
+
+
+def test_exception_with_a_frozen_master(stage):
+    """The node ends, though roscpp and rospy ask the master for a parameter before they log."""
+    only_ros1(stage, "ROS 2 has no master")
+    with master_of_its_own(stage) as master:
+        node = stage.active()
+        os.kill(master, signal.SIGSTOP)
+        node.tell("update: throw")
+        assert node.exit(60.0) == 1, node.story()
+    node.expect("Traceback", "[ERROR]", "Exception")
+    node.ended_well = False
+
+
+# Refusals
+
+
+@pytest.mark.parametrize("where", ["configure", "activate"])
+def test_refusal(stage, where):
+    """A node alone that refuses ends with 1, and says that it refused."""
+    node = stage.start("probe", f"{where}: refuse")
+    assert node.exit() == 1, node.story()
+    expected = {"configure": LIFE[:1], "activate": [*LIFE[:2], "cleanup"]}[where]
+    assert node.methods() == expected
+    assert f"The logic refused to {where}." in node.log(), node.story()
+    node.expect("[ERROR]", "[FATAL]")
+
+
+@pytest.mark.parametrize("where", ["configure", "activate"])
+def test_refusal_when_the_node_stops(stage, where):
+    """A method that gives up since the node stops has refused nothing."""
+    node = stage.start("probe", f"{where}: sleep 60", f"{where}: refuse")
+    node.wait(where)
+    assert node.stop() == 0, node.story()
+    expected = {"configure": LIFE[:1], "activate": [*LIFE[:2], "cleanup"]}[where]
+    assert node.methods() == expected, node.story()
+    assert "refused" not in node.log(), node.story()
+
+
+def test_refusal_by_transition(stage):
+    """It may be configured again with other parameters, and activated once it accepts."""
+    only_ros2(stage)
+    node = stage.start("probe", autostart=False, accept=False)
+    assert not stage.transition("configure")
+    assert stage.state() == "unconfigured"
+    assert stage.peer.set_parameter(node=stage.name("probe"), name="accept", value=True)
+    node.tell("activate: refuse")
+    assert stage.transition("configure"), node.story()
+    assert not stage.transition("activate")
+    assert stage.state() == "inactive"
+    node.tell()
+    assert stage.transition("activate"), node.story()
+    node.wait("update")
+    assert not stage.peer.set_parameter(node=stage.name("probe"), name="accept", value=False)
+    assert stage.peer.set_parameter(node=stage.name("probe"), name="gain", value=2.0)
+    wait_for(lambda: node.events("update", "begin")[-1]["value"]["gain"] == 2.0, "no new gain")
+    node.expect("[ERROR]", "[FATAL]")
+
+
+@pytest.mark.parametrize("distro", ["of this ROS", "humble"])
+def test_parameters_set_with_a_refused_one(stage, request, distro):
+    """All remain as they were, in what `update` sees as well."""
+    only_ros2(stage, "ROS 1 refuses no parameter")
+    if distro == "humble":
+        only_python(stage, "rclcpp is the same in all of them")
+        stage.variant = request.getfixturevalue("humble")
+    node = stage.active()
+    values = {"gain": 2.0, "accept": False}
+    assert not stage.peer.set_parameters_atomically(node=stage.name("probe"), values=values)
+    node.wait("update", count=len(node.events("update", "begin")) + 3)
+    assert node.events("update", "begin")[-1]["value"]["gain"] == 1.0
+    del values["accept"]
+    assert stage.peer.set_parameters_atomically(node=stage.name("probe"), values=values)
+    wait_for(lambda: node.events("update", "begin")[-1]["value"]["gain"] == 2.0, "no new gain")
+
+
+def test_parameter_set_while_configuring(stage):
+    """A dynamic parameter set while the node configures itself holds from the first update.
+
+    The node has no topics: their QoS overrides, declared later, would have parameters read anew.
+    """
+    node = stage.start("gauge", "configure: hold", "life_cycle reads gain: hold")
+    wait_for(lambda: node.events(event="begin"), "not configuring")
+    assert stage.peer.set_parameter(node=stage.name("gauge"), name="gain", value=2.0)
+    node.tell()
+    assert node.wait("update")["value"]["gain"] == 2.0
+
+
+def test_refusals_in_a_row(stage):
+    """What a refused configuration leaves to clean up blocks nothing, however often.
+
+    Each one hears of a static transform at once, in a thread that may still use it afterwards.
+    """
+    only_ros2(stage)
+    if stage.variant.has_tf:
+        stage.peer.transform(parent="map", child="robot", x=7.0)
+    node = stage.start("probe", autostart=False, accept=False)
+    for _ in range(ROUNDS):
+        assert not stage.transition("configure")
+    assert stage.state() == "unconfigured"
+    node.expect("[ERROR]", "[FATAL]")
+
+
+# Messages
+
+
+def numbers(node):
+    """Return the numbers that were new in a cycle."""
+    seen = [event["value"]["number"] for event in node.events("update", "begin")]
+    return [number for number in seen if number is not None]
+
+
+def test_message_is_new_once(stage):
+    node = stage.active()
+    stage.publish("number", 7, INT64)
+    wait_for(lambda: numbers(node), "no number")
+    count = len(node.events("update", "begin"))
+    node.wait("update", count=count + 5)
+    assert numbers(node) == [7]
+
+
+def test_loop_allocates_nothing(stage):
+    """Neither to wait nor to take messages of fixed size; the middleware allocates to publish."""
+    if stage.variant.is_python:
+        pytest.skip("does not apply: Python allocates")
+    node = stage.active("once update: mute")
+    node.wait("update", "mute")
+    muted = len(node.events("update", "begin")) + 1
+    for number in range(5):
+        stage.publish("number", number, INT64)
+        wait_for(lambda number=number: number in numbers(node), "no number")
+    node.wait("update", count=muted + 20)
+    cycles = [event["value"]["allocations"] for event in node.events("update", "begin")]
+    assert any(cycles[:muted]), "nothing is counted"
+    assert not any(cycles[muted:]), cycles
+
+
+def test_nothing_old_is_new(stage):
+    """What came before an activation is not new after it: neither while inactive, nor before."""
+    only_ros2(stage, "a node of ROS 1 is activated once, at its start")
+    node = stage.active(stop_timeout=10.0)
+    stage.publish("number", 1, INT64)
+    wait_for(lambda: 1 in numbers(node), "no number")
+    node.tell("once update: block 4")
+    wait_for(lambda: _told(node, "update"), "not blocked")
+    time.sleep(0.1)
+    stage.publish("number", 2, INT64)  # comes in, and no cycle takes it
+    assert stage.transition("deactivate")
+    stage.publish("number", 3, INT64, wait=False)
+    assert stage.transition("activate")
+    count = len(node.events("update", "begin"))
+    node.wait("update", count=count + 5)
+    stage.publish("number", 4, INT64)
+    wait_for(lambda: 4 in numbers(node), lambda: f"{numbers(node)}: {node.story()}")
+    assert numbers(node) == [1, 4]
+    stage.publish("number", 5, INT64)
+    wait_for(lambda: 5 in numbers(node), "no number")
+    assert stage.transition("deactivate", "cleanup", "configure", "activate")
+    count = len(node.events("update", "begin"))
+    node.wait("update", count=count + 5)
+    assert numbers(node) == [1, 4, 5]
+
+
+def test_silence_while_inactive(stage):
+    """The outputs of update are published while the node is active, and not else."""
+    only_ros2(stage)
+    node = stage.active()
+    heard = stage.hear("count", INT64)
+    wait_for(heard, "no output")
+    assert stage.transition("deactivate")
+    time.sleep(0.2)
+    count = len(heard())
+    time.sleep(0.3)
+    assert len(heard()) == count
+    assert stage.transition("activate")
+    wait_for(lambda: len(heard()) > count + 2, node.story)
+
+
+# Actions
+
+
+def test_cancel_before_acceptance(stage):
+    """A cancel straight after the goal is kept and sent with the answer."""
+    served = stage.serve_action(seconds=30.0, answer_after=0.5)
+    lines = ["send 200", "cancel", "wait pending", "wait active"]
+    node = stage.start("probe", *[f"once update: {line}" for line in lines])
+    wait_for(lambda: len(node.events("update", "wait")) == 2, node.story)
+    assert node.events("update", "wait")[-1]["value"] == "canceled", node.story()
+    assert ("canceled", 200) in served() or not served()
+
+
+def test_cancel_beside_the_end_of_the_goal(stage):
+    """A goal that ends while it is being cancelled has ended."""
+    only_python(stage, "it is about a moment within the package")
+    stage.serve_action(seconds=60.0)
+    node = stage.start("probe", "once update: send 7", "once update: wait pending")
+    assert node.value("update", "wait") == "active", node.story()
+    node.tell(
+        "once update: cancel",
+        "once after looking at the goal in logic: hold it",
+        "once after the end of the goal: block 0",
+    )
+    node.wait("after looking at the goal in logic")
+    stage.peer.leave(namespace=stage.namespace)
+    node.wait("after the end of the goal")
+    node.tell()
+    node.wait("update", "cancel")
+    assert node.stop() == 0, node.story()
+
+
+@pytest.mark.parametrize("way", ["sigint", "transitions"])
+def test_own_goals_are_cancelled(stage, way):
+    """The goals that a node has sent do not outlive its activation."""
+    if way == "transitions":
+        only_ros2(stage)
+    served = stage.serve_action(seconds=30.0)
+    node = stage.start("probe", "once update: send 300", "once update: wait pending")
+    wait_for(lambda: ("goal", 300) in served(), lambda: f"no goal: {node.story()}")
+    node.wait("update", "wait")
+    if way == "transitions":
+        assert stage.transition("deactivate")
+    else:
+        assert node.stop() == 0
+    wait_for(lambda: ("canceled", 300) in served(), lambda: f"{served()} {node.story()}")
+
+
+def test_dead_server_is_lost(stage, tmp_path):
+    """A goal whose server was killed is lost, within what the middleware needs to notice."""
+    lease = tmp_path / "lease.xml"
+    lease.write_text(SHORT_LEASE)
+    doomed = stage.another_peer(FASTDDS_DEFAULT_PROFILES_FILE=str(lease))
+    name = stage.name("delegate")
+    doomed.serve_action(action=name, seconds=60.0)
+    node = stage.start("probe", "once update: send 400", "once update: wait pending")
+    wait_for(lambda: doomed.served_log(name=name), lambda: f"no goal: {node.story()}")
+    assert node.value("update", "wait") == "active", node.story()
+    doomed.kill()
+    node.tell("once update: wait active")
+    wait_for(lambda: len(node.events("update", "wait")) == 2, node.story, 40.0)
+    assert node.events("update", "wait")[-1]["value"] == "lost", node.story()
+    node.expect("[ERROR]")
+
+
+# The doomed peer asks to be given up after 2 s; the default of Fast DDS is 20 s.
+SHORT_LEASE = """<?xml version="1.0" encoding="UTF-8"?>
+<dds xmlns="http://www.eprosima.com"><profiles>
+  <participant profile_name="short" is_default_profile="true"><rtps><builtin><discovery_config>
+    <leaseDuration><sec>2</sec></leaseDuration>
+    <leaseAnnouncement><sec>0</sec><nanosec>500000000</nanosec></leaseAnnouncement>
+  </discovery_config></builtin></rtps></participant>
+</profiles></dds>
+"""
+
+
+def test_result_beside_the_loss(stage):
+    """A goal ends once: what comes while it is given up does not change its end."""
+    only_ros1(stage, "goals come and end in one thread in ROS 2")
+    only_python(stage, "it is about a moment within the package")
+    doomed = stage.another_peer()
+    doomed.serve_action(action=stage.name("delegate"), seconds=1.0)
+    hold = "once before the end of the goal: hold result"
+    node = stage.start("probe", "once update: send 1", hold)
+    node.wait("before the end of the goal")  # with a result
+    doomed.kill()
+    node.tell("once update: wait active", hold)
+    assert node.value("update", "wait") == "lost", node.story()
+    node.tell("update: state")
+    node.wait("before the end of the goal", "end", count=2)
+    node.wait("update", "state", count=10)
+    assert {event["value"] for event in node.events("update", "state")} == {"lost"}, node.story()
+    node.expect("[ERROR]")
+
+
+def test_call_of_a_server_that_is_killed(stage):
+    """It ends without a response, and the next one finds the next server."""
+    doomed = stage.another_peer()
+    name = stage.name("ask")
+    doomed.serve(service=name, seconds=60.0)
+    node = stage.start("probe", "update: call 3")
+    wait_for(lambda: doomed.served_log(name=name), lambda: f"not called: {node.story()}")
+    ended = len(node.events("update", "call"))  # before the server was found
+    doomed.kill()
+    assert node.wait("update", "call", count=ended + 1)["value"] is None
+    stage.serve()
+    node.tell("update: call 1")
+    wait_for(lambda: "yes" in [e["value"] for e in node.events("update", "call")], node.story)
+    node.tell()
+    node.expect("[ERROR]")
+
+
+def test_call_after_the_end_of_a_server(stage):
+    """A dead server counts as none, though its address is known: the call waits for the next."""
+    only_ros1(stage, "ROS 2 sends a request without a connection")
+    if stage.variant.is_python:
+        pytest.skip("does not apply: in Python such a call ends at once")
+    doomed = stage.another_peer()
+    doomed.serve(service=stage.name("ask"))
+    doomed.kill()  # the master keeps its address
+    node = stage.start("probe", *["update: call 0.02"] * 5)
+    node.wait("update", "call", count=50)
+    node.tell("once update: call 15")
+    time.sleep(1.0)
+    stage.serve()
+    wait_for(lambda: "yes" in [e["value"] for e in node.events("update", "call")], node.story)
+    node.expect("[ERROR]")
+
+
+def test_call_of_a_server_that_is_frozen(stage):
+    """It ends in time and leaves nothing, and the server is not asked when it thaws."""
+    only_ros1(stage, "ROS 2 sends a request without a connection")
+    only_python(stage, "it is about the threads of rospy")
+    frozen = stage.another_peer()
+    name = stage.name("ask")
+    frozen.serve(service=name)
+    node = stage.active()
+    os.kill(frozen.process.pid, signal.SIGSTOP)
+    node.tell("once update: call 0.5")
+    node.wait("update", "call")
+    before = measure(node)
+    node.tell(*[f"once update: call 0.3{number}" for number in range(6)])
+    wait_for(lambda: len(node.events("update", "call")) == 7, node.story)
+    assert {event["value"] for event in node.events("update", "call")} == {None}
+    time.sleep(0.5)
+    assert_no_growth(before, measure(node), node)
+    os.kill(frozen.process.pid, signal.SIGCONT)
+    time.sleep(1.0)
+    assert not frozen.served_log(name=name)
+
+
+def test_missing_server_is_named(stage):
+    """It is never waited for, and a warning names it, once in 10 s."""
+    node = stage.active()
+    line = node.wait_log("ask")
+    assert "delegate" in line, line
+    time.sleep(2.5)
+    assert len(re.findall(".*Waiting for.*", node.log())) == 1, node.log()
+
+
+def test_missing_server_of_a_slow_master(stage):
+    """It is named though the first look for it is under way when another client is created."""
+    only_ros1(stage, "ROS 2 has no master")
+    only_python(stage, "in C++ a look begins when there are all clients")
+    with relayed_master(stage) as master:
+        created = master.hold("registerPublisher", stage.name("delegate/goal"))
+        looked_up = master.hold("lookupService", stage.name("ask"))
+        node = stage.start("probe")
+        created.wait()
+        looked_up.wait()
+        created.release()
+        node.wait("update")
+        looked_up.release()
+        node.wait_log("Waiting for.* ask")
+        assert node.stop() == 0
+
+
+@pytest.mark.parametrize("way", ["sigint", "sigterm", "transitions"])
+def test_served_goals_end_with_a_result(stage, way):
+    """Also those that wait for their turn, when the node stops."""
+    if way == "transitions":
+        only_ros2(stage)
+    node = stage.active()
+    goals = [stage.goal("line", 500), stage.goal("line", 1), stage.goal("single", 600)]
+    node.wait("line")
+    node.wait("single")
+    if way == "transitions":
+        assert stage.transition("deactivate")
+    else:
+        assert node.stop(getattr(signal, way.upper())) == 0
+    results = [stage.result(goal)[0] for goal in goals]
+    assert results == ["aborted"] * 3, node.story()
+    assert [event["value"] for event in node.events("line", "begin")] == [500]
+
+
+def test_goal_is_cancelled_by_its_client(stage):
+    node = stage.active()
+    goal = stage.goal("work", 700)
+    node.wait("work")
+    stage.peer.cancel(number=goal)
+    assert stage.result(goal) == ["canceled", [700]]
+
+
+def test_goal_replace(stage):
+    """A new goal is executed once the current one, asked to end, has returned."""
+    node = stage.active()
+    first = stage.goal("work", 800)
+    node.wait("work")
+    second = stage.goal("work", 8)
+    assert stage.result(second) == ["succeeded", [8]]
+    # A goal of ROS 2 cannot be canceled if no client has asked for it.
+    assert stage.result(first)[0] == ("aborted" if stage.variant.is_ros2 else "canceled")
+    events = [(event["event"], event["value"]) for event in node.events("work")]
+    assert events.index(("over", 800)) < events.index(("begin", 8)), events
+
+
+def test_goal_beside_the_end_of_another(stage):
+    """A new goal replaces all that wait, also while the current one comes to its end."""
+    only_ros1(stage, "goals come and end in one thread in ROS 2")
+    only_python(stage, "it is about a moment within the package")
+    node = stage.active("once work: hold first")
+    stage.goal("work", 5)
+    node.wait("work")
+    stage.goal("work", 900)
+    node.tell("work: hold first", "once after replacing: hold third")
+    third = stage.peer.begin("goal", action=stage.name("work"), order=6)
+    node.wait("after replacing")
+    node.tell("once after replacing: hold third", "once before telling the outcome: block 0")
+    node.wait("before telling the outcome")
+    node.tell()
+    assert stage.result(third.result(60)) == ["succeeded", [6]], node.story()
+
+
+def test_goal_queue(stage):
+    """Goals are executed one after the other; one that waits can be cancelled."""
+    node = stage.active()
+    goals = [stage.goal("line", number) for number in (500, 2, 3, 4)]
+    stage.peer.cancel(number=goals[2])
+    stage.peer.cancel(number=goals[0])  # which lets the others have their turn
+    results = [stage.result(goal)[0] for goal in goals]
+    assert results == ["canceled", "succeeded", "canceled", "succeeded"], node.story()
+    assert [event["value"] for event in node.events("line", "begin")] == [500, 2, 4]
+
+
+def test_goal_that_waits_is_accepted(stage):
+    node = stage.active()
+    first = stage.goal("line", 500)
+    node.wait("line")
+    second = stage.goal("line", 5)
+    assert stage.peer.is_accepted(number=second)
+    assert [event["value"] for event in node.events("line", "begin")] == [500]
+    stage.peer.cancel(number=first)
+    assert stage.result(second) == ["succeeded", [5]]
+
+
+def test_goal_reject(stage):
+    """While one goal is executed, others are rejected; after it, not."""
+    node = stage.active()
+    first = stage.goal("single", 900)
+    node.wait("single")
+    assert stage.goal("single", 1) is None
+    stage.peer.cancel(number=first)
+    assert stage.result(first)[0] == "canceled"
+    second = stage.goal("single", 2)
+    assert stage.result(second) == ["succeeded", [2]]
+
+
+def test_goal_with_an_id_that_is_known(stage):
+    """What a client does wrong harms nobody else."""
+    only_ros2(stage, "a goal of ROS 1 is told apart by its client's name as well")
+    node = stage.active()
+    assert stage.result(stage.goal("work", 5)) == ["succeeded", [5]]
+    stage.peer.repeat_goal(action=stage.name("work"), order=6)
+    assert stage.result(stage.goal("work", 7)) == ["succeeded", [7]]
+    node.expect("[ERROR]")
+
+
+def test_goal_while_its_server_goes(stage):
+    """It finds either the whole server or none."""
+    only_ros1(stage, "ROS 2 takes goals with the lock that destroys a server")
+    if stage.variant.is_python:
+        pytest.skip("does not apply: rospy takes all servers down at once")
+    goal = "test_msgs/msg/FibonacciActionGoal"
+    with relayed_master(stage) as master:
+        # The publishers have gone by then, and goals still come.
+        going = master.hold("unregisterSubscriber", stage.name("work/cancel"))
+        node = stage.active(stop_timeout=30.0)
+        stage.publish("work/cancel", {"id": "cancelled before"}, "actionlib_msgs/msg/GoalID")
+        stage.publish("work/goal", {}, goal)
+        node.wait("work", "over")
+        node.send_signal()
+        going.wait()
+        stage.publish("work/goal", {}, goal)
+        stage.publish("work/goal", {"goal_id": {"id": "cancelled before"}}, goal)
+        time.sleep(0.5)
+        going.release()
+        assert node.exit() == 0, node.story()
+        assert len(node.events("work", "begin")) == 1
+
+
+def test_goal_without_an_outcome(stage):
+    """It is aborted, and the log says why, unless the goal was to end."""
+    node = stage.active()
+    assert stage.result(stage.goal("work", -1))[0] == "aborted"
+    assert "work returned without an outcome: the goal is aborted" in node.log()
+
+
+# Services
+
+
+def test_service_served_while_deactivating(stage):
+    """The client gets its answer, and the node lives on."""
+    only_ros2(stage)
+    node = stage.active("serve: block 0.5")
+    for _ in range(3):
+        answers = [stage.call() for _ in range(2)]
+        before = len(node.events("serve", "end"))
+        wait_for(lambda: _told(node, "serve"), node.story)
+        assert stage.transition("deactivate"), node.story()
+        assert len(node.events("serve", "end")) > before, "deactivated before it was served"
+        assert stage.transition("activate"), node.story()
+        wait_for(lambda answers=answers: any(answer.done() for answer in answers), node.story)
+        time.sleep(0.6)
+    assert node.process.poll() is None
+    assert stage.call().result() == "served"
+
+
+# Transitions
+
+
+def test_transitions_in_every_order(stage):
+    """Random transitions, with work under way and in flight at once, leave a sound node."""
+    only_ros2(stage)
+    stage.serve()
+    stage.serve_action(seconds=0.01)
+    node = stage.active("update: call 1", "update: goal 1", "receive: sleep 0.01")
+    for _ in range(LIVES):
+        names = random.choices(["deactivate", "activate", "cleanup", "configure"], k=4)
+        flights = [
+            stage.peer.begin("change_state", node=stage.name("probe"), transition=name)
+            for name in names
+        ]
+        call = stage.call(timeout=2.0)
+        for flight in flights:
+            flight.result(60)
+        assert node.process.poll() is None, node.story()
+        del call
+    if stage.state() == "unconfigured":
+        assert stage.transition("configure")
+    if stage.state() == "inactive":
+        assert stage.transition("activate")
+    assert stage.state() == "active", node.story()
+    node.wait("update", count=len(node.events("update", "begin")) + 1)
+    node.expect("[ERROR]", "[FATAL]")  # of transitions that there are not
+
+
+# Growth
+
+
+def measure(node, settle=True):
+    return {"memory": node.memory(), "threads": len(node.threads()), "files": node.files()}
+
+
+def assert_no_growth(before, after, node):
+    assert after["memory"] - before["memory"] < 8.0, f"{before} {after}"  # MB
+    assert after["threads"] <= before["threads"] + 1, f"{before} {after} {node.threads()}"
+    assert after["files"] <= before["files"] + 3, f"{before} {after}"
+
+
+def settled_graph(stage):
+    """Return the size of the ROS graph when two seconds have brought nothing new.
+
+    The peer hears of the node's topics and services one by one, after its transition.
+    """
+    sizes = []
+
+    def is_settled():
+        sizes.append(stage.peer.graph(namespace=stage.namespace))
+        return len(sizes) > 20 and len({*sizes[-20:]}) == 1
+
+    wait_for(lambda: time.sleep(0.1) or is_settled(), "the graph does not settle")
+    return sizes[-1]
+
+
+def test_no_growth_by_goals_calls_and_lookups(stage):
+    stage.serve()
+    stage.serve_action(feedback=20000)  # 80 kB
+    node = stage.active("once update: rounds 40", stop_timeout=30.0)
+    assert node.value("update", "rounds") == [40, 40]
+    before = measure(node)
+    node.tell(f"once update: rounds {ROUNDS}")
+    wait_for(lambda: len(node.events("update", "rounds")) == 2, node.story, 60 + ROUNDS / 5)
+    assert node.events("update", "rounds")[-1]["value"] == [ROUNDS, ROUNDS]
+    assert_no_growth(before, measure(node), node)
+
+
+def test_no_growth_by_calls_without_an_answer(stage):
+    """Neither threads nor memory are left by calls that time out, and by goals without server."""
+    stage.serve(seconds=600.0)
+    node = stage.active("once update: call 1")
+    node.wait("update", "call")
+    before = measure(node)
+    lines = [f"once update: call 0.02{number:03}" for number in range(min(ROUNDS, 50))]
+    node.tell(*lines)
+    wait_for(lambda: len(node.events("update", "call")) == 1 + len(lines), node.story, 60.0)
+    time.sleep(0.5)
+    assert_no_growth(before, measure(node), node)
+
+
+def test_no_growth_by_lives(stage):
+    """Lifecycle rounds leave no memory, threads, files, and nothing in the ROS graph."""
+    only_ros2(stage)
+    stage.serve()
+    node = stage.active("update: call 1")
+    life = ("deactivate", "cleanup", "configure", "activate")
+    for _ in range(4):
+        assert stage.transition(*life), node.story()
+    before, graph = measure(node), settled_graph(stage)
+    for _ in range(LIVES):
+        assert stage.transition(*life), node.story()
+    assert_no_growth(before, measure(node), node)
+    wait_for(lambda: stage.peer.graph(namespace=stage.namespace) <= graph, "the graph has grown")
+
+
+# Time
+
+
+@pytest.fixture
+def simulated(stage):
+    """Simulated time, which the test sets with the function."""
+    if not stage.variant.is_ros2:
+        stage.peer.set_global(name="/use_sim_time", value=True)
+    yield lambda seconds: stage.peer.clock(seconds=seconds)
+    if not stage.variant.is_ros2:
+        stage.peer.delete_global(name="/use_sim_time")
+
+
+def start_simulated(stage, *told, name="probe"):
+    parameters = {"use_sim_time": True} if stage.variant.is_ros2 else {}
+    return stage.start(name, *told, **parameters)
+
+
+def advance(clock, start, node, cycles, step=0.01):
+    """Let simulated time go on until the node has done so many more cycles."""
+    now, before = start, len(node.events("update", "begin"))
+    end = time.monotonic() + 20.0
+    while len(node.events("update", "begin")) < before + cycles:
+        assert time.monotonic() < end, f"the loop stands still: {node.story()}"
+        now += step
+        clock(now)
+        time.sleep(step)
+    return now
+
+
+def test_paused_time(stage, simulated):
+    """The loop stands still, without polling; calls, goals and the stop do not."""
+    stage.serve()
+    node = start_simulated(stage, "serve: call 5", "deactivate: publish STOP")
+    now = advance(simulated, 10.0, node, 3)
+    time.sleep(0.2)
+    simulated(now)
+    time.sleep(0.1)
+    count = len(node.events("update", "begin"))
+    used = node.processor_time()
+    time.sleep(1.0)
+    assert len(node.events("update", "begin")) <= count + 1
+    assert node.processor_time() - used < 0.3, "it polls"
+    assert stage.call().result() == "served"
+    assert node.value("serve", "call") == "yes", node.story()
+    assert stage.result(stage.goal("work", 5)) == ["succeeded", [5]]
+    assert node.stop() == 0
+
+
+def test_time_limits_are_of_wall_time(stage, simulated):
+    """A call without an answer, in simulated time that stands still, ends all the same."""
+    node = start_simulated(stage, "once update: call 0.3", "once update: send 1")
+    simulated(10.0)
+    end = time.monotonic() + 20.0
+    while not node.events("update", "call"):
+        assert time.monotonic() < end, node.story()
+        simulated(10.0)
+        time.sleep(0.1)
+    assert node.value("update", "call") is None
+
+
+def test_time_jumps_back(stage, simulated):
+    """The loop goes on within a period."""
+    node = start_simulated(stage)
+    now = advance(simulated, 100.0, node, 5)
+    assert now > 100.0
+    simulated(5.0)
+    assert advance(simulated, 5.0, node, 5) < 7.0, "it made up for time or waited for the old"
+    node.expect("[ERROR]")
+
+
+def test_time_jumps_back_during_update(stage, simulated):
+    """It goes on within a period of the new time, however far ahead the old one was."""
+    node = start_simulated(stage)
+    advance(simulated, 100.0, node, 5)
+    node.tell("once update: block 1.0")
+    wait_for(lambda: advance(simulated, 101.0, node, 1) and _told(node, "update"), node.story)
+    simulated(5.0)
+    node.wait("update", "block")
+    assert advance(simulated, 5.0, node, 5) < 7.0, "it waited for the old time"
+    node.expect("[ERROR]")
+
+
+def test_time_in_steps(stage, simulated):
+    """Samples of /clock that do not meet the cycles leave the frequency as it is."""
+    node = start_simulated(stage)
+    now = advance(simulated, 1e9, node, 5)
+    before = len(node.events("update", "begin"))
+    for _ in range(200):  # 3 s
+        now += 0.015
+        simulated(now)
+        time.sleep(0.015)
+    # 150 cycles, a few less on a busy machine; 100 if each sample began a new grid
+    assert 120 < len(node.events("update", "begin")) - before <= 151
+
+
+def test_sleep_when_time_jumps_back(stage, simulated):
+    """It lasts that long from the new time on."""
+    node = start_simulated(stage)
+    times = itertools.count(advance(simulated, 100.0, node, 3), 0.01)
+    node.tell("once update: block 0", "once update: sleep 5")
+    wait_for(lambda: simulated(next(times)) or node.events("update", "block"), node.story)
+    simulated(50.0)
+    time.sleep(0.5)
+    for seconds in range(51, 55):
+        simulated(float(seconds))
+        time.sleep(0.1)
+    assert not node.events("update", "sleep"), node.story()
+    simulated(56.0)
+    assert node.value("update", "sleep") is True, node.story()
+
+
+def test_missed_cycles(stage):
+    """A cycle that takes too long is not made up for; a warning says how many were missed."""
+    node = stage.active()
+    node.tell("once update: block 0.5")
+    node.wait("update", "block")
+    line = node.wait_log("missed")
+    assert re.search(r"Missed \d+ cycles of 50 Hz: update takes too long\.", line), line
+    blocked = node.wait("update", "block")["time"]
+    after = [e["time"] for e in node.events("update", "begin") if e["time"] > blocked]
+    assert sum(moment < blocked + 0.1 for moment in after) < 12, "it makes up for missed cycles"
+    node.tell("once update: block 0.3")
+    wait_for(lambda: len(node.events("update", "block")) == 2, node.story)
+    time.sleep(0.3)
+    assert len(re.findall("(?i).*missed.*", node.log())) == 1, node.log()
+
+
+@pytest.mark.parametrize("seconds", [0.0, 0.01])
+def test_steps_of_the_clock_miss_no_cycles(stage, simulated, seconds):
+    """However long they are, and whether or not one comes while `update` runs."""
+    node = start_simulated(stage, f"update: block {seconds}", name="gauge")
+    node.wait("activate", "end")
+    times = itertools.count(100.0, 0.5)
+    cycles = lambda: len(node.events("update", "begin"))  # noqa: E731
+    wait_for(lambda: simulated(next(times)) or cycles() > 50, node.story)
+    assert "Missed" not in node.log(), node.story()
+
+
+def test_late_cycle_starts_at_once(stage):
+    """An update a little longer than a period runs at its own pace, not at half of it."""
+    node = stage.active("update: block 0.022")
+    node.wait("update", "block", 40)
+    begins = [e["time"] for e in node.events("update", "begin")]
+    ends = [e["time"] for e in node.events("update", "end")]
+    pauses = [begin - end for end, begin in zip(ends, begins[1:], strict=False)]
+    assert statistics.median(pauses) < 0.25 / 50, node.story()
+
+
+# QoS
+
+
+def test_latched_topics(stage):
+    """With durability transient_local what was published before is heard, both ways."""
+    latched = {"durability": "transient_local"}
+    stage.publish("map", "of old", wait=False, qos=latched)
+    node = stage.active("configure: keep first")
+    heard = stage.hear("kept", **latched)
+    seen = lambda: [event["value"]["map"] for event in node.events("update", "begin")]  # noqa: E731
+    wait_for(lambda: "of old" in seen(), lambda: f"not heard: {node.story()}")
+    wait_for(lambda: heard() == ["first"], lambda: f"heard {heard()}: {node.story()}")
+
+
+def test_incompatible_qos(stage):
+    """A warning names the topic and the policy; an override mends it."""
+    only_ros2(stage, "ROS 1 has no QoS")
+    sensor = {"reliability": "best_effort"}
+    stage.publish("number", 1, INT64, wait=False, qos=sensor)
+    node = stage.active()
+    line = node.wait_log("reliability")
+    assert "number" in line, line
+    assert node.stop() == 0
+    topic = stage.name("number")
+    override = f"qos_overrides.{topic}.subscription.reliability"
+    node = stage.active(**{override: "best_effort"})
+    wait_for(lambda: _sent(stage, node, 2, sensor), node.story)
+    late = f"qos_overrides.{stage.name('kept')}.publisher.durability"
+    assert node.stop() == 0
+    node = stage.active("configure: keep first", **{late: "volatile"})
+    heard = stage.hear("kept", durability="transient_local")
+    node.wait_log("durability")
+    assert heard() == []
+
+
+def _sent(stage, node, number, qos):
+    stage.publish("number", number, INT64, wait=False, qos=qos)
+    time.sleep(0.05)
+    return number in numbers(node)
+
+
+# Diagnostics
+
+
+def test_diagnostics(stage):
+    """State, rate and missed cycles, once a second, where the spec asks for them."""
+    stage.peer.hear(topic="/diagnostics", kind="diagnostic_msgs/msg/DiagnosticArray")
+    stage.start("gauge")
+
+    def found():
+        for _, message in stage.peer.heard(topic="/diagnostics"):
+            for status in message["status"]:
+                values = {item["key"]: item["value"] for item in status["values"]}
+                is_active = (status["name"], status["message"]) == (stage.name("gauge"), "active")
+                if is_active and 8.0 < float(values["rate (Hz)"]) < 12.0:
+                    return values
+        return None
+
+    values = wait_for(found, lambda: stage.peer.heard(topic="/diagnostics"))
+    assert values.keys() == {"state", "rate (Hz)", "missed cycles"}
+    assert values["state"] == "active"
+
+
+# Transforms
+
+
+def test_lookup_says_why_not(stage):
+    needs_tf(stage)
+    node = stage.active("once update: lookup nowhere map 0.1")
+    assert "nowhere" in str(node.value("update", "lookup")), node.story()
+
+
+# Component containers
+
+
+def fill(stage, container, *names, **parameters):
+    """Load nodes of the package, each by its class; return their numbers."""
+    return [
+        stage.peer.load_node(
+            container=stage.name("ComponentManager"),
+            package="contract",
+            plugin=f"contract::{name.capitalize()}Node",
+            namespace=stage.namespace,
+            parameters=parameters,
+        )
+        for name in names
+    ]
+
+
+def test_unloading(stage):
+    """The last words of a node that is unloaded are heard, and its neighbour lives."""
+    only_components(stage)
+    container = stage.container("deactivate: publish STOP", "cleanup: publish OFF")
+    probe, _ = fill(stage, container, "probe", "clerk")
+    heard = stage.listen(container)
+    assert stage.peer.unload_node(container=stage.name("ComponentManager"), number=probe)
+    wait_for(lambda: heard() == ["STOP", "OFF"], lambda: f"{heard()}: {container.story()}")
+    assert container.methods("probe") == LIFE
+    assert stage.call("greet").result() == "greeted"
+
+
+@pytest.mark.parametrize("late", ["configure", "activate"])
+def test_unloading_while_starting(stage, late):
+    """What has begun when `configure` or `activate` returns too late is undone."""
+    only_components(stage)
+    container = stage.container(f"{late}: hold")
+    (number,) = fill(stage, container, "probe", stop_timeout=0.5)
+    container.wait(late)
+    assert stage.peer.unload_node(container=stage.name("ComponentManager"), number=number)
+    assert container.methods()[-1] == late, container.story()
+    container.tell()
+    container.wait("cleanup", "end")
+    container.expect("[ERROR]")
+
+
+def test_unloading_while_reporting(stage):
+    """A node stops before its members end, which wait for diagnostics that are being published."""
+    only_components(stage)
+    container = stage.container("stamp: hold", program="component_container_mt")
+    (number,) = fill(stage, container, "clerk")
+    container.wait("stamp")
+    unloading = stage.peer.begin(
+        "unload_node", container=stage.name("ComponentManager"), number=number
+    )
+    container.wait("cleanup", "end")
+    time.sleep(1.0)  # what waits for nothing has ended by then
+    assert not unloading.done(), container.story()
+    container.tell()
+    assert unloading.result(60)
+    fill(stage, container, "probe")
+    container.wait("update")
+
+
+@pytest.mark.parametrize("way", ["sigint", "sigterm"])
+def test_signal_to_container(stage, way):
+    """All of its nodes stop in order, and are heard."""
+    only_components(stage)
+    container = stage.container("deactivate: publish STOP", "cleanup: publish OFF")
+    fill(stage, container, "probe", "clerk")
+    heard = stage.listen(container)
+    assert stage.call("greet").result() == "greeted"
+    assert container.stop(getattr(signal, way.upper())) == 0, container.story()
+    wait_for(lambda: sorted(heard()) == ["OFF", "OFF", "STOP", "STOP"], lambda: f"{heard()}")
+
+
+@pytest.mark.parametrize("where", [*LIFE[:3], "receive", "serve", "work"])
+def test_exception_in_container(stage, where):
+    """The node is unconfigured after it; its neighbour and the container live on."""
+    only_components(stage)
+    container = stage.container()
+    fill(stage, container, "clerk")
+    assert stage.call("greet").result() == "greeted"
+    container.tell(f"{where}: throw")
+    fill(stage, container, "probe")
+    if where not in LIFE[:3]:
+        container.wait("update")
+    if where == "receive":
+        stage.publish("hear", "throw")
+    elif where == "serve":
+        stage.call()
+    elif where == "work":
+        stage.result(stage.goal("work", 5))
+    container.wait(where, "raised")
+    container.tell()
+    wait_for(lambda: stage.state() == "unconfigured", container.story)
+    assert "thrown on purpose" in container.log()
+    assert stage.call("greet").result() == "greeted"
+    assert stage.transition("configure", "activate"), container.story()
+    container.expect("[ERROR]", "[FATAL]", "Exception")
+
+
+def test_deactivating_in_container(stage):
+    """A node with a goal, a call and a lookup under way blocks nothing of the container."""
+    only_components(stage)
+    stage.serve_action(seconds=60.0)
+    container = stage.container("once update: send 1", "update: call 30", "receive: sleep 30")
+    fill(stage, container, "probe", "clerk")
+    container.wait("update", "send")
+    goal = stage.goal("work", 1000)
+    stage.publish("hear", "wait")
+    container.wait("receive")
+    assert stage.transition("deactivate", "cleanup", "configure", "activate"), container.story()
+    assert stage.result(goal)[0] == "aborted"
+    assert stage.call("greet").result() == "greeted"

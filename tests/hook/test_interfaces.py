@@ -1,0 +1,302 @@
+"""Specs of messages, services and actions: what they mean, and every refusal."""
+
+import pytest
+
+from hooks.faults import SpecError
+from hooks.model import Model
+from support.repository import ROOT
+
+MODEL = Model(ROOT / "interfaces_model", ROOT)
+ABOUT = 'author="A" author_email="a@example.org" description="d" license="MIT"'
+
+
+def context(inside, distro="kilted"):
+    xml = f'<package name="arm_msgs" {ABOUT}>\n{inside}\n</package>'
+    return MODEL.context(xml.encode(), "spec.xml", distro)
+
+
+def message(inside, name="Pose"):
+    return f'<message name="{name}">\n{inside}\n</message>'
+
+
+def field(type_="int8", name="x", **more):
+    shown = "".join(f' {key}="{value}"' for key, value in more.items())
+    return f'<field name="{name}" type="{type_.replace("<", "&lt;")}"{shown}/>'
+
+
+def constant(type_="int8", name="X", value="1"):
+    return f'<constant name="{name}" type="{type_}" value="{value}"/>'
+
+
+def refusal(inside, distro="kilted"):
+    with pytest.raises(SpecError) as error:
+        context(inside, distro)
+    return str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("written", "type_", "depends"),
+    [
+        ("float64", "float64", []),
+        ("float64[3]", "float64[3]", []),
+        ("Pose[]", "Pose[]", []),
+        ("arm_msgs/Pose", "arm_msgs/msg/Pose", []),
+        ("geometry_msgs::Point[]", "geometry_msgs/msg/Point[]", ["geometry_msgs"]),
+        ("geometry_msgs::msg::Point", "geometry_msgs/msg/Point", ["geometry_msgs"]),
+        ("geometry_msgs/msg/Point[2]", "geometry_msgs/msg/Point[2]", ["geometry_msgs"]),
+        ("Header", "std_msgs/msg/Header", ["std_msgs"]),
+        ("std_msgs/Header", "std_msgs/msg/Header", ["std_msgs"]),
+    ],
+)
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_types_of_both_ros(written, type_, depends, distro):
+    other = message(field(written), "Arm") + message("")
+    spec = context(other, distro)
+    assert spec["messages"][0]["fields"][0]["type"] == type_
+    assert spec["depends"] == depends
+
+
+@pytest.mark.parametrize(
+    "written", ["time", "builtin_interfaces::Time", "builtin_interfaces/msg/Time"]
+)
+def test_one_time_for_both_ros(written):
+    for distro, depends in (("noetic", []), ("kilted", ["builtin_interfaces"])):
+        spec = context(message(field(f"{written}[]")), distro)
+        assert spec["messages"][0]["fields"][0]["type"] == "time[]"
+        assert spec["depends"] == depends
+
+
+@pytest.mark.parametrize(
+    ("type_", "nearest"),
+    [
+        ("int8[<=3]", "bounds"),
+        ("string<=10", "bounds"),
+        ("string<=10[<=3]", "bounds"),
+        ("wstring", "string"),
+    ],
+)
+def test_types_of_ros2_alone(type_, nearest):
+    context(message(field(type_)))
+    text = refusal(message(field(type_)), "noetic")
+    assert text.startswith('spec.xml:3: <field name="x">: type: ROS 1 has no ')
+    assert nearest in text
+
+
+def test_type_that_a_ros_lacks():
+    assert "builtin_interfaces" in refusal(message(field("std_msgs::Time[]")))
+    context(message(field("std_msgs::Time[]")), "noetic")
+
+
+@pytest.mark.parametrize(
+    ("type_", "said"),
+    [
+        ("floa64", 'did you mean "float64"? allowed: bool, '),
+        ("int", "no primitive type"),
+        ("", "not a field type"),
+        ("int8[", "not a field type"),
+        ("int8[3][3]", "not a field type"),
+        ("int8[<=]", "not a field type"),
+        ("int8[x]", "not a field type"),
+        ("int8[0]", "a size must be from 1"),
+        ("int8[99999999999]", "a size must be from 1"),
+        ("int8<=3", "only a string has a bound"),
+        ("Pose<=3", "only a string has a bound"),
+        ("string<=0", "a size must be from 1"),
+        ("geometry_msgs::point", 'did you mean "geometry_msgs::Point"?'),
+        ("std_msgs::bool", 'did you mean "std_msgs::Bool"?'),
+        ("geometry_msgs::srv::Point", "not a type"),
+        ("a::b::c::D", "not a type"),
+        ("Point", '"Point" is not declared in this package; allowed: Pose'),
+        (
+            "arm_msgs::Poze[]",
+            '"Poze" is not declared in this package; did you mean "Pose"? allowed: Pose',
+        ),
+        ("NULL", "a macro of C++"),
+        ("std_msgs::String; int8 y", "not a field type"),
+        ("int8\n", "not a field type"),
+    ],
+)
+def test_types_that_are_refused(type_, said):
+    text = refusal(message(field(type_)))
+    assert text.startswith('spec.xml:3: <field name="x">: type: ')
+    assert said in text
+
+
+@pytest.mark.parametrize("type_", ["Pose", "Pose[]", "arm_msgs::Pose"])
+def test_message_that_would_contain_itself(type_):
+    text = refusal(message(field(type_)))
+    assert text.startswith('spec.xml:3: <field name="x">: type: "Pose" would contain itself')
+    text = refusal(message(field("Arm")) + "\n" + message(field(type_), "Arm"))
+    assert text.startswith('spec.xml:6: <field name="x">: type: "Pose" would contain itself')
+    context(message(field("Arm")) + message("", "Arm") + message(field(type_), "Leg"))
+
+
+def test_service_is_no_type_of_a_field():
+    assert "not declared" in refusal('<service name="Ask"/>' + message(field("Ask")))
+
+
+@pytest.mark.parametrize(
+    "name",
+    "X x__y x_ _x 1x x-y xY class from int NULL errno linux self serialize deserialize_numpy"
+    " check_fields get_fields_and_field_types fields_and_field_types".split(),
+)
+def test_field_names_that_are_refused(name):
+    assert refusal(message(field(name=name))).startswith(f'spec.xml:3: <field name="{name}">: ')
+
+
+@pytest.mark.parametrize("name", "x x_y x1 x_1 map sequence data interface string".split())
+def test_field_names(name):
+    """Some are keywords of IDL, which rosidl takes, and interfaces of ROS itself use."""
+    context(message(field(name=name)))
+
+
+@pytest.mark.parametrize("name", ["x", "X_", "X__Y", "1X", "Xy", "EOF", "SLOT_TYPES", "NULL"])
+def test_constant_names_that_are_refused(name):
+    assert refusal(message(constant(name=name))).startswith("spec.xml:3: <constant name=")
+
+
+@pytest.mark.parametrize("kind", ["message", "service", "action"])
+@pytest.mark.parametrize(
+    "name", ["pose", "My_Pose", "1Pose", "None", "EOF", "Header", "Pöse", "../Pose", ""]
+)
+def test_interface_names_that_are_refused(kind, name):
+    assert refusal(f'<{kind} name="{name}"/>').startswith(f'spec.xml:2: <{kind} name="{name}">: ')
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "said"),
+    [
+        ('<message name="Pose"/>', '<message name="POSE"/>', "already taken at line 2"),
+        ('<message name="Pose"/>', '<service name="Pose"/>', "already taken at line 2"),
+        (
+            '<service name="Ask"/>',
+            '<message name="AskRequest"/>',
+            '"AskRequest", as <service name="Ask"> at line 2',
+        ),
+        ('<action name="Go"/>', '<message name="GOgoal"/>', 'as <action name="Go"> at line 2'),
+        ('<action name="Go"/>', '<service name="GoAction"/>', '"GoAction"'),
+    ],
+)
+def test_two_of_the_same(one, other, said):
+    text = refusal(f"{one}\n{other}")
+    assert text.startswith("spec.xml:3: ")
+    assert said in text
+
+
+def test_two_members_of_the_same():
+    for twice in (field(), constant()):
+        assert "is already taken at line 3" in refusal(message(f"{twice}\n{twice}"))
+    parts = "".join(f"<{part}>{field()}</{part}>" for part in ("request", "response"))
+    context(f'<service name="Ask">{parts}</service>')
+
+
+@pytest.mark.parametrize(
+    ("type_", "text", "value"),
+    [
+        ("bool", "yes", True),
+        ("uint8", "255", 255),
+        ("int64", "-9223372036854775808", -(2**63)),
+        ("uint64", "18446744073709551615", 2**64 - 1),
+        ("float32", "0.5", 0.5),
+        ("float64", "1e300", 1e300),
+        ("string", "a b", "a b"),
+        ("string", "", ""),
+        ("string<=3", "abc", "abc"),
+        ("int8[2]", "[1, -2]", [1, -2]),
+        ("int8[<=2]", "[1]", [1]),
+        ("string[]", "['a, b', c]", ["a, b", "c"]),
+    ],
+)
+def test_defaults(type_, text, value):
+    spec = context(message(field(type_, default=text)))
+    assert spec["messages"][0]["fields"][0]["default"] == value
+
+
+@pytest.mark.parametrize(
+    ("type_", "text", "said"),
+    [
+        ("bool", "2", "is not a bool"),
+        ("int8", "128", "128 is no int8; allowed: -128 to 127"),
+        ("uint8", "-1", "-1 is no uint8; allowed: 0 to 255"),
+        ("byte", "256", "allowed: 0 to 255"),
+        ("char", "x", "not an int"),
+        ("uint16", "65536", "allowed: 0 to 65535"),
+        ("int64", "9223372036854775808", "is no int64"),
+        ("uint64", "18446744073709551616", "is no uint64"),
+        ("int32", "1.5", "not an int"),
+        ("float32", "1e39", "is no float32"),
+        ("float64", "nan", "is not a number"),
+        ("string<=3", "abcd", "too long"),
+        ("string<=3[2]", "[abcd, a]", "too long"),
+        ("int8[2]", "[1]", "1 values do not fit int8[2]"),
+        ("int8[<=2]", "[1, 2, 3]", "3 values do not fit int8[<=2]"),
+        ("int8[]", "1", "is not a int8[]"),
+        ("int8[]", "[300]", "300 is no int8"),
+        ("time", "0", "no text is a value of time"),
+        ("Pose", "0", "no text is a value of Pose"),
+        ("geometry_msgs::Point[]", "[0]", "no text is a value of"),
+        ("string", "# x", "'#' cannot be written"),
+        ("string", "a=b", "'=' cannot be written"),
+        ("string", "it's", "cannot be written"),
+        ("string", "&quot;", "cannot be written"),
+        ("string", "\\n", "cannot be written"),
+        ("string", "für", "cannot be written"),
+        ("string", "a??/", "'??' cannot be written"),
+        ("string", " a", "blanks at an end"),
+        ("string[]", "['#']", "cannot be written"),
+    ],
+)
+def test_defaults_that_are_refused(type_, text, said):
+    shown = refusal(message(field(type_, default=text)))
+    assert shown.startswith('spec.xml:3: <field name="x">: ')
+    assert said in shown
+
+
+@pytest.mark.parametrize(
+    ("type_", "value"),
+    [
+        ("int8", "128"),
+        ("bool", "x"),
+        ("string", "#"),
+        ("time", "1"),
+        ("int8[]", "[1]"),
+        ("Pose", "1"),
+        ("wstring", "x"),
+    ],
+)
+def test_constants_that_are_refused(type_, value):
+    assert refusal(message(constant(type_, value=value))).startswith(
+        'spec.xml:3: <constant name="X">: '
+    )
+
+
+def test_byte_of_ros1():
+    for inside in (field("byte", default="200"), constant("byte", value="200")):
+        context(message(inside))
+        assert "200 is no byte of ROS 1" in refusal(message(inside), "noetic")
+
+
+@pytest.mark.parametrize(
+    "inside",
+    [
+        '<service name="Ask"><goal/></service>',
+        '<action name="Go"><request/></action>',
+        '<message name="Pose"><request/></message>',
+        f'<message name="Pose"><field name="y" type="int8">{field()}</field></message>',
+        f'<service name="Ask">{field()}</service>',
+        '<message name="Pose"/><request/>',
+        '<service name="Ask"><request/><request/></service>',
+        '<service name="Ask"><request name="x"/></service>',
+        '<message name="Pose"/><node name="n"/>',
+    ],
+)
+def test_elements_in_the_wrong_place(inside):
+    assert refusal(inside).startswith("spec.xml:2: <")
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_skeleton(distro):
+    text = MODEL.skeleton({"folder": "arm_msgs", "email": "a@example.org"})
+    spec = MODEL.context(text.encode(), "spec.xml", distro)
+    assert [len(spec[key]) for key in ("messages", "services", "actions")] == [1, 1, 1]
+    assert spec["actions"][0]["feedback"]["fields"][0]["name"] == "example"

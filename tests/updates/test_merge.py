@@ -1,0 +1,253 @@
+"""Three versions of a package in memory, merged: without Copier and git, so quickly."""
+
+import posixpath
+
+import pytest
+
+from hooks.merge.package import merge_package
+from hooks.merge.proof import prove
+from hooks.merge.renaming import Renaming
+from hooks.merge.tree import EXECUTABLE, LINK, PLAIN, File
+from support.arm import MINE, NEW, OLD, PATH
+
+MERGED = MINE.replace("Fill in", "Complete")
+
+
+def merge(mine, old, new, renaming=None, kept=""):
+    """Merge a file given as bytes or as a whole."""
+    sides = (s if isinstance(s, File) or s is None else File(s) for s in (mine, old, new))
+    trees = [{PATH: side} if side else {} for side in sides]
+    return merge_package(*trees, renaming or Renaming(), {kept}.__contains__)
+
+
+@pytest.mark.parametrize(
+    ("mine", "old", "new", "wanted"),
+    [
+        (EXECUTABLE, PLAIN, PLAIN, EXECUTABLE),
+        (PLAIN, EXECUTABLE, EXECUTABLE, PLAIN),
+        (PLAIN, PLAIN, EXECUTABLE, EXECUTABLE),
+        (EXECUTABLE, EXECUTABLE, PLAIN, PLAIN),
+    ],
+)
+def test_mode_is_merged(mine, old, new, wanted):
+    sides = zip((MINE, OLD, NEW), (mine, old, new), strict=True)
+    result = merge(*(File(text.encode(), mode) for text, mode in sides))
+    assert result.tree[PATH] == File(MERGED.encode(), wanted)
+
+
+@pytest.mark.parametrize("start", [b"", b"\xef\xbb\xbf"])
+@pytest.mark.parametrize("end", [b"\n", b"\r\n"])
+def test_line_ends_and_byte_order_mark_stay(start, end):
+    form = MINE.encode().replace(b"\n", end)
+    result = merge(start + form, OLD.encode(), NEW.encode())
+    assert result.tree[PATH].data == start + MERGED.encode().replace(b"\n", end)
+
+
+def test_kept_file_stays_as_it_is():
+    result = merge(MINE.encode(), OLD.encode(), NEW.encode(), kept=PATH)
+    assert result.tree[PATH].data == MINE.encode()
+    assert merge(None, OLD.encode(), NEW.encode(), kept=PATH).tree[PATH].data == NEW.encode()
+
+
+def test_binary_data_is_never_merged():
+    """It is in conflict where the new version has something else, and stays."""
+    mine = File(b"\0mine")
+    result = merge(mine, OLD.encode(), NEW.encode())
+    assert result.tree == {PATH: mine}
+    assert list(result.conflicts) == [PATH]
+    assert merge(mine, OLD.encode(), OLD.encode()).conflicts == {}
+
+
+@pytest.mark.parametrize("new", [OLD, NEW])
+def test_link_in_the_place_of_a_file_stays(new):
+    """There is no text that could have a conflict: the file is missing, and said to be."""
+    mine = File(b"../other.py", LINK)
+    result = merge(mine, OLD.encode(), new.encode())
+    assert (result.tree, result.conflicts) == ({PATH: mine}, {})
+    assert result.missing == {PATH: [""]}
+
+
+@pytest.mark.parametrize("target", ["../docs/arm/reach.py", "mine/./reach.py", "reach.py"])
+def test_file_that_a_link_leads_to_is_updated(target):
+    """The developer has moved it, and left the link in its place."""
+    place = posixpath.normpath(f"arm/{target}")
+    link = File(target.encode(), LINK)
+    mine = {PATH: link, place: File(MINE.encode())}
+    old, new = {PATH: File(OLD.encode())}, {PATH: File(NEW.encode())}
+    result = merge_package(mine, old, new, Renaming(), {""}.__contains__)
+    assert (result.conflicts, result.missing) == ({}, {})
+    assert result.tree == {PATH: link, place: File(MERGED.encode())}
+    proof = prove(mine, old, result, result.tree, Renaming())
+    assert (proof.total, proof.in_place, proof.lost) == (1, 1, [])
+
+
+def test_file_that_both_have_made_has_what_both_have():
+    """Of what has one name, the developer's counts; a text without names is a conflict."""
+    result = merge(b"mine = 1\nboth = 1\n", None, b"theirs = 2\nboth = 2\n")
+    assert sorted(result.tree[PATH].text.split("\n")) == ["", "both = 1", "mine = 1", "theirs = 2"]
+    trees = [{"notes": File(text)} for text in (b"mine\n", b"theirs\n")]
+    result = merge_package(trees[0], {}, trees[1], Renaming(), {""}.__contains__)
+    assert list(result.conflicts) == ["notes"]
+    assert "mine\n" in result.tree["notes"].text
+
+
+def test_edited_file_that_leaves_is_said():
+    assert merge(MINE.encode(), OLD.encode(), None).left == [PATH]
+    assert merge(OLD.encode(), OLD.encode(), None).left == []
+    assert merge(OLD.replace('"', "'").encode(), OLD.encode(), None).left == []
+
+
+BESIDE = {
+    "package.xml": "<package>\n  <name>arm</name>\n{}</package>\n",
+    "config/arm.yaml": "arm:\n  ros__parameters:\n    rate: 1\n{}",
+    "CMakeLists.txt": "project(arm)\n{}ament_package()\n",
+    "README.md": "# arm\n\nAn arm.\n\n{}",
+    "launch/arm.launch.xml": "<launch>\n{}</launch>\n",
+}
+ITEMS = {
+    "package.xml": '  <depend version_gte="{1}">{0}</depend>\n',
+    "config/arm.yaml": "    {0}: {1}\n",
+    "CMakeLists.txt": "find_package({0}\n  {1} REQUIRED)\n",
+    "README.md": "## {0}\n\nWords, {1}.\n\n",
+    "launch/arm.launch.xml": '  <node pkg="arm" name="{0}"\n    exec="{1}"/>\n',
+}
+
+
+@pytest.mark.parametrize("path", BESIDE)
+def test_items_that_only_one_side_touches_never_conflict(path):
+    """One side tunes two items and puts one in; the other moves these and adds one."""
+
+    def text(items):
+        return BESIDE[path].format("".join(ITEMS[path].format(*item) for item in items))
+
+    old = {"a": 1, "b": 1, "c": 1, "d": 1}
+    mine = {"a": 9, "mine": 1, "b": 1, "c": 1, "d": 9}
+    new = {"c": 1, "d": 1, "new": 1, "a": 1, "b": 1}
+    wanted = new | mine
+    trees = [{path: File(text(side.items()).encode())} for side in (mine, old, new)]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    assert not result.conflicts
+    found = result.tree[path].text
+    assert sorted(found.split()) == sorted(text(wanted.items()).split())
+    assert all(ITEMS[path].format(*item).strip() in found for item in wanted.items())
+
+
+def test_change_of_form_alone_never_conflicts():
+    """One side changes code that the other has but laid out in another way."""
+    form = "def f(a, b):\n    {}\n    if a:\n        return {}\n    return {}\n".format
+    plain, changed = "value = g(a, b)", "value = g(b, a)"
+    laid_out = "value = g(\n        a,\n        b\n    )"
+    for mine, new in ((changed, laid_out), (laid_out, changed)):
+        sides = form(mine, 1, "b"), form(plain, 1, "a"), form(new, 2, "a")
+        result = merge(*(side.encode() for side in sides))
+        assert not result.conflicts
+        assert result.tree[PATH].text == form(changed, 2, "b")
+
+
+def test_merge_that_could_not_be_read_is_a_conflict():
+    """Each side leaves another method of a class; together they leave none."""
+    one, other = "    def one(self):\n        return 1\n", "    def other(self):\n        pass\n"
+    sides = (f"class A:\n{methods}" for methods in (one, one + other, other))
+    assert list(merge(*(side.encode() for side in sides)).conflicts) == [PATH]
+
+
+def test_callbacks_of_a_file_with_a_syntax_error_are_left_to_the_developer():
+    """Its lines alone would give one callback the body of another."""
+    broken = MINE + "    def half(self\n"
+    replaced = OLD.replace("serve_load", "serve_estop")
+    result = merge(broken.encode(), OLD.encode(), replaced.encode())
+    assert list(result.conflicts) == [PATH]
+    assert result.tree[PATH].text.startswith(f"<<<<<<< before updating\n{broken}=======\n")
+    result = merge(broken.encode(), OLD.encode(), NEW.encode())
+    assert result.tree[PATH].text == broken.replace("Fill in", "Complete")
+    assert not result.conflicts
+
+
+@pytest.mark.parametrize("path", ["a.yaml", "package.xml", "a.py", "a.hpp", "CMakeLists.txt"])
+def test_file_that_is_not_of_its_language_merges_by_line(path):
+    old = "".join(f"line {n}: of {{ (\n" for n in range(9))
+    mine, new = "mine\n" + old, old.replace("line 7", "new line")
+    trees = [{path: File(text.encode())} for text in (mine, old, new)]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    assert not result.conflicts
+    assert result.tree[path].text == "mine\n" + new
+
+
+def test_file_that_the_developer_has_moved_is_updated_where_it_is():
+    trees = [{path: File(text.encode())} for path, text in (("arm/logic/reach_impl.py", MINE),)]
+    old, new = {PATH: File(OLD.encode())}, {PATH: File(NEW.encode())}
+    result = merge_package(trees[0], old, new, Renaming(), {""}.__contains__)
+    assert list(result.tree) == ["arm/logic/reach_impl.py"]
+    text = result.tree["arm/logic/reach_impl.py"].text
+    assert text == MINE.replace("Fill in", "Complete")
+    proof = prove(trees[0], old, result, result.tree, Renaming())
+    assert (proof.total, proof.in_place, proof.lost) == (1, 1, [])
+
+
+@pytest.mark.parametrize("order", [[0, 1, 2], [2, 0, 1], [1, 2, 0]])
+def test_order_of_the_developer_stays(order):
+    """So does a block of their own, after the one it followed."""
+    method = "    def serve_{}(self):\n        return {}\n".format
+    methods = [method(name, name) for name in ("load", "store", "home")]
+    own = "\n    def own(self):\n        return 0\n"
+    old = "class A:\n" + "\n".join(methods)
+    mine = "class A:\n" + "\n".join(methods[i] for i in order).replace("load\n", "load\n" + own, 1)
+    new = old.replace("return store", "return 'stored'") + "\n" + method("stop", "stop")
+    trees = [{"a.py": File(text.encode())} for text in (mine, old, new)]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    text = result.tree["a.py"].text
+    assert not result.conflicts
+    wanted = [("load", "store", "home")[i] for i in order]
+    names = [line.strip()[4:-7] for line in text.splitlines() if "def " in line]
+    assert [
+        name.removeprefix("serve_") for name in names if name not in ("own", "serve_stop")
+    ] == wanted
+    assert names[names.index("serve_load") + 1] == "own"
+    assert "return 'stored'" in text
+
+
+def test_own_file_where_an_earlier_version_had_one_stays():
+    """The package has the new name by now; what has the old one is the developer's."""
+    generated, own = File(OLD.encode()), File(b"MINE = 1\n")
+    mine = {"arm/callbacks.py": generated, "arm/worker.py": own}
+    render = {"arm/callbacks.py": generated}
+    renaming = Renaming()
+    renaming.follow({"arm/worker.py": "arm/callbacks.py"}, render, render)
+    assert merge_package(mine, render, render, renaming, {""}.__contains__).tree == mine
+
+
+def test_moved_file_of_a_renamed_node_is_renamed():
+    """The developer has moved it; a rename of its node exchanges what is in it."""
+    new = OLD.replace("Reach", "Grasp")
+    renaming = Renaming(
+        paths={PATH: "arm/grasp_impl.py"}, in_file={PATH: {"ReachImpl": "GraspImpl"}}
+    )
+    trees = [{path: File(t.encode())} for path, t in (("arm/logic/mine.py", MINE), (PATH, OLD))]
+    new_tree = {"arm/grasp_impl.py": File(new.encode())}
+    result = merge_package(*trees, new_tree, renaming, {""}.__contains__)
+    assert list(result.tree) == ["arm/logic/mine.py"]
+    assert result.tree["arm/logic/mine.py"].text == MINE.replace("Reach", "Grasp")
+    assert prove(*trees, result, result.tree, renaming).lost == []
+
+
+@pytest.mark.parametrize("sign", ["#", "//"])
+def test_bytes_of_another_encoding_do_not_make_a_merge_coarse(sign):
+    """A callback comes, one leaves, and no body changes place."""
+    path = {"#": "a.py", "//": "a.hpp"}[sign]
+    form = {
+        "#": "def serve_{0}(a):\n    return {1}\n\n\n",
+        "//": "void serve_{0}()\n{{\n  run({1});\n}}\n\n",
+    }[sign]
+    before, after = ("load", "store", "home"), ("estop", "load", "home")
+    first = f"{sign} Coffee\n{sign} caf\xe9\n\n\n".encode("latin-1")
+    head = f"{sign} Coffee\n\n\n"
+    mine = first + "".join(form.format(name, name + "_1") for name in before).encode()
+    old, new = (
+        (head + "".join(form.format(n, 0) for n in names)).encode() for names in (before, after)
+    )
+    trees = [{path: File(data)} for data in (mine, old, new)]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    assert not result.conflicts
+    assert result.removed == {path: ["serve_store"]}
+    text = "".join(form.format(n, 0 if n == "estop" else f"{n}_1") for n in after)
+    assert result.tree[path].data.split() == (first + text.encode()).split()

@@ -1,0 +1,435 @@
+"""What a developer has put between `if` and `endif`, and what they have put these around."""
+
+import ast
+import re
+from xml.etree import ElementTree
+
+import pytest
+
+from hooks.merge import outlines
+from hooks.merge.package import merge_package
+from hooks.merge.proof import prove
+from hooks.merge.renaming import Renaming
+from hooks.merge.tree import File, encode
+from support.laboratory.judge import nesting
+from support.laboratory.trials import Laboratory
+
+ARM, LEG, FOOT = ({"name": name, "frequency": 10, "items": []} for name in ("arm", "leg", "foot"))
+
+
+@pytest.fixture(scope="module")
+def laboratory(tmp_path_factory):
+    return Laboratory(tmp_path_factory.mktemp("lab"))
+
+
+@pytest.fixture(scope="module")
+def renders(laboratory):
+    """Render the two sides of an update, once."""
+    found = {}
+
+    def run(nodes, new_nodes, model="cpp_model", distro="kilted"):
+        key = repr((nodes, new_nodes, model, distro))
+        if key not in found:
+            specs = ({"description": "Arms", "nodes": side} for side in (nodes, new_nodes))
+            found[key] = laboratory.pair(*specs, model, (distro, distro), "1.0.0")
+        return found[key]
+
+    return run
+
+
+@pytest.fixture
+def update(renders):
+    """Update a package of some nodes to others; return an edited file of it, and the result."""
+
+    def run(path, edit, *sides):
+        pair = renders(*sides)
+        old, new = (
+            {path: File(encode(text)) for path, text in texts.items()}
+            for texts in (pair.old, pair.new)
+        )
+        text = edit(pair.old[path])
+        assert text != pair.old[path]
+        mine = old | {path: File(encode(text))}
+        result = merge_package(mine, old, new, pair.renaming, pair.is_kept)
+        assert not result.conflicts
+        assert prove(mine, old, result, result.tree, pair.renaming).lost == []
+        found = result.tree[pair.renaming.path(path)].text
+        assert [*nesting(path, found)] == []
+        return found, result
+
+    return run
+
+
+def put_after(line, *own):
+    def edit(text):
+        assert f"{line}\n" in text
+        return text.replace(f"{line}\n", "\n".join([line, *own, ""]), 1)
+
+    return edit
+
+
+def put_around(first, last, head, tail):
+    """Put lines around those from the one that begins with a text to another one."""
+
+    def edit(text):
+        start = text.index(f"\n{first}") + 1
+        end = text.index(f"\n{last}", start) + len(last) + 1
+        end = text.index("\n", end) + 1
+        return text[:start] + f"{head}\n" + text[start:end] + f"{tail}\n" + text[end:]
+
+    return edit
+
+
+def without(text, *lines):
+    """Return a text without some lines, each of which it has."""
+    for line in lines:
+        assert f"{line}\n" in text, text
+        text = text.replace(f"{line}\n", "", 1)
+    return text
+
+
+BLOCKS = {
+    "if": ("if(WITH_CUDA)", "  find_package(CUDA REQUIRED)", "endif()"),
+    "if, else": (
+        "if(A)",
+        "  set(B 1)",
+        "elseif(C)",
+        "  set(B 2)",
+        "else()",
+        "  set(B 3)",
+        "endif()",
+    ),
+    "nested": (
+        "if(A)",
+        "  foreach(i 1 2)",
+        "    if(i)",
+        "    endif()",
+        "  endforeach()",
+        "endif()",
+    ),
+    "function": ("function(mine a)", "  if(a)", "    set(b 1)", "  endif()", "endfunction()"),
+    "if like theirs": ("if(UNIX AND NOT APPLE)", "  set(MINE 1)", "endif()"),
+}
+PLACES = {
+    "kilted": (
+        "find_package(ament_cmake REQUIRED)",
+        "add_executable(arm src/arm_main.cpp)",
+        '  target_link_options(${PROJECT_NAME}_arm PRIVATE "LINKER:-z,nodelete")',
+        "if(BUILD_TESTING)",
+    ),
+    "noetic": ("project(lab)", "include_directories(include)", "if(CATKIN_ENABLE_TESTING)"),
+}
+
+
+@pytest.mark.parametrize("own", BLOCKS.values(), ids=BLOCKS)
+@pytest.mark.parametrize(("distro", "line"), [(d, line) for d in PLACES for line in PLACES[d]])
+@pytest.mark.parametrize(
+    ("nodes", "new_nodes"),
+    [
+        ([ARM], [ARM, LEG]),
+        ([ARM, LEG], [ARM]),
+        ([ARM, LEG], [LEG, ARM]),
+        ([ARM, LEG], [FOOT, ARM]),
+        ([ARM, LEG], [LEG | {"name": "foot", "was": "leg"}, ARM]),
+    ],
+    ids=["add", "remove", "reorder", "replace", "rename"],
+)
+def test_conditions_of_the_developer_in_cmake_stay_whole(
+    renders, update, distro, line, own, nodes, new_nodes
+):
+    """The file is that of the new version, and theirs stands after the line that it followed."""
+    sides = (nodes, new_nodes, "cpp_model", distro)
+    found, _ = update("CMakeLists.txt", put_after(line, *own), *sides)
+    lines = "".join(f"{line}\n" for line in own)
+    assert found.replace(f"{line}\n{lines}", f"{line}\n") == renders(*sides).new["CMakeLists.txt"]
+
+
+@pytest.mark.parametrize(
+    "new_nodes",
+    [
+        [ARM, LEG, FOOT],
+        [FOOT, ARM, LEG],
+        [LEG, ARM],
+        [LEG, {**ARM, "name": "hand", "was": "arm"}],
+        [ARM],
+    ],
+    ids=["add", "add before", "reorder", "rename and move", "remove"],
+)
+def test_condition_around_generated_cmake_holds_that_alone(renders, update, new_nodes):
+    first, last = "add_library(${PROJECT_NAME}_leg", "  DESTINATION lib/${PROJECT_NAME}\n)"
+    edit = put_around(first, last, "if(WITH_LEG)", "endif()  # WITH_LEG")
+    found, result = update("CMakeLists.txt", edit, [ARM, LEG], new_nodes)
+    inside = re.search(r"if\(WITH_LEG\)\n(.*?)endif\(\)  # WITH_LEG\n", found, re.DOTALL)[1]
+    new = renders([ARM, LEG], new_nodes).new["CMakeLists.txt"]
+    if LEG in new_nodes:
+        wanted = new[new.index(f"\n{first}") + 1 :]
+        wanted = wanted[: wanted.index(last) + len(last) + 1]
+        assert inside.strip() == wanted.strip()
+    else:
+        assert inside.strip() == ""
+    assert without(found, "if(WITH_LEG)", "endif()  # WITH_LEG").split() == new.split()
+    assert result.missing == {}
+
+
+def server(name, **more):
+    return {"kind": "serviceServer", "name": name, "type": 0, "text": "", **more}
+
+
+LOAD, STORE, ESTOP = (server(name) for name in ("load", "store", "estop"))
+CALLBACKS = {
+    "reorder": [STORE, LOAD],
+    "add before": [ESTOP, LOAD, STORE],
+    "add between": [LOAD, ESTOP, STORE],
+    "add after": [LOAD, STORE, ESTOP],
+    "remove": [LOAD],
+    "remove the other": [STORE],
+    "remove both": [],
+    "replace": [LOAD, ESTOP],
+    "retype": [LOAD, {**STORE, "type": 1}],
+    "rename": [LOAD, server("home", was="store")],
+    "rename and move": [server("home", was="store"), LOAD],
+    "swap": [server("store", was="load"), server("load", was="store")],
+    "swap in place": [server("load", was="store"), server("store", was="load")],
+    "circle": [server("estop", was="store"), server("store", was="load")],
+}
+
+
+def around_callback(path, name, head, tail, margin=""):
+    """Put lines around a callback, which has a body, and the comment above it."""
+    language = path.rpartition(".")[2]
+    form = {
+        "cpp": rf"// Service {name}\nvoid \w+::serve_{name}\(.*?\n}}\n",
+        "py": rf"    # Service {name}\n    def serve_{name}\(.*?return response\n",
+    }[language]
+    body = {"cpp": "  // mine\n}\n", "py": "        return response  # mine\n"}[language]
+
+    def edit(text):
+        code = re.search(form, text, re.DOTALL)[0]
+        mine = code.removesuffix("}\n" if language == "cpp" else "        return response\n")
+        mine = re.sub("(?m)^(?=.)", margin, mine + body)
+        return text.replace(code, f"{head}\n{mine}{tail}\n" if tail else f"{head}\n{mine}")
+
+    return edit
+
+
+def new_name(name, items):
+    """Return the name that a callback, or a node, has in a new spec; None where it has left."""
+    names = {item.get("was") or item["name"]: item["name"] for item in items}
+    return names.get(name)
+
+
+@pytest.mark.parametrize("wrapped", [["store"], ["load"], ["load", "store"]], ids="-".join)
+@pytest.mark.parametrize("items", CALLBACKS.values(), ids=CALLBACKS)
+def test_directives_around_a_callback_in_cpp_hold_that_alone(renders, update, items, wrapped):
+    sides = ([{**ARM, "items": found}] for found in ([LOAD, STORE], items))
+    path = "src/arm_impl.cpp"
+
+    def edit(text):
+        for name in wrapped:
+            text = around_callback(path, name, "#ifdef WITH_IT", f"#endif  // of {name}")(text)
+        return text
+
+    found, result = update(path, edit, *sides)
+    for name in wrapped:
+        end = found.index(f"#endif  // of {name}")
+        inside = found[found.rindex("#ifdef WITH_IT", 0, end) : end]
+        after = new_name(name, items)
+        assert re.findall(r"::serve_(\w+)", inside) == ([after] if after else [])
+        assert inside.count("  // mine\n") == bool(after)
+        assert found.count("  // mine\n") == sum(bool(new_name(n, items)) for n in wrapped)
+    assert found.count("::serve_") == len(items)
+    assert result.missing == {}
+
+
+def test_directives_of_all_kinds_in_cpp_stay_whole(renders, update):
+    """Those that hold several callbacks, others, includes, declarations; those in a body."""
+    sides = ([{**ARM, "items": found}] for found in ([LOAD, STORE], [ESTOP, STORE, LOAD]))
+    path = "src/arm_impl.cpp"
+    own = "#if A\n#include <a>\n#else\n#include <b>\n#endif\n"
+
+    def edit(text):
+        text = around_callback(path, "store", "#if A\n#ifndef B", "#endif\n#endif  // A")(text)
+        text = text.replace('#include "lab/arm_impl.hpp"\n', f'#include "lab/arm_impl.hpp"\n{own}')
+        return text.replace("  return true;\n", "#ifdef C\n  run();\n#endif\n  return true;\n", 1)
+
+    found, _ = update(path, edit, *sides)
+    assert own in found
+    assert "#ifdef C\n  run();\n#endif\n  return true;\n" in found
+    inside = re.search(r"#if A\n#ifndef B\n(.*?)\n#endif\n#endif  // A", found, re.DOTALL)[1]
+    assert re.findall(r"::serve_(\w+)", inside) == ["store"]
+
+
+LAUNCHES = [
+    ("python_model", "kilted", "launch/lab.launch.xml"),
+    ("cpp_model", "kilted", "launch/lab.launch.xml"),
+    ("python_model", "noetic", "launch/lab.launch"),
+]
+
+
+@pytest.mark.parametrize(("model", "distro", "path"), LAUNCHES)
+@pytest.mark.parametrize("depth", [1, 2])
+@pytest.mark.parametrize(
+    "new_nodes",
+    [
+        [ARM, {**LEG, "name": "foot", "was": "leg"}],
+        [{**LEG, "name": "foot", "was": "leg"}, ARM],
+        [ARM],
+        [ARM, {**LEG, "items": [LOAD]}],
+        [ARM, LEG, FOOT],
+        [FOOT, LEG, ARM],
+        [ARM, FOOT],
+    ],
+    ids=["rename", "rename and move", "remove", "edit", "add", "add and move", "replace"],
+)
+def test_group_around_a_node_in_a_launch_file_holds_that_alone(
+    renders, update, model, distro, path, depth, new_nodes
+):
+    sides = ([ARM, LEG], new_nodes, model, distro)
+
+    def edit(text):
+        node = re.search(r' *<node pkg="lab" \w+="leg".*?</node>\n', text, re.DOTALL)[0]
+        mine = re.sub("(?m)^(?=.)", "  " * depth, node)
+        for n in range(depth):
+            mine = f"<group>  <!-- {n} -->\n{mine}</group>\n"
+        return text.replace(node, mine)
+
+    found, result = update(path, edit, *sides)
+    ElementTree.fromstring(found)
+    assert found.count("  <!-- ") - renders(*sides).new[path].count("  <!-- ") == depth
+    name = new_name("leg", new_nodes)
+    inside = found[
+        found.index("  <!-- 0 -->") : found.index("</group>", found.index("<!-- 0 -->"))
+    ]
+    assert re.findall(r'<node .*?name="(\w+)"', inside) == ([name] if name else [])
+    if name:
+        margin = re.search("\n( *)<node", renders(*sides).new[path])[1]
+        assert f"\n{margin}{'  ' * depth}<node" in inside
+    assert result.missing == {}
+    assert "-->\n\n" not in inside
+    own = re.compile("( *<group>)?  <!-- [01] -->|</group>")
+    assert own.sub("", found).split() == own.sub("", renders(*sides).new[path]).split() or (
+        new_nodes[0] is not ARM
+    )
+
+
+@pytest.mark.parametrize("items", CALLBACKS.values(), ids=CALLBACKS)
+def test_condition_around_a_method_in_python_holds_that_alone(update, items):
+    sides = ([{**ARM, "items": found}] for found in ([LOAD, STORE], items))
+    path = "lab/arm_impl.py"
+    edit = around_callback(path, "store", "    if HAVE_DISK:  # own", "", "    ")
+    found, result = update(path, edit, *sides, "python_model")
+    name = new_name("store", items)
+    assert result.missing == {}
+    for item in items:
+        margin = "    " * (1 + (item["name"] == name))
+        assert f"\n{margin}def serve_{item['name']}(\n{margin}    self,\n" in found
+    ast.parse(found)
+    if name:
+        inside = found[found.index("    if HAVE_DISK:") : found.index("# mine") + 6]
+        assert re.findall(r"def (\w+)", inside) == [f"serve_{name}"]
+    else:
+        assert "serve_store" in str(result.removed)
+
+
+def test_renamed_node_whose_line_both_sides_changed_is_a_conflict(renders):
+    """The developer's side of it still has the name of before."""
+    pair = renders([ARM, LEG], [ARM, {**LEG, "name": "foot", "was": "leg"}], "python_model")
+    path = "launch/lab.launch.xml"
+    mine, old, new = ({path: File(text[path].encode())} for text in (pair.old, pair.old, pair.new))
+    line = 'name="leg" namespace="$(var namespace)"'
+    assert line in pair.old[path]
+    mine[path] = File(pair.old[path].replace(line, 'name="leg" namespace="mine"').encode())
+    for unmerged in ((), (path,)):
+        result = merge_package(mine, old, new, pair.renaming, pair.is_kept, unmerged)
+        assert list(result.conflicts) == [path]
+        assert prove(mine, old, result, result.tree, pair.renaming).lost == []
+
+
+@pytest.mark.parametrize(
+    ("distro", "before", "after"),
+    [
+        ("kilted", "if(BUILD_TESTING)", "if(BUILD_TESTING AND NOT MINE)"),
+        ("kilted", "if(UNIX AND NOT APPLE)", "if(UNIX)"),
+        ("noetic", "if(CATKIN_ENABLE_TESTING)", "if(CATKIN_ENABLE_TESTING AND MINE)"),
+    ],
+)
+@pytest.mark.parametrize("new_nodes", [[ARM, LEG, FOOT], [LEG, ARM], [LEG], [FOOT, ARM]])
+def test_condition_that_the_developer_has_changed_is_the_same_one(
+    renders, update, distro, before, after, new_nodes
+):
+    sides = ([ARM, LEG], new_nodes, "cpp_model", distro)
+    found, result = update("CMakeLists.txt", lambda text: text.replace(before, after), *sides)
+    assert result.missing == {}
+    assert found.replace(after, before) == renders(*sides).new["CMakeLists.txt"]
+    kept = sum(node in (ARM, LEG) for node in new_nodes) if "UNIX" in before else 1
+    assert found.count(after) == kept
+
+
+def test_condition_around_a_generated_condition_holds_that(renders, update):
+    edit = put_around("if(BUILD_TESTING)", "endif()", "if(MINE)", "endif()  # MINE")
+    sides = ([ARM, LEG], [LEG, FOOT, ARM])
+    found, result = update("CMakeLists.txt", edit, *sides)
+    wanted = renders(*sides).new["CMakeLists.txt"]
+    assert result.missing == {}
+    assert without(found, "if(MINE)", "endif()  # MINE").split() == wanted.split()
+    assert "if(MINE)\nif(BUILD_TESTING)\n" in found
+    assert "endif()\nendif()  # MINE\n" in found
+
+
+@pytest.mark.parametrize("distro", ["kilted", "noetic"])
+def test_alternative_to_a_generated_condition_in_cmake_stays_the_last(update, distro):
+    before = "if(NOT CMAKE_CXX_STANDARD)\n  set(CMAKE_CXX_STANDARD 17)\n"
+    own = "else()\n  set(MINE 1)\nendif()\n"
+
+    def edit(text):
+        start = text.index("endif()\n", text.index(before))
+        return text[:start] + own + text[start:].partition("endif()\n")[2]
+
+    found, _ = update("CMakeLists.txt", edit, [ARM], [ARM, LEG], "cpp_model", distro)
+    assert own in found[found.index(before) :]
+
+
+def test_condition_in_one_line_of_cmake_is_one_block():
+    blocks = outlines.cmake_blocks("if(A) set(B 1) else() set(B 2) endif()\nset(C)\n")
+    assert [(block.key, block.children) for block in blocks] == [("if(A)", []), ("set C", [])]
+
+
+def test_target_of_a_renamed_node_has_its_new_name(update):
+    """A word like it has not."""
+    new_nodes = [{**ARM, "name": "hip"}, {**LEG, "name": "foot", "was": "leg"}]
+    own = ["target_compile_definitions(leg PRIVATE leg)", "find_package(leg)"]
+    edit = put_after("add_executable(leg src/leg_main.cpp)", *own)
+    found, _ = update("CMakeLists.txt", edit, [ARM, LEG], new_nodes)
+    own[0] = own[0].replace("(leg", "(foot")
+    assert "\n".join(["add_executable(foot src/foot_main.cpp)", *own, ""]) in found
+
+
+def test_callback_that_has_an_alternative_keeps_both(update):
+    sides = ([{**ARM, "items": found}] for found in ([LOAD, STORE], [ESTOP, STORE, LOAD]))
+    other = "#else\nvoid ArmImpl::serve_load()\n{\n}\n#endif"
+    edit = around_callback("src/arm_impl.cpp", "load", "#ifdef A", other)
+    found, _ = update("src/arm_impl.cpp", edit, *sides)
+    inside = re.search("#ifdef A\n(.*?)#endif", found, re.DOTALL)[1]
+    assert re.findall(r"::serve_(\w+)|(#else)", inside) == [
+        ("load", ""),
+        ("", "#else"),
+        ("load", ""),
+    ]
+
+
+BROKEN = {
+    "CMakeLists.txt": ("if(A)\n  set(B 1)\nendif()\n", "endif()\n"),
+    "a.cpp": ("#ifdef A\nint a;\n#endif\n", "#endif\n"),
+    "b.cpp": ("int a()\n{\n#ifdef A\n  return 1;\n#endif\n}\n", "#endif\n"),
+}
+
+
+@pytest.mark.parametrize("path", BROKEN)
+def test_proof_sees_what_does_not_nest(path):
+    """It did before the update, so the update is at fault."""
+    text, end = (part.encode() for part in BROKEN[path])
+    trees = [{path: File(data)} for data in (text + b"\n" + text, text)]
+    result = merge_package(*trees, {path: File(text)}, Renaming(), {""}.__contains__)
+    assert prove(*trees, result, result.tree, Renaming()).lost == []
+    found = {path: File(text + text.replace(end, b""))}
+    assert (path, "cannot be read any more") in prove(*trees, result, found, Renaming()).lost

@@ -1,0 +1,171 @@
+"""What is refused before the first write, without Copier."""
+
+import os
+
+import pytest
+
+from hooks.faults import SpecError
+from hooks.merge.git import mark_conflict
+from hooks.merge.preflight import refuse, refuse_names, refuse_places
+from hooks.merge.tree import TOO_LARGE
+from support.repository import commit, git
+
+
+@pytest.fixture
+def package(tmp_path):
+    """Return a package in a repository, with a file outside of it."""
+    package = tmp_path / "arm"
+    (package / "config").mkdir(parents=True)
+    (package / "reach.py").write_text("MINE = 1\n")
+    (package / "watch.py").write_text("MINE = 2\n")
+    (tmp_path / "outside.py").write_text("MINE = 3\n")
+    commit(package)
+    return package
+
+
+def ignored(package):
+    (package / ".gitignore").write_text("reach.py\n")
+    git(package, "rm", "-q", "--cached", "reach.py")
+    commit(package)
+
+
+def never_added(package):
+    git(package, "rm", "-q", "--cached", "reach.py")
+    git(package, "commit", "-q", "-m", "Forget it")
+
+
+def link_out_of_the_package(package):
+    (package / "reach.py").unlink()
+    (package / "reach.py").symlink_to("../outside.py")
+    commit(package)
+
+
+def folder_that_leads_out(package):
+    (package / "config").rmdir()
+    (package / "config").symlink_to("..")
+    commit(package)
+
+
+def link_to_what_git_does_not_have(package):
+    (package / ".gitignore").write_text("mine.py\n")
+    (package / "reach.py").rename(package / "mine.py")
+    (package / "reach.py").symlink_to("mine.py")
+    commit(package)
+
+
+def submodule(package):
+    name = git(package, "rev-parse", "HEAD")
+    git(package, "update-index", "--add", "--cacheinfo", f"160000,{name},config")
+    git(package, "commit", "-q", "-m", "A submodule")
+
+
+def not_committed(package):
+    (package / "reach.py").write_text("MINE = 4\n")
+
+
+def staged(package):
+    not_committed(package)
+    git(package, "add", "-A")
+
+
+def no_repository(package):
+    (package / ".git").rename(package / "git")
+
+
+@pytest.mark.parametrize(
+    ("situation", "message"),
+    [
+        (ignored, "reach.py: not in git (ignored, or never added)"),
+        (never_added, "reach.py: not in git (ignored, or never added)"),
+        (link_out_of_the_package, "reach.py: a link to"),
+        (folder_that_leads_out, "config: a link to"),
+        (link_to_what_git_does_not_have, "reach.py: a link to"),
+        (submodule, "config/arm.yaml: belongs to a submodule"),
+        (not_committed, "reach.py: changed since the last commit"),
+        (staged, "reach.py: changed since the last commit"),
+        (no_repository, "not in a git repository"),
+    ],
+)
+def test_what_git_could_not_bring_back_is_refused(package, situation, message):
+    paths = ["reach.py", "config/arm.yaml"]
+    refuse(package, paths, {})
+    situation(package)
+    with pytest.raises(SpecError) as caught:
+        refuse(package, paths, {})
+    assert message in str(caught.value)
+    refuse(package, ["other.py"], {}) if situation is not no_repository else None
+
+
+def test_links_inside_of_the_package_are_fine(package):
+    (package / "link.py").symlink_to("watch.py")
+    commit(package)
+    refuse(package, ["link.py"], {})
+
+
+def test_new_name_that_a_file_has_is_refused(package):
+    with pytest.raises(SpecError, match=r"watch\.py: reach\.py is to have this name"):
+        refuse(package, [], {"reach.py": "watch.py"})
+    refuse(package, [], {"reach.py": "watch.py", "watch.py": "reach.py"})
+
+
+def test_conflict_is_marked_whatever_the_name_and_the_settings(package):
+    """Git quotes such a name by default, and a hook would see the index change."""
+    (package / "hooks").mkdir()
+    hook = package / "hooks/post-index-change"
+    hook.write_text(f"#!/bin/sh\necho seen > {package}/seen\n")
+    hook.chmod(0o755)
+    (package / "wörter.py").write_text("MINE = 5\n")
+    commit(package)
+    git(package, "config", "core.hooksPath", str(package / "hooks"))
+    mark_conflict(package, "wörter.py", "100644", {1: b"old", 2: b"mine", 3: b"new"})
+    assert not (package / "seen").exists()
+    found = git(package, "ls-files", "-u", "-z").split("\0")
+    assert [entry.split()[2:] for entry in found if entry] == [[n, "wörter.py"] for n in "123"]
+
+
+def file_in_the_place_of_a_folder(package):
+    (package / "config").rmdir()
+    (package / "config").write_text("mine\n")
+    return "config: a file, and config/arm.yaml needs a folder of this name"
+
+
+def folder_in_the_place_of_a_file(package):
+    (package / "config/arm.yaml").mkdir(parents=True)
+    (package / "config/arm.yaml/mine.yaml").write_text("mine: 1\n")
+    return "config/arm.yaml: a folder, and a generated file has this name"
+
+
+def grown_beyond_the_limit(package):
+    (package / "reach.py").write_text("TABLE = 1\n" * (TOO_LARGE // 10 + 1))
+    return "reach.py: larger than 5 MB, which is too large to merge"
+
+
+@pytest.mark.parametrize(
+    "situation",
+    [
+        file_in_the_place_of_a_folder,
+        grown_beyond_the_limit,
+        folder_in_the_place_of_a_file,
+    ],
+)
+def test_what_has_no_place_for_a_generated_file_is_refused(package, situation):
+    paths = ["reach.py", "config/arm.yaml"]
+    refuse_places(package, paths)
+    message = situation(package)
+    commit(package)
+    with pytest.raises(SpecError) as caught:
+        refuse_places(package, paths)
+    assert str(caught.value).startswith(message)
+    assert str(caught.value).isascii()
+
+
+def test_name_in_another_encoding_is_refused():
+    with pytest.raises(SpecError, match=r"^docs/caf\\xe9\.txt: a name that is not UTF-8"):
+        refuse_names(["reach.py", os.fsdecode(b"docs/caf\xe9.txt")])
+    refuse_names(["caf\xe9.txt"])
+
+
+def test_large_file_of_the_developer_is_fine(package):
+    grown_beyond_the_limit(package)
+    commit(package)
+    refuse_places(package, ["watch.py"])
