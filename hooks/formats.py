@@ -227,7 +227,13 @@ def number(value: str) -> float:
         raise ValueError(
             f"{quoted(value)} is not a number; allowed: a finite number, such as 12.5"
         )
-    if 0 < abs(result) < sys.float_info.min:  # which the YAML parser of ROS 2 takes for a text
+    return result
+
+
+def double(value: str) -> float:
+    """A finite number of 64 bits that the YAML parser of ROS 2 does not take for a text."""
+    result = number(value)
+    if 0 < abs(result) < sys.float_info.min:
         raise ValueError(
             f"{quoted(value)} is too small; allowed: 0, or at least {sys.float_info.min}"
         )
@@ -285,7 +291,7 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "number": number,
     "bool": boolean,
     "int": integer,
-    "double": number,
+    "double": double,
     "string": raw,
     "email": email,
     "license": license_name,

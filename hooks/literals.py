@@ -9,7 +9,7 @@ from typing import Any
 import yaml
 
 from .faults import quoted
-from .formats import boolean, integer, number, raw, whole
+from .formats import boolean, double, integer, number, raw, whole
 
 _LONGEST_LIST = 100_000
 _FLOAT32_MAX = 3.4028234663852886e38
@@ -84,7 +84,7 @@ def _float32(text: str) -> float:
 LITERALS: dict[str, Callable[[str], Any]] = {
     "bool": boolean,
     "int": integer,
-    "double": number,
+    "double": double,
     "float32": _float32,
     "float64": number,
     "byte": _between("byte", 0, 255),

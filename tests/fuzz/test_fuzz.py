@@ -27,8 +27,9 @@ COMPILED = int(os.environ.get("FUZZ_COMPILED", "2"))
 SEED = os.environ.get("FUZZ_SEED", "")
 LONGEST_MESSAGE = 20_000
 OPTIONS = "-std=c++17 -fsyntax-only -Wall -Wextra"
-KNOWN = {"actionlib", "dynamic_reconfigure", "geometry_msgs", "nav_msgs", "roscpp", "std_msgs"}
-KNOWN |= {"actionlib_msgs", "diagnostic_msgs", "rosgraph_msgs", "std_srvs", "tf", "tf2", "tf2_ros"}
+KNOWN = {"actionlib", "dynamic_reconfigure", "geometry_msgs", "nav_msgs", "roscpp", "roslaunch"}
+KNOWN |= {"actionlib_msgs", "diagnostic_msgs", "rosgraph_msgs", "std_msgs", "std_srvs"}
+KNOWN |= {"tf", "tf2", "tf2_ros"}
 
 MODELS = {name: Model(ROOT / name, ROOT) for name in sorted({model for model, _ in variants()})}
 DICTIONARY = MODELS["python_model"].dictionary

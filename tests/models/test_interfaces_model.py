@@ -50,7 +50,7 @@ def test_defaults_of_ros1_are_comments(make):
 string data
 ---
 # Whether the node could use it
-# Default: False
+# Default: false
 bool success
 # Why it could not
 string message
