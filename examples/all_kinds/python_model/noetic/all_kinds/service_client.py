@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from concurrent.futures import Future
+import socket
 from threading import Thread
 from time import monotonic
 from typing import Any, Optional
@@ -16,6 +17,7 @@ import rospy
 from rospy.impl.tcpros_base import TCPROSTransport
 
 DISCOVERY = 0.1  # seconds between two looks for a server
+CONNECTION = 1.0  # seconds in which a server has to accept a connection
 
 
 class ServiceClient:
@@ -29,17 +31,12 @@ class ServiceClient:
 
     def is_ready(self) -> bool:
         """Return whether a server is available."""
-        master = rosgraph.Master(rospy.get_name())  # of its own, as threads cannot share one
-        try:
-            master.lookupService(self._name)
-        except (rosgraph.MasterException, OSError):
-            return False
-        return True
+        return self._has_server(CONNECTION)
 
     def call(self, request: Any, timeout: float = 1.0) -> Optional[Any]:
         """Return the response, or None after `timeout` seconds or when the node stops."""
         end = monotonic() + timeout
-        while not self.is_ready():
+        while not self._has_server(min(CONNECTION, max(end - monotonic(), 0.0))):
             self._stop.wait_for(lambda: False, min(DISCOVERY, end - monotonic()))
             if self._stop.requested or monotonic() >= end:
                 return None
@@ -55,6 +52,19 @@ class ServiceClient:
         answer.cancel()
         proxy.close()
         return None
+
+    def _has_server(self, timeout: float) -> bool:
+        """Return whether the server that the master knows, which may be dead, can be reached."""
+        name = rospy.get_name()
+        master = rosgraph.Master(name)  # of its own, as threads cannot share one
+        probe = {'probe': '1', 'md5sum': '*', 'callerid': name, 'service': self._name}
+        try:
+            address = rospy.core.parse_rosrpc_uri(master.lookupService(self._name))
+            with socket.create_connection(address, timeout) as connection:
+                rosgraph.network.write_ros_handshake_header(connection, probe)
+        except (rosgraph.MasterException, OSError):
+            return False
+        return True
 
     def _call(self, proxy: Any, request: Any, answer: Future[Any]) -> None:
         response = None
