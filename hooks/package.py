@@ -32,6 +32,9 @@ class Package:
     @property
     def specs(self) -> list[Path]:
         """The specs in the folder; a package has one, a new one none."""
+        for place in (*reversed(self.folder.parents), self.folder):
+            if os.path.lexists(place) and not place.is_dir():
+                raise SpecError(f"{shown(place)}: not a folder; choose another for the package")
         try:
             return sorted(self.folder.glob(f"*{SUFFIX}"))
         except OSError as error:

@@ -154,6 +154,14 @@ def test_what_is_no_path(name):
     assert len(str(error.value)) < 300
 
 
+@pytest.mark.parametrize("destination", ["taken", "taken/arm", "link", "link/arm"])
+def test_destination_that_is_no_folder(tmp_path, destination):
+    (tmp_path / "taken").touch()
+    (tmp_path / "link").symlink_to("nowhere")
+    with pytest.raises(SpecError, match=r"(taken|link): not a folder"):
+        Package(tmp_path / destination, ".copier-answers.yml").spec_file("")
+
+
 def test_lost_spec_comes_back_by_the_command_that_is_told(tmp_path, monkeypatch):
     folder = tmp_path / "ws" / "arm 1"
     folder.mkdir(parents=True)
