@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from typing import Any
+from unicodedata import east_asian_width
 
 WIDTH = 99
 
@@ -202,7 +203,7 @@ def cpp_value(value: Any, indent: int, used: int = 0) -> str:
 
 
 def cpp_text(text: str, indent: int, used: int = 0) -> str:
-    """Return a text as a string literal, split at blanks where a line would be too long.
+    """Return a text as a string literal, split where a line would be too long.
 
     Args:
         text: any text.
@@ -211,15 +212,22 @@ def cpp_text(text: str, indent: int, used: int = 0) -> str:
 
     """
     literal = f'"{cpp_escape(text)}"'
-    if indent + used + len(literal) <= WIDTH:
+    if indent + used + _columns(text) + 2 <= WIDTH:
         return literal
+    room = WIDTH - 6 - indent
     lines = [""]
-    for piece in re.findall(r"\s*\S{1,60}|\s+$", text):
-        if lines[-1] and indent + 2 + len(cpp_escape(lines[-1] + piece)) > WIDTH - 4:
-            lines.append("")
-        lines[-1] += piece
+    for word in re.findall(r"\s*\S+|\s+$", text):
+        for piece in [word] if _columns(word) <= room else word:
+            if lines[-1] and _columns(lines[-1] + piece) > room:
+                lines.append("")
+            lines[-1] += piece
     margin = "\n" + " " * (indent + 2)
     return "".join(f'{margin}"{cpp_escape(line)}"' for line in lines)
+
+
+def _columns(text: str) -> int:
+    """Return how wide a text is within a literal, with wide characters as cpplint counts them."""
+    return sum(1 + (east_asian_width(letter) in "WF") for letter in cpp_escape(text))
 
 
 def cpp_escape(text: str) -> str:

@@ -6,6 +6,7 @@ import builtins
 import re
 import sys
 from typing import Any
+from unicodedata import east_asian_width
 
 WIDTH = 99
 
@@ -83,7 +84,7 @@ def other_value(value: Any, low: Any = None, high: Any = None) -> Any:
 
 
 def python_text(text: str, indent: int, used: int = 0) -> str:
-    """Return a text as a string literal, split at blanks where a line would be too long.
+    """Return a text as a string literal, split where a line would be too long.
 
     Args:
         text: any text.
@@ -91,15 +92,22 @@ def python_text(text: str, indent: int, used: int = 0) -> str:
         used: the columns on that line that other code takes.
 
     """
-    if indent + used + len(repr(text)) <= WIDTH:
+    if indent + used + _columns(text) <= WIDTH:
         return repr(text)
+    room = WIDTH - indent - 4
     lines = [""]
-    for piece in re.findall(r"\s*\S{1,60}|\s+$", text):
-        if lines[-1] and indent + 4 + len(repr(lines[-1] + piece)) > WIDTH:
-            lines.append("")
-        lines[-1] += piece
+    for word in re.findall(r"\s*\S+|\s+$", text):
+        for piece in [word] if _columns(word) <= room else word:
+            if lines[-1] and _columns(lines[-1] + piece) > room:
+                lines.append("")
+            lines[-1] += piece
     margin = "\n" + " " * (indent + 4)
     return "(" + "".join(margin + repr(line) for line in lines) + "\n" + " " * indent + ")"
+
+
+def _columns(text: str) -> int:
+    """Return how wide a literal is, with wide characters as ruff counts them."""
+    return sum(1 + (east_asian_width(letter) in "WF") for letter in repr(text))
 
 
 def is_builtin(name: str) -> bool:

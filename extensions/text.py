@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 import re
-import unicodedata
 from typing import Any
+from unicodedata import east_asian_width
 from xml.sax.saxutils import escape, quoteattr
 
 from packaging.licenses import InvalidLicenseExpression, canonicalize_license_expression
@@ -21,20 +21,35 @@ def one_line(text: str) -> str:
 def wrap(text: str, prefix: str = "", width: int = 99) -> str:
     """Return the text in lines of at most `width` columns, each after `prefix`.
 
-    Wide characters (Unicode TR 11) count as two columns, as linters count them.
+    Wide characters (Unicode TR 11) count as two columns, as linters count them. A word that is
+    longer than a line is divided, unless it is an address, which linters let pass.
     """
     lines: list[str] = []
     line = prefix
+    room = width - _columns(prefix)
     for word in one_line(text).split(" "):
-        if line != prefix and _columns(f"{line} {word}") > width:
-            lines.append(line)
-            line = prefix
-        line += word if line == prefix else f" {word}"
+        for part in _parts(word, room):
+            if line != prefix and _columns(f"{line} {part}") > width:
+                lines.append(line)
+                line = prefix
+            line += part if line == prefix else f" {part}"
     return "\n".join([*lines, line]).rstrip()
 
 
+def _parts(word: str, room: int) -> list[str]:
+    """Return the parts of a word, of at most `room` columns."""
+    if re.search("https?://", word):
+        return [word]
+    parts = [""]
+    for letter in word:
+        if _columns(parts[-1] + letter) > room:
+            parts.append("")
+        parts[-1] += letter
+    return parts
+
+
 def _columns(text: str) -> int:
-    return sum(2 if unicodedata.east_asian_width(letter) in "WF" else 1 for letter in text)
+    return sum(1 + (east_asian_width(letter) in "WF") for letter in text)
 
 
 def xml(text: str) -> str:

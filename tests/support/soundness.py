@@ -26,8 +26,9 @@ def check_sound(package):
         [*ruff, "format", "--diff", "--no-cache", "."], cwd=package, capture_output=True, text=True
     )
     assert format_.returncode == 0, format_.stdout
-    # Names that are not defined and imports that are not used: pyflakes' rules.
-    check = [*ruff, "check", "--isolated", "--no-cache", "--select=F", "."]
+    # Names that are not defined, imports that are not used: pyflakes' rules; and lines too long.
+    rules = ["--select=F,E501", "--line-length=99"]
+    check = [*ruff, "check", "--isolated", "--no-cache", *rules, "."]
     assert subprocess.run(check, cwd=package).returncode == 0
 
 
