@@ -8,7 +8,7 @@ from typing import Any
 from .check import CheckedSpec, Values
 from .faults import SpecError, allowed, first_of, quoted
 from .formats import check_capital, type_of, with_capital
-from .ros import DISTROS, nearest_available, translate_dependency
+from .ros import DISTROS, lacking_kind, nearest_available, translate_dependency
 
 Functions = dict[str, Callable[..., Any]]
 
@@ -40,8 +40,12 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
         owners = {tag: owner.values for tag, owner in item.owners.items()}
         arguments = (item.tag, {**owners, **item.values}, distro)
         needed = _call(functions, "dependencies_from_interface", place, *arguments)
-        types = [name for value in item.values.values() if (name := type_of(value))]
-        for name in sorted(needed) + [name for name in types if name.split("/")[0] in needed]:
+        types = {key: name for key, value in item.values.items() if (name := type_of(value))}
+        for key, name in types.items():
+            if lacking := lacking_kind(name):
+                raise SpecError(f"{place}: {key}: {lacking}")
+        named = [name for name in types.values() if name.split("/")[0] in needed]
+        for name in sorted(needed) + named:
             if nearest := nearest_available(name, generation):
                 what = f"ROS {generation} has no {name}; the nearest it has is {nearest}"
                 raise SpecError(f"{place}: {what}")

@@ -37,3 +37,13 @@ def nearest_available(name: str, generation: int) -> str | None:
     nearest: str | None = _ROS["nearest"][generation].get(name)
     successor = translate_dependency(name, generation)[0]
     return nearest or (successor if successor != name else None)
+
+
+def lacking_kind(type_: str) -> str | None:
+    """Say that a package has no types of this kind, where that is known: `std_msgs/srv/String`."""
+    package, kind, _ = type_.split("/")
+    words = {"msg": "messages", "srv": "services", "action": "actions"}
+    for only, packages in _ROS["one_kind"].items():
+        if package in packages and kind != only:
+            return f"{package} has {words[only]} alone, no {words[kind]}"
+    return None

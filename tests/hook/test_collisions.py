@@ -215,6 +215,19 @@ def test_small_type_that_ros1_has():
     context("python_model", xml, "noetic")
 
 
+@pytest.mark.parametrize(
+    ("kind", "type_", "says"),
+    [
+        ("serviceServer", "std_msgs/String", "std_msgs has messages alone, no services"),
+        ("actionServer", "geometry_msgs/Pose", "geometry_msgs has messages alone, no actions"),
+        ("publisher", "std_srvs/Trigger", "std_srvs has services alone, no messages"),
+    ],
+)
+def test_type_of_a_kind_that_its_package_lacks(kind, type_, says):
+    text = refusal("python_model", spec(node(interface(kind, "x", type_))))
+    assert text.endswith(f'<{kind} name="x">: type: {says}')
+
+
 @pytest.mark.parametrize("model", MODELS)
 def test_numbers_of_dynamic_reconfigure(model):
     xml = spec(node(parameter("p", "dynParameter", "int", "3000000000")))
