@@ -69,7 +69,8 @@ class SpecExtension(Extension):
         """Check the answers that are given or recorded; return nothing.
 
         For one that is no choice Copier shows a traceback, or takes the default. The first
-        question calls this: an update asks in the version before, too, where no spec is read.
+        question with choices calls this: an update asks in the version before, too, where no
+        spec is read.
         """
         data = context["_copier_conf"]["data"]
         if isinstance(data.get("spec"), str):  # Copier itself gives a mapping
