@@ -46,7 +46,7 @@ class Log(Protocol):
     """Writes to the ROS log."""
 
     def debug(self, text: str, /) -> object:
-        """Write a text for those who look for a fault."""
+        """Write a text for debugging."""
 
     def info(self, text: str, /) -> object:
         """Write a text."""
@@ -80,7 +80,7 @@ class ActionClient(Protocol[SentGoal, SentFeedback, SentResult]):
 
     @property
     def state(self) -> GoalState:
-        """Return the state of the goal; lost: no server is available."""
+        """Return the state of the goal; lost: there is no server, or it has died."""
 
     @property
     def feedback(self) -> Optional[SentFeedback]:

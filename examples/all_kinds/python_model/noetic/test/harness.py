@@ -23,7 +23,7 @@ from all_kinds import protocols
 
 
 class Clock:
-    """A clock that stands still between what sets it and what sleeps."""
+    """A clock that moves only when the test sets it or the logic sleeps."""
 
     __slots__ = ('time', 'stopped')
 

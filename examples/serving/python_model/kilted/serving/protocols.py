@@ -22,7 +22,7 @@ class Log(Protocol):
     """Writes to the ROS log."""
 
     def debug(self, text: str, /) -> object:
-        """Write a text for those who look for a fault."""
+        """Write a text for debugging."""
 
     def info(self, text: str, /) -> object:
         """Write a text."""

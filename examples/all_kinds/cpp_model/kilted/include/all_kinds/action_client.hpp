@@ -54,7 +54,7 @@ public:
   /// Send a goal, replacing the previous one; return false if no server is available.
   virtual bool send_goal(const Goal & /* goal */) {return false;}
 
-  /// Ask the server to cancel the goal; before it has answered, as soon as it does.
+  /// Ask the server to cancel the goal, even if it has not answered yet.
   virtual void cancel() {}
 
   /// Return the state of the goal.
