@@ -89,11 +89,17 @@ class _Package:
             if target in own and path in self.old and path in self.new:
                 self._follow(path, target)
                 own.remove(target)
-        for path in away:
-            found = max(((_likeness(self.old[path], self.mine[o]), o) for o in own), default=None)
-            if found and found[0] > 0.6 and PurePosixPath(found[1]).suffix == _suffix(path):
-                self._follow(path, found[1])
-                own.remove(found[1])
+        likely = [
+            (PurePosixPath(target).name == PurePosixPath(path).name, likeness, path, target)
+            for path in away
+            for target in own
+            if PurePosixPath(target).suffix == PurePosixPath(path).suffix
+            and (likeness := _likeness(self.old[path], self.mine[target])) > 0.6
+        ]
+        for *_, path, target in sorted(likely, reverse=True):
+            if path in self.old and target in own:
+                self._follow(path, target)
+                own.remove(target)
 
     def _follow(self, path: str, target: str) -> None:
         """Take the developer's file at `target` for the one that the model makes at `path`."""
@@ -200,7 +206,3 @@ def _target(path: str, file: File) -> str:
     if file.mode != LINK:
         return ""
     return posixpath.normpath(posixpath.join(posixpath.dirname(path), os.fsdecode(file.data)))
-
-
-def _suffix(path: str) -> str:
-    return PurePosixPath(path).suffix

@@ -184,6 +184,16 @@ def test_file_that_the_developer_has_moved_is_updated_where_it_is():
     assert (proof.total, proof.in_place, proof.lost) == (1, 1, [])
 
 
+@pytest.mark.parametrize("place", ["arm/logic/watch_impl.py", "arm/mine.py"])
+def test_moved_file_is_not_taken_for_one_like_it_that_is_deleted(place):
+    watch = OLD.replace("Reach", "Watch").replace("reach", "watch")
+    old = {PATH: File(OLD.encode()), "arm/watch_impl.py": File(watch.encode())}
+    mine = {place: File(watch.encode())}
+    result = merge_package(mine, old, old, Renaming(), {""}.__contains__)
+    assert result.tree == mine
+    assert result.missing == {PATH: [""]}
+
+
 @pytest.mark.parametrize("order", [[0, 1, 2], [2, 0, 1], [1, 2, 0]])
 def test_order_of_the_developer_stays(order):
     """So does a block of their own, after the one it followed."""
