@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from typing import Any
 
 from .check import CheckedSpec, Values
 from .faults import SpecError, allowed, first_of, quoted
-from .formats import check_capital, type_of, with_capital
+from .formats import check_capital, with_capital
+from .parse import Element
 from .ros import DISTROS, lacking_kind, nearest_available, translate_dependency
 
 Functions = dict[str, Callable[..., Any]]
@@ -27,6 +29,7 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
     if distro not in DISTROS:
         raise SpecError(f"ros_distro: unknown {quoted(distro)}; {allowed(distro, DISTROS)}")
     generation = DISTROS[distro]
+    _check_kinds(spec)
     translated = [translate_dependency(name, generation) for name in spec.depends]
     found = {name for name, _ in translated if name}
     found |= _call(functions, "dependencies_from_template", "the package", distro)
@@ -35,16 +38,15 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
         place = spec.place(component.element)
         found |= _call(functions, "dependencies_from_component", place, *arguments)
     own_name = str(next(iter(spec.package.values())))
+    types: dict[Element, list[str]] = defaultdict(list)
+    for element, _, parts in spec.types:
+        types[element].append("/".join(parts))
     for item in spec.interfaces:
         place = spec.place(item.element)
         owners = {tag: owner.values for tag, owner in item.owners.items()}
         arguments = (item.tag, {**owners, **item.values}, distro)
         needed = _call(functions, "dependencies_from_interface", place, *arguments)
-        types = {key: name for key, value in item.values.items() if (name := type_of(value))}
-        for key, name in types.items():
-            if lacking := lacking_kind(name):
-                raise SpecError(f"{place}: {key}: {lacking}")
-        named = [name for name in types.values() if name.split("/")[0] in needed]
+        named = [name for name in types[item.element] if name.split("/")[0] in needed]
         for name in sorted(needed) + named:
             if nearest := nearest_available(name, generation):
                 what = f"ROS {generation} has no {name}; the nearest it has is {nearest}"
@@ -60,6 +62,17 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
         "depends": sorted(found - {own_name}),
         "notes": list(dict.fromkeys(notes)),
     }
+
+
+def _check_kinds(spec: CheckedSpec) -> None:
+    """Refuse a service of a package that has messages alone, and the like."""
+    faults = [
+        f"{spec.place(element)}: {name}: {lacking}"
+        for element, name, (package, kind, _) in spec.types
+        if (lacking := lacking_kind(package, kind))
+    ]
+    if faults:
+        raise SpecError(first_of(faults))
 
 
 def _small_types(spec: CheckedSpec, generation: int) -> Iterator[str]:

@@ -211,12 +211,6 @@ def split_type(value: str) -> tuple[str, str, str] | None:
     return package, folder, name
 
 
-def type_of(value: Any) -> str:
-    """Return the type of another package that a value of a context names, or nothing."""
-    match = re.match(r"\w+/(msg|srv|action)/\w+(?![^<\[])", str(value))
-    return match[0] if match else ""
-
-
 def number(value: str) -> float:
     """A finite number."""
     try:

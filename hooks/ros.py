@@ -39,9 +39,8 @@ def nearest_available(name: str, generation: int) -> str | None:
     return nearest or (successor if successor != name else None)
 
 
-def lacking_kind(type_: str) -> str | None:
-    """Say that a package has no types of this kind, where that is known: `std_msgs/srv/String`."""
-    package, kind, _ = type_.split("/")
+def lacking_kind(package: str, kind: str) -> str | None:
+    """Say that a package has no types of a kind, `msg`, `srv` or `action`, where that is known."""
     words = {"msg": "messages", "srv": "services", "action": "actions"}
     for only, packages in _ROS["one_kind"].items():
         if package in packages and kind != only:

@@ -228,6 +228,13 @@ def test_type_of_a_kind_that_its_package_lacks(kind, type_, says):
     assert text.endswith(f'<{kind} name="x">: type: {says}')
 
 
+@pytest.mark.parametrize("text", ["std_msgs/srv/String", "std_msgs/msg/Time"])
+def test_text_that_looks_like_a_type(text):
+    one = parameter("p", type_="string", value=text)
+    other = f'<publisher name="x" type="std_msgs/String" description="{text}"/>'
+    context("python_model", spec(node(one, other)))
+
+
 @pytest.mark.parametrize("model", MODELS)
 def test_numbers_of_dynamic_reconfigure(model):
     xml = spec(node(parameter("p", "dynParameter", "int", "3000000000")))
