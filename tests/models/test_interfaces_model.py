@@ -115,7 +115,7 @@ def test_every_field_is_in_the_readme(make):
     for row in (
         "| `points` | `geometry_msgs/Point[]` |  | Each in the frame of the sensor, in m |",
         "| `success` | `bool` | false | Whether the node could use it |",
-        "| `UNTIL_CANCELED` | float64 | 0.0 | A duration without an end |",
+        "| `UNTIL_CANCELED` | `float64` | 0.0 | A duration without an end |",
     ):
         assert f"\n{row}\n" in readme
     assert "#include <contact_msgs/msg/point_array.hpp>" in readme
