@@ -1,19 +1,19 @@
 """The bridge from Copier to the hook: the context of a spec, and filters for the templates.
 
 Copier renders a package several times in one update, each time with the template of one
-version. So an instance of the extension belongs to one of these versions: it loads the hook of
-its own template, and nothing is kept in a module.
+version. So an instance of the extension belongs to one of these versions, and has the hook of its
+own template. This module keeps nothing.
 """
 
 from __future__ import annotations
 
 import functools
+import hashlib
 import importlib
 import importlib.util
 import os
 import sys
 import tempfile
-import uuid
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
@@ -36,7 +36,6 @@ class SpecExtension(Extension):
         self.specs: dict[Path, bytes] = {}
         self.update: Any = None
         self.report: Any = None
-        self.renders: dict[str, Any] = {}
         for function in (
             self.ros_distros,
             self.check_answers,
@@ -185,7 +184,6 @@ class SpecExtension(Extension):
             answers.get("_commit"),
             package.folder.name,
             package.answers_file,
-            self.renders,
         )
 
     def _check_update(self, context: Context, values: dict[str, Any], shown: str) -> None:
@@ -263,15 +261,26 @@ class SpecExtension(Extension):
 
 
 def _load_hooks(root: Path) -> ModuleType:
-    """Load the template's own `hooks` under a name of its own, beside other versions."""
+    """Load the template's own `hooks` beside other versions, each once: its name is its content."""
     folder = root / "hooks"
+    name = f"hooks_{_digest(folder)}"
     spec = importlib.util.spec_from_file_location(
-        f"hooks_{uuid.uuid4().hex}",
-        folder / "__init__.py",
-        submodule_search_locations=[str(folder)],
+        name, folder / "__init__.py", submodule_search_locations=[str(folder)]
     )
     assert spec
     assert spec.loader
-    package = sys.modules[spec.name] = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(package)
-    return package
+    if name not in sys.modules:
+        sys.modules[name] = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(sys.modules[name])
+    # The folder that it was loaded from is gone when the render that did so has ended.
+    for package in ("", ".merge"):
+        if name + package in sys.modules:
+            sys.modules[name + package].__path__ = [str(folder / package.strip("."))]
+    return sys.modules[name]
+
+
+def _digest(folder: Path) -> str:
+    digest = hashlib.sha1()
+    for file in sorted(path for path in folder.rglob("*") if path.suffix in (".py", ".yaml")):
+        digest.update(f"{file.relative_to(folder)}\n".encode() + file.read_bytes())
+    return digest.hexdigest()

@@ -1,13 +1,27 @@
-"""Read the tables that stand beside the hook."""
+"""Read YAML: that of others, and the tables that stand beside the hook."""
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Any
 
 import yaml
 
+_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # in C where PyYAML has it: 8 times as fast
+
+
+def load_yaml(text: str | bytes) -> Any:
+    """Return the content of a YAML text.
+
+    Raises:
+        yaml.YAMLError: it is not YAML.
+
+    """
+    return yaml.load(text, _LOADER)
+
 
 def load_data(name: str) -> Any:
-    """Return the content of a YAML file of this folder."""
-    return yaml.safe_load((Path(__file__).parent / name).read_text(encoding="utf-8"))
+    """Return the content of a YAML file of this folder, wherever the package is now."""
+    folder = sys.modules[str(__package__)].__path__[0]
+    return load_yaml((Path(folder) / name).read_text(encoding="utf-8"))

@@ -14,6 +14,7 @@ from typing import Any
 import yaml
 
 from .collisions import Scope
+from .data import load_yaml
 from .faults import SpecError, allowed
 from .formats import FORMATS
 
@@ -190,7 +191,7 @@ def _added(first: Any, second: Any) -> Any:
 
 def _mapping(file: Path) -> dict[str, Any]:
     try:
-        content = yaml.safe_load(file.read_text(encoding="utf-8"))
+        content = load_yaml(file.read_text(encoding="utf-8"))
     except FileNotFoundError:
         raise SpecError(f"{file}: no such file; a model needs it") from None
     except yaml.YAMLError as error:

@@ -13,9 +13,8 @@ from datetime import date
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from . import faults, formats
+from .data import load_yaml
 from .faults import SpecError
 
 SUFFIX = ".ros_package"
@@ -68,7 +67,7 @@ class Package:
     def answers(self) -> dict[str, Any]:
         """Return the answers that Copier has recorded; none for a new package."""
         file = self.folder / self.answers_file
-        found = yaml.safe_load(file.read_bytes()) if file.is_file() else None
+        found = load_yaml(file.read_bytes()) if file.is_file() else None
         return found if isinstance(found, dict) else {}
 
     def _remedy(self) -> str:

@@ -12,6 +12,7 @@ from typing import Any
 
 import yaml
 
+from ..data import load_yaml
 from ..dictionary import PACKAGE, Dictionary
 from ..faults import SpecError
 
@@ -37,7 +38,7 @@ def _moved(file: Path, names: list[dict[str, str]]) -> dict[str, str]:
     if not file.exists():
         return {}
     try:
-        content = yaml.safe_load(file.read_text(encoding="utf-8")) or {}
+        content = load_yaml(file.read_text(encoding="utf-8")) or {}
         return {
             str(old).format_map(name): str(new).format_map(name)
             for new, old in content.items()

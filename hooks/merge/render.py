@@ -8,13 +8,12 @@ import os
 import shutil
 import tempfile
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import copier
-import yaml
-
+from ..data import load_yaml
 from .git import committed
 from .tree import Tree, read_folder
 
@@ -26,6 +25,15 @@ class Render:
     tree: Tree
     is_kept: Callable[[str], bool]
     """Says of a path whether it is the developer's: written once, never again."""
+
+
+_known: dict[str, Render] = {}
+"""What an update has rendered: it asks for the same render before and after Copier's own work."""
+
+
+def forget() -> None:
+    """Forget what has been rendered, when an update begins and ends."""
+    _known.clear()
 
 
 @dataclass(frozen=True)
@@ -41,8 +49,6 @@ class Renderer:
     commit: str
     name: str
     answers_file: str
-    known: dict[str, Render] = field(default_factory=dict, repr=False, compare=False)
-    """What has been rendered: one update asks for the same renders several times."""
 
     def fresh(self, answers: Mapping[str, Any]) -> Render:
         """Render with the template of now.
@@ -51,7 +57,8 @@ class Renderer:
             copier.errors.CopierError: the template or the answers have a fault.
 
         """
-        return self._once("", answers, self._render_copy)
+        version = f"{self.url} {self.commit}" if self.commit else str(self.folder)
+        return self._once(version, answers, self._render_copy)
 
     def _once(
         self,
@@ -59,10 +66,11 @@ class Renderer:
         answers: Mapping[str, Any],
         render: Callable[[Mapping[str, Any]], Render],
     ) -> Render:
-        key = json.dumps([version, answers], sort_keys=True, default=str)
-        if key not in self.known:
-            self.known[key] = render(answers)
-        return self.known[key]
+        about = [version, self.name, self.answers_file, answers]
+        key = json.dumps(about, sort_keys=True, default=str)
+        if key not in _known:
+            _known[key] = render(answers)
+        return _known[key]
 
     def _render_copy(self, answers: Mapping[str, Any]) -> Render:
         with tempfile.TemporaryDirectory(prefix="template.") as folder:
@@ -120,5 +128,5 @@ def _without_git(_: str, names: list[str]) -> list[str]:
 
 def recorded_answers(package: Path, answers_file: str) -> dict[str, Any]:
     """Return the answers of the last commit."""
-    answers = yaml.safe_load(committed(package, answers_file))
+    answers = load_yaml(committed(package, answers_file))
     return answers if isinstance(answers, dict) else {}

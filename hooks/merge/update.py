@@ -12,7 +12,7 @@ from ..faults import SpecError
 from .package import merge_package
 from .proof import places, prove, uses
 from .renaming import plan_renames
-from .render import Renderer, recorded_answers
+from .render import Renderer, forget, recorded_answers
 from .report import Report, report
 from .transaction import Guard, Snapshot, take
 from .tree import read_paths
@@ -23,6 +23,7 @@ class Update:
 
     def __init__(self, package: Path, answers_file: str) -> None:
         """Take the snapshot; whatever fails from now on brings it back."""
+        forget()
         self.package, self.answers_file = package, answers_file
         self.snapshot: Snapshot = take(package)
         self.guard = Guard(self.snapshot)
@@ -54,6 +55,8 @@ class Update:
         except BaseException:
             self.guard.undo()
             raise
+        finally:
+            forget()
         self.guard.release()
         return said
 

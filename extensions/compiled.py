@@ -1,0 +1,82 @@
+"""Templates compiled once: their byte code lasts from one render, or one command, to the next."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import hashlib
+from importlib.metadata import version
+from pathlib import Path
+from types import CodeType
+from typing import Any
+
+from jinja2 import Environment, FileSystemBytecodeCache
+from jinja2.bccache import Bucket
+from jinja2.ext import Extension
+
+_LIBRARIES = ("copier", "jinja2", "jinja2-ansible-filters")
+
+
+class CompiledExtension(Extension):
+    """Keep compiled templates in the folder where Jinja keeps them: by default, a temporary one.
+
+    An update renders a package several times, and each render has an environment of its own.
+    """
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        # Jinja refuses a temporary folder that others could write to.
+        with contextlib.suppress(OSError, RuntimeError):
+            root = Path(environment.loader.searchpath[0])  # type: ignore[union-attr]
+            cache = environment.bytecode_cache = _Cache(_version(root))
+            compiler = functools.partial(_compile, environment, cache, environment.compile)
+            environment.compile = compiler  # type: ignore[method-assign]
+
+
+class _Cache(FileSystemBytecodeCache):
+    """Tells templates apart by their name and version, since their folder is another each time."""
+
+    def __init__(self, version: str) -> None:
+        super().__init__()
+        self.version = version
+
+    def get_cache_key(self, name: str, filename: str | None = None) -> str:
+        return super().get_cache_key(f"{self.version} {name}")
+
+    def dump_bytecode(self, bucket: Bucket) -> None:
+        with contextlib.suppress(OSError):  # a full disk
+            super().dump_bytecode(bucket)
+
+
+def _compile(
+    environment: Environment,
+    cache: _Cache,
+    compiler: Any,
+    source: Any,
+    name: str | None = None,
+    *options: Any,
+    **named: Any,
+) -> CodeType:
+    """Compile a template; one without a file, which no loader looks up, by its text."""
+    if name is not None or not isinstance(source, str):
+        return compiler(source, name, *options, **named)
+    bucket = cache.get_bucket(environment, source, None, source)
+    if bucket.code is None:
+        bucket.code = compiler(source, None, *options, **named)
+        cache.set_bucket(bucket)
+    else:
+        # Copier (9.19) forgets the `yield` of the text before when it preprocesses the next one.
+        environment.preprocess(source)
+    return bucket.code
+
+
+def _version(root: Path) -> str:
+    """Return what stands for all that compiled templates depend on but their texts.
+
+    Jinja calls a filter while compiling where all that it is given is constant.
+    """
+    digest = hashlib.sha1(" ".join(map(version, _LIBRARIES)).encode())
+    for pattern in ("*.py", "*.yaml", "*.yml"):
+        for file in sorted({*root.glob(pattern), *root.glob(f"*/{pattern}")}):
+            digest.update(file.read_bytes())
+    return digest.hexdigest()
