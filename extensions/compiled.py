@@ -39,6 +39,7 @@ class _Cache(FileSystemBytecodeCache):
     def __init__(self, version: str) -> None:
         super().__init__()
         self.version = version
+        self.texts: dict[str, CodeType] = {}
 
     def get_cache_key(self, name: str, filename: str | None = None) -> str:
         return super().get_cache_key(f"{self.version} {name}")
@@ -60,14 +61,15 @@ def _compile(
     """Compile a template; one without a file, which no loader looks up, by its text."""
     if name is not None or not isinstance(source, str):
         return compiler(source, name, *options, **named)
-    bucket = cache.get_bucket(environment, source, None, source)
-    if bucket.code is None:
-        bucket.code = compiler(source, None, *options, **named)
-        cache.set_bucket(bucket)
-    else:
-        # Copier (9.19) forgets the `yield` of the text before when it preprocesses the next one.
-        environment.preprocess(source)
-    return bucket.code
+    # Copier (9.19) forgets the `yield` of the text before when it preprocesses the next one.
+    environment.preprocess(source)
+    if source not in cache.texts:
+        bucket = cache.get_bucket(environment, source, None, source)
+        if bucket.code is None:
+            bucket.code = compiler(source, None, *options, **named)
+            cache.set_bucket(bucket)
+        cache.texts[source] = bucket.code
+    return cache.texts[source]
 
 
 def _version(root: Path) -> str:
