@@ -3,6 +3,8 @@
     python scripts/accept.py            # writes examples/<spec>/<model>/<ROS>
     python scripts/accept.py --check    # changes nothing; shows what would change, and fails
 
+The packages of two specs are shown whole, for both ROS. The other specs would repeat most of
+their files, so of their packages only what all_kinds lacks is shown, for ROS 2 and without tests.
 A package is made as from the published model, but for the version, which its answers leave out.
 """
 
@@ -20,8 +22,12 @@ import copier
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "examples"
-DISTROS = ("noetic", "kilted")
 PACKAGES = "*/*_model/*"
+REFERENCE = "all_kinds"
+WHOLE = (REFERENCE, "contact_msgs")
+# A package in two languages has the files of a package in either, but builds them in its own way.
+LANGUAGES = {"mixed_model": ("python_model", "cpp_model")}
+BUILD = {"mixed_model": "CMakeLists.txt"}
 
 
 def models(spec: Path) -> tuple[str, ...]:
@@ -32,15 +38,32 @@ def models(spec: Path) -> tuple[str, ...]:
     return ("mixed_model",) if is_mixed else ("python_model", "cpp_model")
 
 
+def distros(spec: Path) -> tuple[str, ...]:
+    """Return the ROS that the packages of a spec are shown for."""
+    return ("noetic", "kilted") if spec.stem in WHOLE else ("kilted",)
+
+
+def is_shown(name: Path, made: Path) -> bool:
+    """Tell whether a file, named from the folder of all packages `made`, is to be in examples/."""
+    spec, model, distro, *parts = name.parts
+    path = "/".join(parts)
+    if spec in WHOLE or path == BUILD.get(model):
+        return True
+    same = path.replace(spec, REFERENCE)
+    languages = LANGUAGES.get(model, (model,))
+    known = any((made / REFERENCE / each / distro / same).exists() for each in languages)
+    return parts[0] != "test" and not known
+
+
 def render(target: Path) -> None:
-    """Make every package of the examples below `target`."""
+    """Make every package below `target`, whole."""
     with tempfile.TemporaryDirectory() as folder:
         for spec in sorted(EXAMPLES.glob("*.ros_package")):
             for model in models(spec):
                 source = Path(folder) / model
                 if not source.exists():
                     publish(model, source)
-                for distro in DISTROS:
+                for distro in distros(spec):
                     make(source, spec, distro, target / spec.stem / model / distro)
 
 
@@ -67,17 +90,26 @@ def make(source: Path, spec: Path, distro: str, package: Path) -> None:
     answers.write_text(re.sub(r"^_src_path: .*$", address, text, flags=re.M), encoding="utf-8")
 
 
-def accept(made: Path) -> None:
-    """Put the packages below `made` in the place of those in examples/."""
+def show(made: Path, target: Path) -> None:
+    """Copy what is shown of the packages below `made`."""
+    for file in made.rglob("*"):
+        name = file.relative_to(made)
+        if file.is_file() and is_shown(name, made):
+            (target / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(file, target / name)
+
+
+def accept(shown: Path) -> None:
+    """Put the packages below `shown` in the place of those in examples/."""
     for old in EXAMPLES.glob(PACKAGES):
         shutil.rmtree(old)
-    shutil.copytree(made, EXAMPLES, dirs_exist_ok=True)
+    shutil.copytree(shown, EXAMPLES, dirs_exist_ok=True)
 
 
-def differences(made: Path) -> list[str]:
-    """Return the lines of a diff from examples/ to the packages below `made`."""
+def differences(shown: Path) -> list[str]:
+    """Return the lines of a diff from examples/ to the packages below `shown`."""
     lines: list[str] = []
-    old, new = files(EXAMPLES), files(made)
+    old, new = files(EXAMPLES), files(shown)
     for name in sorted({*old, *new}):
         before, after = old.get(name), new.get(name)
         if before != after:
@@ -109,11 +141,12 @@ def main() -> int:
     parser.add_argument("--check", action="store_true", help="show what would change, and fail")
     check = parser.parse_args().check
     with tempfile.TemporaryDirectory() as folder:
-        made = Path(folder)
+        made, shown = Path(folder, "made"), Path(folder, "shown")
         render(made)
-        lines = differences(made)
+        show(made, shown)
+        lines = differences(shown)
         if not check:
-            accept(made)
+            accept(shown)
     print("\n".join(lines[:2000]))
     print(f"{len(lines)} lines of differences" if lines else "examples/ is current")
     return 1 if check and lines else 0

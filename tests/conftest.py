@@ -164,12 +164,12 @@ def ros2():
 
 @pytest.fixture(scope="session")
 def put(collection):
-    """Put the package that stands beside a spec into a workspace; where none does, render it."""
+    """Put the package that stands whole beside a spec into a workspace; else render it."""
 
     def run(spec, model, distro, workspace):
         package = workspace / "src" / spec.stem
         shown = spec.with_suffix("") / model / distro
-        if shown.is_dir():
+        if (shown / ".copier-answers.yml").exists():  # which no part has
             shutil.copytree(shown, package)
         else:
             data = {"model": model, "spec_file": str(spec), "ros_distro": distro}

@@ -1,6 +1,6 @@
-"""The packages of examples/, built once a session for each ROS and model.
+"""The packages of the specs in examples/, built once a session for each ROS and model.
 
-They are built and tested as examples/ shows them, with a package of traps beside them; then their
+They are built and tested as the models make them, with a package of traps beside them; then their
 logic is filled in. Tests that need another state of a package make their own.
 """
 

@@ -22,7 +22,7 @@ def alone(language):
 
 
 def build(ros_, put, workspace):
-    """Build and test the package of examples/, fill in its logic, and build that."""
+    """Build and test the package as it is made, fill in its logic, and build that."""
     put(DRIVING, "mixed_model", ros_.distro, workspace)
     check_tests(ros_, workspace, ros_.build(workspace))
     git(workspace / "src/driving", "apply", str(DATA / "logic/driving.patch"))

@@ -13,10 +13,12 @@ def contents(folder):
 
 
 def test_packages_are_those_shown(put, model, tmp_path):
+    """All of a package that is shown whole; of another, the files that are shown."""
     for spec in EXAMPLES.glob("*.ros_package"):
-        made_by = MADE_BY.get(spec.stem, model)
-        for distro in ("noetic", "kilted"):
-            put(spec, made_by, distro, tmp_path / distro)
-            package = tmp_path / distro / "src" / spec.stem
-            shown = EXAMPLES / spec.stem / made_by / distro
-            assert contents(package) == contents(shown)
+        for shown in (EXAMPLES / spec.stem / MADE_BY.get(spec.stem, model)).iterdir():
+            put(spec, shown.parent.name, shown.name, tmp_path / shown.name)
+            package = contents(tmp_path / shown.name / "src" / spec.stem)
+            if (shown / ".copier-answers.yml").exists():
+                assert package == contents(shown)
+            else:
+                assert package.items() >= contents(shown).items()
