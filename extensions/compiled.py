@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import functools
 import hashlib
+from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
 from types import CodeType
@@ -29,8 +30,8 @@ class CompiledExtension(Extension):
         with contextlib.suppress(OSError, RuntimeError):
             root = Path(environment.loader.searchpath[0])  # type: ignore[union-attr]
             cache = environment.bytecode_cache = _Cache(_version(root))
-            compiler = functools.partial(_compile, environment, cache, environment.compile)
-            environment.compile = compiler  # type: ignore[method-assign]
+            compiled = functools.partial(_compile, environment, cache, environment.compile)
+            environment.compile = compiled  # type: ignore[assignment, method-assign]
 
 
 class _Cache(FileSystemBytecodeCache):
@@ -52,21 +53,20 @@ class _Cache(FileSystemBytecodeCache):
 def _compile(
     environment: Environment,
     cache: _Cache,
-    compiler: Any,
+    compiler: Callable[..., CodeType],
     source: Any,
     name: str | None = None,
     *options: Any,
-    **named: Any,
 ) -> CodeType:
     """Compile a template; one without a file, which no loader looks up, by its text."""
     if name is not None or not isinstance(source, str):
-        return compiler(source, name, *options, **named)
+        return compiler(source, name, *options)
     # Copier (9.19) forgets the `yield` of the text before when it preprocesses the next one.
     environment.preprocess(source)
     if source not in cache.texts:
         bucket = cache.get_bucket(environment, source, None, source)
         if bucket.code is None:
-            bucket.code = compiler(source, None, *options, **named)
+            bucket.code = compiler(source, None, *options)
             cache.set_bucket(bucket)
         cache.texts[source] = bucket.code
     return cache.texts[source]

@@ -261,7 +261,7 @@ class SpecExtension(Extension):
 
 
 def _load_hooks(root: Path) -> ModuleType:
-    """Load the template's own `hooks` beside other versions, each once: its name is its content."""
+    """Load the template's own `hooks` beside other versions, each once: its content names it."""
     folder = root / "hooks"
     name = f"hooks_{_digest(folder)}"
     spec = importlib.util.spec_from_file_location(

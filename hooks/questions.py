@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import yaml
 
+from .data import LOADER
 from .faults import SpecError, allowed, first_of, quoted, shown
 
 
@@ -58,7 +58,6 @@ def _choices(question: Any) -> list[str]:
     return list(map(str, found))
 
 
-@functools.cache
 def questions(root: Path) -> dict[str, Any]:
     """Return the questions of a template by name, in their order."""
     documents = [
@@ -82,7 +81,7 @@ def _is_asked(question: Any) -> bool:
 def _documents(file: Path, root: Path) -> Iterator[dict[str, Any]]:
     """Yield the mappings of a YAML file; a document may be `!include` and other files."""
 
-    class Loader(yaml.SafeLoader):
+    class Loader(LOADER):  # type: ignore[misc, valid-type]
         pass
 
     def include(loader: yaml.SafeLoader, files: yaml.ScalarNode) -> list[dict[str, Any]]:

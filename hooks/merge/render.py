@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import copier
+
 from ..data import load_yaml
 from .git import committed
 from .tree import Tree, read_folder
