@@ -11,7 +11,7 @@ from hypothesis import settings
 
 from support import ros
 from support.packages import DATA
-from support.repository import EXAMPLES, GIT, bare_repository, commit, copy_collection, git
+from support.repository import EXAMPLES, GIT, commit, copy_collection, git, publish
 
 settings.register_profile("any machine", deadline=None)
 settings.load_profile("any machine")
@@ -59,22 +59,20 @@ def own_collection(collection, tmp_path):
     return shutil.copytree(collection, tmp_path / "own_collection", symlinks=True)
 
 
+@pytest.fixture(scope="session")
+def published(collection, tmp_path_factory):
+    """The folder of all models of the collection, each published as a repository of its own."""
+    return publish(collection, tmp_path_factory.mktemp("github") / "org")
+
+
 @pytest.fixture
-def github(own_collection, tmp_path):
+def github(own_collection, published, tmp_path):
     """Stand in for GitHub, at `org`: a collection, what publishes it, and the way there."""
     host = tmp_path / "github"
-
-    def publish():
-        for file in own_collection.glob("*_model/copier.yml"):
-            bare = bare_repository(host / "org" / f"{file.parent.name}.git")
-            script = own_collection / "scripts/publish.py"
-            command = [sys.executable, script, file.parent.name, bare]
-            subprocess.run(command, cwd=own_collection, check=True, capture_output=True)
-
-    publish()
+    shutil.copytree(published, host / "org")
     return (
         own_collection,
-        publish,
+        lambda: publish(own_collection, host / "org"),
         {
             "GIT_CONFIG_COUNT": "1",
             "GIT_CONFIG_KEY_0": f"url.file://{host}/.insteadOf",
@@ -83,41 +81,52 @@ def github(own_collection, tmp_path):
     )
 
 
-@pytest.fixture
-def render(collection, tmp_path):
-    """Render a package from a spec, given as a file or as XML, and commit it to git."""
+@pytest.fixture(scope="session")
+def make(published, tmp_path_factory):
+    """Make a package in a folder from a spec; of the same spec and data it is made only once."""
+    made = {}
 
-    def make(
-        spec=None,
-        *,
-        template=collection,
-        vcs_ref=None,
-        model="python_model",
-        name="package",
-        **data,
-    ):
+    def run(folder, spec, *, model="python_model", **data):
+        data = {"ros_distro": "kilted", **data}
+        key = (spec.read_bytes(), model, *sorted(data.items()))
+        if key not in made:
+            made[key] = tmp_path_factory.mktemp("made") / "package"
+            copy(published / f"{model}.git", made[key], spec_file=str(spec), **data)
+        shutil.copytree(made[key], folder, dirs_exist_ok=True)
+
+    return run
+
+
+def copy(template, folder, vcs_ref=None, **data):
+    options = {"defaults": True, "unsafe": True, "quiet": True}
+    copier.run_copy(str(template), folder, data=data, vcs_ref=vcs_ref, **options)
+
+
+@pytest.fixture
+def render(make, published, tmp_path):
+    """Render a package from a spec, given as a file or as XML, and commit it to git.
+
+    A `template` is a collection; without one, the model is that of a repository of its own.
+    """
+
+    def run(spec=None, *, template=None, vcs_ref=None, name="package", **data):
         folder = tmp_path / name
         if isinstance(spec, str):
             file = tmp_path / "specs" / f"{folder.name}.xml"
             file.parent.mkdir(exist_ok=True)
             file.write_text(spec, encoding="utf-8")
             spec = file
-        if spec is not None:
-            data["spec_file"] = str(spec)
-        data = {"model": model, "ros_distro": "kilted", **data}
-        copier.run_copy(
-            str(template),
-            folder,
-            data=data,
-            vcs_ref=vcs_ref,
-            defaults=True,
-            unsafe=True,
-            quiet=True,
-        )
+        data = {"model": "python_model", "ros_distro": "kilted", **data}
+        if spec is not None and template is None:
+            make(folder, spec, **data)
+        else:
+            data |= {"spec_file": str(spec)} if spec else {}
+            template = template or published / f"{data.pop('model')}.git"
+            copy(template, folder, vcs_ref, **data)
         commit(folder, "Render")
         return folder
 
-    return make
+    return run
 
 
 @pytest.fixture
@@ -163,7 +172,7 @@ def ros2():
 
 
 @pytest.fixture(scope="session")
-def put(collection):
+def put(make):
     """Put the package that stands whole beside a spec into a workspace; else render it."""
 
     def run(spec, model, distro, workspace):
@@ -172,9 +181,7 @@ def put(collection):
         if (shown / ".copier-answers.yml").exists():  # which no part has
             shutil.copytree(shown, package)
         else:
-            data = {"model": model, "spec_file": str(spec), "ros_distro": distro}
-            options = {"defaults": True, "unsafe": True, "quiet": True}
-            copier.run_copy(str(collection), package, data=data, **options)
+            make(package, spec, model=model, ros_distro=distro)
 
     return run
 

@@ -31,21 +31,21 @@ def _ros2():
 
 
 @pytest.fixture(scope="session", params=VARIANTS)
-def variant(request, collection, tmp_path_factory):
+def variant(request, make, tmp_path_factory):
     """Each model in each ROS, built; all tests of one come together."""
     model, version = request.param
     ros_, underlay = request.getfixturevalue(f"_ros{version}")
     if (model, version) == ("cpp_model", 2) and not ros.has_package(ros_, "rclcpp"):
         pytest.skip("rclcpp is not installed: C++ in ROS 2 is not held to the contract here")
     workspace = tmp_path_factory.mktemp(f"contract_{model}_{version}")
-    return Variant(model, ros_, collection, workspace, underlay)
+    return Variant(model, ros_, make, workspace, underlay)
 
 
 @pytest.fixture(scope="session")
-def humble(_ros2, collection, tmp_path_factory):
+def humble(_ros2, make, tmp_path_factory):
     """The package in Python as it is for Humble, in the ROS 2 that is there."""
     ros_ = dataclasses.replace(_ros2[0], distro="humble")
-    return Variant("python_model", ros_, collection, tmp_path_factory.mktemp("humble"))
+    return Variant("python_model", ros_, make, tmp_path_factory.mktemp("humble"))
 
 
 @pytest.fixture(scope="session")

@@ -12,8 +12,6 @@ import time
 from concurrent.futures import Future
 from pathlib import Path
 
-import copier
-
 from support import ros
 from support.packages import without_tf
 
@@ -52,14 +50,14 @@ def wait_for(condition, what, timeout=TIMEOUT):
 class Variant:
     """A model in a ROS: the package of the contract, built."""
 
-    def __init__(self, model, ros_, collection, workspace, underlay=None):
+    def __init__(self, model, ros_, make, workspace, underlay=None):
         self.model = model
         self.ros = ros_
         self.is_ros2 = ros_.environment["ROS_VERSION"] == "2"
         self.is_python = model == "python_model"
         self.has_tf = ros.has(ros_, "tf2_ros")
         self.workspace = workspace
-        self._render(collection)
+        self._render(make)
         option = "--cmake-args -DBUILD_TESTING=OFF" if self.is_ros2 else ""
         ros_.run(f"{ros_.build_command} {option}", workspace, underlay, timeout=1800)
         printed = subprocess.run(
@@ -71,15 +69,13 @@ class Variant:
         ).stdout
         self.environment = dict(item.split("=", 1) for item in printed.split("\0") if item)
 
-    def _render(self, collection):
+    def _render(self, make):
         """Render the package, with the logic of the tests in place of the empty one."""
         spec = (CONTRACT / "contract.ros_package").read_text()
         file = self.workspace / "contract.ros_package"
         file.write_text(spec if self.has_tf else without_tf(spec))
         package = self.workspace / "src/contract"
-        data = {"model": self.model, "spec_file": str(file), "ros_distro": self.ros.distro}
-        options = {"defaults": True, "unsafe": True, "quiet": True}
-        copier.run_copy(str(collection), package, data=data, **options)
+        make(package, file, model=self.model, ros_distro=self.ros.distro)
         folders = {".py": "contract", ".hpp": "include/contract", ".cpp": "src"}
         for source in (CONTRACT / "logic").glob("*.py" if self.is_python else "*.[hc]pp"):
             shutil.copy(source, package / folders[source.suffix])

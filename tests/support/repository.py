@@ -3,6 +3,7 @@
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -38,6 +39,15 @@ def commit(folder, message="A change", tag=None):
     git(folder, "commit", "-q", "--allow-empty", "-m", message)
     if tag:
         git(folder, "tag", tag)
+
+
+def publish(collection, host):
+    """Publish every model of a collection in a folder of bare repositories, and return it."""
+    for file in collection.glob("*_model/copier.yml"):
+        bare = bare_repository(host / f"{file.parent.name}.git")
+        command = [sys.executable, collection / "scripts/publish.py", file.parent.name, bare]
+        subprocess.run(command, cwd=collection, check=True, capture_output=True)
+    return host
 
 
 def git_top(folder):
