@@ -34,6 +34,7 @@ class SpecExtension(Extension):
         self.hooks = _load_hooks(self.root)
         self.models: dict[Path, Any] = {}
         self.specs: dict[Path, bytes] = {}
+        self.contexts: dict[tuple[Path, bytes, str], dict[str, Any]] = {}
         self.update: Any = None
         self.report: Any = None
         for function in (
@@ -90,10 +91,13 @@ class SpecExtension(Extension):
         self._register(model.functions)
         xml, shown = self._spec(context, spec_file)
         self.specs[package.folder] = xml
-        values = dict(model.context(xml, shown, str(context["ros_distro"])))
-        package.check_file_name(model.name(values))
-        self._check_update(context, values, shown)
-        return values
+        key = (package.folder, xml, str(context["ros_distro"]))
+        if key not in self.contexts:  # Copier asks again when the recorded one is not valid
+            values = dict(model.context(xml, shown, str(context["ros_distro"])))
+            package.check_file_name(model.name(values))
+            self._check_update(context, values, shown)
+            self.contexts[key] = values
+        return self.contexts[key]
 
     def spec_changed(self, context: Context, spec_file: str, spec: Any) -> str:
         """Say "changed" when the spec in the package no longer gives the recorded `spec`.
