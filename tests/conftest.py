@@ -1,9 +1,13 @@
 """The fixtures of all tests: the collection, rendering, updating, and ROS."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
+import tempfile
+from collections import Counter
+from pathlib import Path
 
 import copier
 import pytest
@@ -16,9 +20,29 @@ from support.repository import EXAMPLES, GIT, commit, copy_collection, git, publ
 settings.register_profile("any machine", deadline=None)
 settings.load_profile("any machine")
 
+ROOM = 8e9  # bytes
 LONGEST = """
   test_contract test_ros1 test_models test_mutants test_update test_ros2 test_mixed test_lab
 """.split()
+
+
+def pytest_configure():
+    """Work in memory where there is room: git and builds write many small files."""
+    memory = Path("/dev/shm")
+    if memory.is_dir() and shutil.disk_usage(memory).free > ROOM:
+        os.environ.setdefault("TMPDIR", str(memory))
+        tempfile.tempdir = None
+
+
+def pytest_terminal_summary(terminalreporter):
+    """Say what was skipped, and why, in a line for each cause."""
+    skipped = terminalreporter.stats.get("skipped", [])
+    causes = Counter(re.split("[:;]", report.longrepr[2][9:])[0] for report in skipped)
+    *most, last = causes.most_common(4) + [("for other causes", len(skipped))]
+    for cause, count in most:
+        terminalreporter.write_line(f"{count} skipped: {cause}")
+    if rest := last[1] - sum(count for _, count in most):
+        terminalreporter.write_line(f"{rest} skipped {last[0]} (pytest -rs names them)")
 
 
 def pytest_collection_modifyitems(items):

@@ -1,0 +1,93 @@
+"""What takes time is done once: renders, compiled templates. Never with another version's."""
+
+import os
+import tempfile
+
+import copier
+import jinja2.environment
+import pytest
+from jinja2.nodes import Template
+
+from support.arm import SPEC
+from support.repository import commit
+
+CHANGES = {
+    "nothing": (SPEC, 1),
+    "an interface": (SPEC.replace('name="stop"', 'name="halt"'), 2),
+    "a rename": (SPEC.replace('<node name="reach"', '<node name="grasp" was="reach"'), 3),
+}
+
+
+@pytest.mark.parametrize(("spec", "expected"), CHANGES.values(), ids=CHANGES)
+def test_renders_of_an_update(arm, update, monkeypatch, spec, expected):
+    """Besides Copier's own: as it was, as it is to be, and with the marks of a rename."""
+    (arm / "arm.ros_package").write_text(spec)
+    commit(arm, "Change the spec")
+    made = []
+    copy = copier.run_copy
+    monkeypatch.setattr(copier, "run_copy", lambda *a, **b: made.append(a) or copy(*a, **b))
+    update(arm)
+    assert len(made) == expected
+
+
+@pytest.fixture
+def compiled(monkeypatch, tmp_path):
+    """Return the templates that Jinja compiles, beginning with an empty cache."""
+    (tmp_path / "temporary").mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "temporary"))
+    templates = []
+    generate = jinja2.environment.generate
+
+    def count(node, *more, **options):
+        if isinstance(node, Template):  # Copier renders what is no text, too, and takes the fault
+            templates.append(more[1] or node)
+        return generate(node, *more, **options)
+
+    monkeypatch.setattr(jinja2.environment, "generate", count)
+    return templates
+
+
+@pytest.fixture
+def package(own_collection, render):
+    """Return a package with a text that Jinja computes while it compiles the template."""
+    change_greeting(own_collection, "hello")
+    template = own_collection / "python_model/template/GREETING.md.jinja"
+    template.write_text("{{ 'you' | greeting }}\n")
+    commit(own_collection, "Greet", tag="1.1.0")
+    return render(SPEC, template=own_collection, name="arm")
+
+
+def change_greeting(collection, word):
+    file = collection / "python_model/functions.py"
+    text = file.read_text().partition("\n\ndef greeting")[0]
+    file.write_text(f"{text}\n\ndef greeting(name):\n    return f'{word} {{name}}'\n")
+
+
+def test_templates_are_compiled_once(compiled, package, own_collection, render, update):
+    assert compiled
+    compiled.clear()
+    render(SPEC, template=own_collection, name="again")
+    update(package)
+    assert compiled == []
+
+
+def test_what_was_compiled_is_of_its_version(compiled, package, own_collection, update):
+    assert (package / "GREETING.md").read_text() == "hello you\n"
+    change_greeting(own_collection, "goodbye")
+    commit(own_collection, "Say goodbye", tag="2.0.0")
+    update(package)
+    assert (package / "GREETING.md").read_text() == "goodbye you\n"
+
+
+def test_folder_that_jinja_refuses(compiled, package, own_collection, render):
+    """Where it cannot keep what it compiled, a package is made all the same."""
+    for folder in (package.parent / "temporary").glob("_jinja2-cache-*"):
+        for file in folder.iterdir():
+            file.unlink()
+        folder.rmdir()
+        folder.write_text("no folder")
+    compiled.clear()
+    again = render(SPEC, template=own_collection, name="again")
+    assert (again / "arm/reach_impl.py").exists()
+    assert compiled
+    assert os.listdir(again) == os.listdir(package)
