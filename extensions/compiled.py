@@ -45,6 +45,14 @@ class _Cache(FileSystemBytecodeCache):
     def get_cache_key(self, name: str, filename: str | None = None) -> str:
         return super().get_cache_key(f"{self.version} {name}")
 
+    def get_bucket(
+        self, environment: Environment, name: str, filename: str | None, source: str
+    ) -> Bucket:
+        bucket = super().get_bucket(environment, name, filename, source)
+        if bucket.code and filename:
+            bucket.code = _located(bucket.code, filename)
+        return bucket
+
     def dump_bytecode(self, bucket: Bucket) -> None:
         with contextlib.suppress(OSError):  # a full disk
             super().dump_bytecode(bucket)
@@ -70,6 +78,14 @@ def _compile(
             cache.set_bucket(bucket)
         cache.texts[source] = bucket.code
     return cache.texts[source]
+
+
+def _located(code: CodeType, filename: str) -> CodeType:
+    """Return code whose faults name this file, and not the one that it was compiled from."""
+    constants = (
+        _located(each, filename) if isinstance(each, CodeType) else each for each in code.co_consts
+    )
+    return code.replace(co_filename=filename, co_consts=tuple(constants))
 
 
 def _version(root: Path) -> str:

@@ -5,7 +5,6 @@ import xml.etree.ElementTree as ET
 
 import copier
 import copier._main
-import jinja2
 import pytest
 import yaml
 
@@ -18,18 +17,6 @@ EDIT = "# An edit of the developer"
 @pytest.fixture(scope="session")
 def source(tmp_path_factory):
     return model_checks.template(tmp_path_factory.mktemp("source") / "template")
-
-
-@pytest.fixture(scope="session")
-def compiled(tmp_path_factory):
-    return jinja2.FileSystemBytecodeCache(str(tmp_path_factory.mktemp("compiled")))
-
-
-@pytest.fixture(autouse=True)
-def _compile_once(compiled, monkeypatch):
-    """Compile each template for all renders, which is most of what one takes."""
-    cache = property(lambda _: compiled, lambda *_: None)
-    monkeypatch.setattr(jinja2.Environment, "bytecode_cache", cache, raising=False)
 
 
 @pytest.fixture
