@@ -185,16 +185,26 @@ class Model:
     def _accepted(self, elements, start=(), distro=None):
         """Return the elements that fit together, after those of `start`."""
         found = list(start)
+
+        def accept(items):
+            """Take all of the items, or what can be taken of each half of them."""
+            if self.context(self.spec([*found, *(named for named, _ in items)]), distro):
+                found.extend(named for named, _ in items)
+            elif len(items) > 1:
+                accept(items[: len(items) // 2])
+                accept(items[len(items) // 2 :])
+            elif self.context(self.spec([*found, items[0][1]]), distro):
+                found.append(items[0][1])
+
+        items = []
         for number, (owner, values) in enumerate(elements):
             names = {
                 name: f"{text}_{len(start)}_{number}"
                 for name, text in values.items()
                 if owner.attributes[name].unique and owner.kind
             }
-            for given in (values | names, values):
-                if self.context(self.spec([*found, (owner, given)]), distro):
-                    found.append((owner, given))
-                    break
+            items.append(((owner, values | names), (owner, values)))
+        accept(items)
         return found
 
 
