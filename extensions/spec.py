@@ -146,7 +146,7 @@ class SpecExtension(Extension):
         """Take the snapshot that a failing update brings back. Always false: there is no task."""
         if not context["_copier_conf"]["pretend"]:
             package = self._package(context)
-            self.update = self._merge("update").Update(package.folder, package.answers_file)
+            self.update = self._new_update(context, package)
         return False
 
     def finish_update(self, context: Context, spec: dict[str, Any]) -> bool:
@@ -164,8 +164,12 @@ class SpecExtension(Extension):
             return self.report
         with tempfile.TemporaryDirectory() as folder:
             clone = self._package(context).clone(Path(folder))
-            update = self._merge("update").Update(clone.folder, clone.answers_file)
+            update = self._new_update(context, clone)
             return self._finish(update, context, spec)
+
+    def _new_update(self, context: Context, package: Any) -> Any:
+        quiet = bool(context["_copier_conf"]["quiet"])
+        return self._merge("update").Update(package.folder, package.answers_file, quiet)
 
     def _finish(self, update: Any, context: Context, spec: dict[str, Any]) -> Any:
         return update.finish(

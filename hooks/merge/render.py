@@ -6,9 +6,12 @@ import contextlib
 import json
 import os
 import shutil
+import sys
 import tempfile
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -28,13 +31,38 @@ class Render:
     """Says of a path whether it is the developer's: written once, never again."""
 
 
-_known: dict[str, Render] = {}
-"""What an update has rendered: it asks for the same render before and after Copier's own work."""
+@dataclass
+class _Work:
+    """What an update has rendered: it asks for the same before and after Copier's own work."""
+
+    quiet: bool = True
+    known: dict[str, Render] = field(default_factory=dict)
+    taken: float = 0.0
+    """Seconds."""
+
+    @contextlib.contextmanager
+    def shown(self) -> Iterator[None]:
+        """Say on standard error that it renders, once all renders take longer than SILENT."""
+        start = time.monotonic()
+        line = f"Rendering the package for the merge ({len(self.known) + 1})"
+        say = threading.Timer(max(0.0, SILENT - self.taken), print, [line], {"file": sys.stderr})
+        if not self.quiet:
+            say.start()
+        try:
+            yield
+        finally:
+            say.cancel()
+            self.taken += time.monotonic() - start
 
 
-def forget() -> None:
+SILENT = 2.0  # s
+_work = _Work()
+
+
+def begin(quiet: bool = True) -> None:
     """Forget what has been rendered, when an update begins and ends."""
-    _known.clear()
+    global _work
+    _work = _Work(quiet)
 
 
 @dataclass(frozen=True)
@@ -69,9 +97,10 @@ class Renderer:
     ) -> Render:
         about = [version, self.name, self.answers_file, answers]
         key = json.dumps(about, sort_keys=True, default=str)
-        if key not in _known:
-            _known[key] = render(answers)
-        return _known[key]
+        if key not in _work.known:
+            with _work.shown():
+                _work.known[key] = render(answers)
+        return _work.known[key]
 
     def _render_copy(self, answers: Mapping[str, Any]) -> Render:
         with tempfile.TemporaryDirectory(prefix="template.") as folder:

@@ -12,7 +12,7 @@ from ..faults import SpecError
 from .package import merge_package
 from .proof import places, prove, uses
 from .renaming import plan_renames
-from .render import Renderer, forget, recorded_answers
+from .render import Renderer, begin, recorded_answers
 from .report import Report, report
 from .transaction import Guard, Snapshot, take
 from .tree import read_paths
@@ -21,9 +21,9 @@ from .tree import read_paths
 class Update:
     """One update, from before Copier's first write to the last line of its summary."""
 
-    def __init__(self, package: Path, answers_file: str) -> None:
+    def __init__(self, package: Path, answers_file: str, quiet: bool) -> None:
         """Take the snapshot; whatever fails from now on brings it back."""
-        forget()
+        begin(quiet)
         self.package, self.answers_file = package, answers_file
         self.snapshot: Snapshot = take(package)
         self.guard = Guard(self.snapshot)
@@ -56,7 +56,7 @@ class Update:
             self.guard.undo()
             raise
         finally:
-            forget()
+            begin()
         self.guard.release()
         return said
 

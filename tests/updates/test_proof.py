@@ -46,7 +46,7 @@ def package(tmp_path):
 
 def finish(package):
     """Update as Copier would have us do, which has written by now."""
-    update = Update(package, "answers.yml")
+    update = Update(package, "answers.yml", quiet=True)
     (package / PATH).write_text("what Copier has merged\n")
     (package / "new.py").write_text("what Copier has added\n")
     renders = Renders({PATH: File(OLD.encode())}, {PATH: File(NEW.encode())})
@@ -109,7 +109,7 @@ def test_wrong_merge_is_undone(package, monkeypatch, fault):
 
 
 def test_package_comes_back_when_copier_fails(package):
-    update = Update(package, "answers.yml")
+    update = Update(package, "answers.yml", quiet=True)
     (package / PATH).write_text("half of it\n")
     (package / "new.py").write_text("what Copier has added\n")
     del update
@@ -119,7 +119,7 @@ def test_package_comes_back_when_copier_fails(package):
 
 
 def test_later_update_is_not_undone_by_an_earlier_one(package):
-    earlier = Update(package, "answers.yml")
+    earlier = Update(package, "answers.yml", quiet=True)
     finish(package)
     merged = (package / PATH).read_text()
     del earlier

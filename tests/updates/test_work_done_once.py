@@ -1,6 +1,7 @@
 """What takes time is done once: renders, compiled templates. Never with another version's."""
 
 import os
+import re
 import tempfile
 
 import copier
@@ -30,6 +31,25 @@ def test_renders_of_an_update(arm, update, monkeypatch, spec, expected):
     monkeypatch.setattr(copier, "run_copy", lambda *a, **b: made.append(a) or copy(*a, **b))
     update(arm)
     assert len(made) == expected
+
+
+@pytest.mark.parametrize(
+    ("seconds", "options", "lines"), [("0.0", (), 3), ("0.0", ("--quiet",), 0), ("1000.0", (), 0)]
+)
+def test_progress_of_an_update(arm, own_collection, copier_command, seconds, options, lines):
+    """Renders that take long are told one by one; others go by in silence, and all in --quiet."""
+    render = own_collection / "hooks/merge/render.py"
+    render.write_text(render.read_text().replace("SILENT = 2.0", f"SILENT = {seconds}"))
+    commit(own_collection, "Another patience", tag="1.1.0")
+    answers = arm / ".copier-answers.yml"
+    answers.write_text(
+        re.sub("_src_path: .*", f"_src_path: {own_collection}", answers.read_text())
+    )
+    (arm / "arm.ros_package").write_text(CHANGES["a rename"][0])
+    commit(arm, "Change the spec")
+    result = copier_command("update", "--trust", "--defaults", *options, cwd=arm)
+    assert result.returncode == 0, result.stderr
+    assert result.stderr.count("Rendering the package for the merge") == lines
 
 
 @pytest.fixture
