@@ -1,6 +1,6 @@
 # `make demo` and `make test` are the commands of the README, the others serve development. Each
 # sets up what it needs, once.
-.PHONY: demo picture test bench lab fuzz accept debian clean
+.PHONY: demo picture check test bench lab fuzz accept debian clean
 
 PYTHON ?= python3
 TOOLS := .venv/tools
@@ -14,12 +14,20 @@ picture: $(TOOLS)/ready $(ROS2)/ready
 	$(TOOLS)/bin/pip install --quiet --disable-pip-version-check rich
 	PYTHONPATH=tests $(TOOLS)/bin/python demo/record.py
 
+PYTEST = ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH= $(TOOLS)/bin/pytest --dist loadgroup --no-loadscope-reorder
+
+# What needs no ROS and no network: for each change, in minutes.
+check: $(TOOLS)/ready
+	$(TOOLS)/bin/ruff check .
+	$(TOOLS)/bin/ruff format --check .
+	$(TOOLS)/bin/mypy
+	$(PYTEST) --numprocesses auto -m "not ros1 and not ros2 and not network"
+
 test: $(TOOLS)/ready $(ROS2)/ready debian
 	$(TOOLS)/bin/ruff check .
 	$(TOOLS)/bin/ruff format --check .
 	$(TOOLS)/bin/mypy
-	ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH= $(TOOLS)/bin/pytest --numprocesses auto --dist loadfile \
-	  --no-loadscope-reorder --durations 20
+	$(PYTEST) --numprocesses $$(($$(nproc) * 2)) --durations 20
 
 # The packages that examples/ shows: rendered anew, for the diff to be reviewed.
 accept: $(TOOLS)/ready

@@ -21,6 +21,8 @@ settings.register_profile("any machine", deadline=None)
 settings.load_profile("any machine")
 
 ROOM = 8e9  # bytes
+NEEDS = {"ros1": "ros1", "ros2": "ros2", "network": "installers"}
+"""Marks, and the fixtures whose tests have them."""
 LONGEST = """
   test_contract test_ros1 test_models test_mutants test_update test_ros2 test_mixed test_lab
 """.split()
@@ -49,6 +51,10 @@ def pytest_collection_modifyitems(items):
     """Begin with the files that take minutes, so that no process is left with one at the end."""
     place = {name: number for number, name in enumerate(LONGEST)}
     items.sort(key=lambda item: place.get(item.path.stem, len(LONGEST)))
+    for item in items:
+        for need, fixture in NEEDS.items():
+            if any(re.match(rf"_?{fixture}(_|$)", name) for name in item.fixturenames):
+                item.add_marker(need)
 
 
 @pytest.fixture(scope="session", autouse=True)
