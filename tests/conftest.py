@@ -1,5 +1,6 @@
 """The fixtures of all tests: the collection, rendering, updating, and ROS."""
 
+import fcntl
 import os
 import shutil
 import subprocess
@@ -25,6 +26,9 @@ def pytest_collection_modifyitems(items):
     """Begin with the files that take minutes, so that no process is left with one at the end."""
     place = {name: number for number, name in enumerate(LONGEST)}
     items.sort(key=lambda item: place.get(item.path.stem, len(LONGEST)))
+    for item in items:  # a process gets a file whole, unless the tests say what belongs together
+        if not item.get_closest_marker("xdist_group"):
+            item.add_marker(pytest.mark.xdist_group(item.nodeid.partition("::")[0]))
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -45,6 +49,26 @@ def _clean_environment(tmp_path_factory):
         )
         patch.delenv("ROS_DISTRO", raising=False)
         yield
+
+
+@pytest.fixture(scope="session")
+def once(tmp_path_factory):
+    """Make a folder once in a run, in whichever of its processes needs it first."""
+    run = tmp_path_factory.getbasetemp()
+    run = run.parent if "PYTEST_XDIST_WORKER" in os.environ else run
+
+    def get(name, make):
+        folder, made = run / name, run / f"{name}.made"
+        with (run / f"{name}.lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if not made.exists():
+                shutil.rmtree(folder, ignore_errors=True)  # another process has failed to
+                folder.mkdir()
+                make(folder)
+                made.touch()
+        return folder
+
+    return get
 
 
 @pytest.fixture(scope="session")
@@ -187,11 +211,13 @@ def put(make):
 
 
 @pytest.fixture(scope="session")
-def ros1_interfaces(put, tmp_path_factory):
+def ros1_interfaces(put, once):
     """A workspace with the interfaces that ROS 1 lacks."""
     ros1 = ros.ros1() or pytest.skip(ros.NO_ROS1)
-    workspace = tmp_path_factory.mktemp("ros1_interfaces")
-    shutil.copytree(DATA / "test_msgs", workspace / "src/test_msgs")
-    put(EXAMPLES / "contact_msgs.ros_package", "interfaces_model", ros1.distro, workspace)
-    ros1.build(workspace)
-    return workspace
+
+    def build(workspace):
+        shutil.copytree(DATA / "test_msgs", workspace / "src/test_msgs")
+        put(EXAMPLES / "contact_msgs.ros_package", "interfaces_model", ros1.distro, workspace)
+        ros1.build(workspace)
+
+    return once("ros1_interfaces", build)

@@ -1,5 +1,6 @@
 """The package of the contract, built once for each variant, and a stage for each test."""
 
+import collections
 import dataclasses
 
 import pytest
@@ -15,6 +16,23 @@ VARIANTS = [
     for version, distro in ((2, "kilted"), (1, "noetic"))
     for model in MODELS
 ]
+PARTS = 4  # of a variant, whose tests wait more than they work
+
+
+def pytest_collection_modifyitems(items):
+    """Let several processes share the tests of a variant, each with a peer of its own.
+
+    The first parts come first, so that one process builds a variant while the others have others.
+    """
+    numbers = collections.Counter()
+    parts = {}
+    for item in items:
+        if "variant" in item.fixturenames:
+            variant = "{}-{}".format(*item.callspec.params["variant"])
+            parts[item] = numbers[variant] % PARTS
+            numbers[variant] += 1
+            item.add_marker(pytest.mark.xdist_group(f"{variant}-{parts[item]}"))
+    items.sort(key=lambda item: parts.get(item, 0))
 
 
 @pytest.fixture(scope="session")
@@ -31,21 +49,20 @@ def _ros2():
 
 
 @pytest.fixture(scope="session", params=VARIANTS)
-def variant(request, make, tmp_path_factory):
-    """Each model in each ROS, built; all tests of one come together."""
+def variant(request, make, once):
+    """Each model in each ROS, built."""
     model, version = request.param
     ros_, underlay = request.getfixturevalue(f"_ros{version}")
     if (model, version) == ("cpp_model", 2) and not ros.has_package(ros_, "rclcpp"):
         pytest.skip("rclcpp is not installed: C++ in ROS 2 is not held to the contract here")
-    workspace = tmp_path_factory.mktemp(f"contract_{model}_{version}")
-    return Variant(model, ros_, make, workspace, underlay)
+    return Variant(model, ros_, make, once, underlay)
 
 
 @pytest.fixture(scope="session")
-def humble(_ros2, make, tmp_path_factory):
+def humble(_ros2, make, once):
     """The package in Python as it is for Humble, in the ROS 2 that is there."""
     ros_ = dataclasses.replace(_ros2[0], distro="humble")
-    return Variant("python_model", ros_, make, tmp_path_factory.mktemp("humble"))
+    return Variant("python_model", ros_, make, once)
 
 
 @pytest.fixture(scope="session")
