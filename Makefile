@@ -18,7 +18,7 @@ test: $(TOOLS)/ready $(ROS2)/ready debian
 	$(TOOLS)/bin/ruff check .
 	$(TOOLS)/bin/ruff format --check .
 	$(TOOLS)/bin/mypy
-	ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH= $(TOOLS)/bin/pytest --numprocesses auto --dist loadgroup \
+	ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH= $(TOOLS)/bin/pytest --numprocesses auto --dist loadfile \
 	  --no-loadscope-reorder --durations 20
 
 # The packages that examples/ shows: rendered anew, for the diff to be reviewed.

@@ -12,6 +12,7 @@ from hypothesis import settings
 
 from support import ros
 from support.packages import DATA
+from support.processes import Scheduling
 from support.repository import EXAMPLES, GIT, commit, copy_collection, git, publish
 
 settings.register_profile("any machine", deadline=None)
@@ -26,9 +27,10 @@ def pytest_collection_modifyitems(items):
     """Begin with the files that take minutes, so that no process is left with one at the end."""
     place = {name: number for number, name in enumerate(LONGEST)}
     items.sort(key=lambda item: place.get(item.path.stem, len(LONGEST)))
-    for item in items:  # a process gets a file whole, unless the tests say what belongs together
-        if not item.get_closest_marker("xdist_group"):
-            item.add_marker(pytest.mark.xdist_group(item.nodeid.partition("::")[0]))
+
+
+def pytest_xdist_make_scheduler(config, log):
+    return Scheduling(config, log) if config.getoption("dist") == "loadfile" else None
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -1,6 +1,5 @@
 """The package of the contract, built once for each variant, and a stage for each test."""
 
-import collections
 import dataclasses
 
 import pytest
@@ -8,6 +7,7 @@ import pytest
 from support import ros
 from support.contract import Peer, Stage, Variant
 from support.packages import MODELS
+from support.processes import part
 
 VARIANTS = [
     pytest.param(
@@ -16,23 +16,11 @@ VARIANTS = [
     for version, distro in ((2, "kilted"), (1, "noetic"))
     for model in MODELS
 ]
-PARTS = 4  # of a variant, whose tests wait more than they work
 
 
 def pytest_collection_modifyitems(items):
-    """Let several processes share the tests of a variant, each with a peer of its own.
-
-    The first parts come first, so that one process builds a variant while the others have others.
-    """
-    numbers = collections.Counter()
-    parts = {}
-    for item in items:
-        if "variant" in item.fixturenames:
-            variant = "{}-{}".format(*item.callspec.params["variant"])
-            parts[item] = numbers[variant] % PARTS
-            numbers[variant] += 1
-            item.add_marker(pytest.mark.xdist_group(f"{variant}-{parts[item]}"))
-    items.sort(key=lambda item: parts.get(item, 0))
+    """Begin with a part of each variant: while one process builds it, the others have others."""
+    items.sort(key=lambda item: "variant" in item.fixturenames and part(item.nodeid))
 
 
 @pytest.fixture(scope="session")
