@@ -1,5 +1,6 @@
 """The fixtures of all tests: the collection, rendering, updating, and ROS."""
 
+import fcntl
 import os
 import re
 import shutil
@@ -15,6 +16,7 @@ from hypothesis import settings
 
 from support import ros
 from support.packages import DATA
+from support.processes import Scheduling
 from support.repository import EXAMPLES, GIT, commit, copy_collection, git, publish
 
 settings.register_profile("any machine", deadline=None)
@@ -57,6 +59,10 @@ def pytest_collection_modifyitems(items):
                 item.add_marker(need)
 
 
+def pytest_xdist_make_scheduler(config, log):
+    return Scheduling(config, log) if config.getoption("dist") == "loadfile" else None
+
+
 @pytest.fixture(scope="session", autouse=True)
 def _clean_environment(tmp_path_factory):
     """Keep the user's git, Copier and ROS settings out of the tests, and the tests out of them."""
@@ -75,6 +81,26 @@ def _clean_environment(tmp_path_factory):
         )
         patch.delenv("ROS_DISTRO", raising=False)
         yield
+
+
+@pytest.fixture(scope="session")
+def once(tmp_path_factory):
+    """Make a folder once in a run, in whichever of its processes needs it first."""
+    run = tmp_path_factory.getbasetemp()
+    run = run.parent if "PYTEST_XDIST_WORKER" in os.environ else run
+
+    def get(name, make):
+        folder, made = run / name, run / f"{name}.made"
+        with (run / f"{name}.lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if not made.exists():
+                shutil.rmtree(folder, ignore_errors=True)  # another process has failed to
+                folder.mkdir()
+                make(folder)
+                made.touch()
+        return folder
+
+    return get
 
 
 @pytest.fixture(scope="session")
@@ -217,11 +243,13 @@ def put(make):
 
 
 @pytest.fixture(scope="session")
-def ros1_interfaces(put, tmp_path_factory):
+def ros1_interfaces(put, once):
     """A workspace with the interfaces that ROS 1 lacks."""
     ros1 = ros.ros1() or pytest.skip(ros.NO_ROS1)
-    workspace = tmp_path_factory.mktemp("ros1_interfaces")
-    shutil.copytree(DATA / "test_msgs", workspace / "src/test_msgs")
-    put(EXAMPLES / "contact_msgs.ros_package", "interfaces_model", ros1.distro, workspace)
-    ros1.build(workspace)
-    return workspace
+
+    def build(workspace):
+        shutil.copytree(DATA / "test_msgs", workspace / "src/test_msgs")
+        put(EXAMPLES / "contact_msgs.ros_package", "interfaces_model", ros1.distro, workspace)
+        ros1.build(workspace)
+
+    return once("ros1_interfaces", build)

@@ -7,6 +7,7 @@ import pytest
 from support import ros
 from support.contract import Peer, Stage, Variant
 from support.packages import MODELS
+from support.processes import part
 
 VARIANTS = [
     pytest.param(
@@ -15,6 +16,11 @@ VARIANTS = [
     for version, distro in ((2, "kilted"), (1, "noetic"))
     for model in MODELS
 ]
+
+
+def pytest_collection_modifyitems(items):
+    """Begin with a part of each variant: while one process builds it, the others have others."""
+    items.sort(key=lambda item: "variant" in item.fixturenames and part(item.nodeid))
 
 
 @pytest.fixture(scope="session")
@@ -31,21 +37,20 @@ def _ros2():
 
 
 @pytest.fixture(scope="session", params=VARIANTS)
-def variant(request, make, tmp_path_factory):
-    """Each model in each ROS, built; all tests of one come together."""
+def variant(request, make, once):
+    """Each model in each ROS, built."""
     model, version = request.param
     ros_, underlay = request.getfixturevalue(f"_ros{version}")
     if (model, version) == ("cpp_model", 2) and not ros.has_package(ros_, "rclcpp"):
         pytest.skip("rclcpp is not installed: C++ in ROS 2 is not held to the contract here")
-    workspace = tmp_path_factory.mktemp(f"contract_{model}_{version}")
-    return Variant(model, ros_, make, workspace, underlay)
+    return Variant(model, ros_, make, once, underlay)
 
 
 @pytest.fixture(scope="session")
-def humble(_ros2, make, tmp_path_factory):
+def humble(_ros2, make, once):
     """The package in Python as it is for Humble, in the ROS 2 that is there."""
     ros_ = dataclasses.replace(_ros2[0], distro="humble")
-    return Variant("python_model", ros_, make, tmp_path_factory.mktemp("humble"))
+    return Variant("python_model", ros_, make, once)
 
 
 @pytest.fixture(scope="session")

@@ -50,18 +50,17 @@ def wait_for(condition, what, timeout=TIMEOUT):
 class Variant:
     """A model in a ROS: the package of the contract, built."""
 
-    def __init__(self, model, ros_, make, workspace, underlay=None):
+    def __init__(self, model, ros_, make, once, underlay=None):
         self.model = model
         self.ros = ros_
         self.is_ros2 = ros_.environment["ROS_VERSION"] == "2"
         self.is_python = model == "python_model"
         self.has_tf = ros.has(ros_, "tf2_ros")
-        self.workspace = workspace
-        self._render(make)
-        option = "--cmake-args -DBUILD_TESTING=OFF" if self.is_ros2 else ""
-        ros_.run(f"{ros_.build_command} {option}", workspace, underlay, timeout=1800)
+        self.workspace = once(
+            f"contract_{model}_{ros_.distro}", lambda folder: self._build(folder, make, underlay)
+        )
         printed = subprocess.run(
-            ros_.command("env -0", workspace),
+            ros_.command("env -0", self.workspace),
             env=ros_.environment,
             check=True,
             capture_output=True,
@@ -69,16 +68,18 @@ class Variant:
         ).stdout
         self.environment = dict(item.split("=", 1) for item in printed.split("\0") if item)
 
-    def _render(self, make):
-        """Render the package, with the logic of the tests in place of the empty one."""
+    def _build(self, workspace, make, underlay):
+        """Build the package, with the logic of the tests in place of the empty one."""
         spec = (CONTRACT / "contract.ros_package").read_text()
-        file = self.workspace / "contract.ros_package"
+        file = workspace / "contract.ros_package"
         file.write_text(spec if self.has_tf else without_tf(spec))
-        package = self.workspace / "src/contract"
+        package = workspace / "src/contract"
         make(package, file, model=self.model, ros_distro=self.ros.distro)
         folders = {".py": "contract", ".hpp": "include/contract", ".cpp": "src"}
         for source in (CONTRACT / "logic").glob("*.py" if self.is_python else "*.[hc]pp"):
             shutil.copy(source, package / folders[source.suffix])
+        option = "--cmake-args -DBUILD_TESTING=OFF" if self.is_ros2 else ""
+        self.ros.run(f"{self.ros.build_command} {option}", workspace, underlay, timeout=1800)
 
     def executable(self, node):
         folder = "install/contract/lib" if self.is_ros2 else "devel/lib"
@@ -177,6 +178,8 @@ class Node(Program):
         folder.mkdir(parents=True, exist_ok=True)
         self.trace = folder / "trace"
         self.trace.touch()
+        self._events = []  # what was read of the trace so far
+        self._read = 0
         self.told = folder / "behaviour"
         self.tell(*told)
         self.noise = NOISE
@@ -191,11 +194,14 @@ class Node(Program):
         new.rename(self.told)
 
     def events(self, method=None, event=None, node=None):
-        lines = self.trace.read_text().splitlines(keepends=True)
-        events = [json.loads(line) for line in lines if line.endswith("\n")]
+        with self.trace.open("rb") as trace:
+            trace.seek(self._read)
+            lines, end, _ = trace.read().rpartition(b"\n")
+        self._read += len(lines + end)
+        self._events += map(json.loads, lines.splitlines())
         return [
             found
-            for found in events
+            for found in self._events
             if method in (None, found["method"])
             and event in (None, found["event"])
             and node in (None, found["node"])

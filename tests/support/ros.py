@@ -212,8 +212,13 @@ def wait_for(text, look):
 
 
 def _free_domain():
-    """Return a domain whose first port nobody uses (DDS: 7400 + 250 * domain + 10)."""
-    for domain in random.sample(range(1, 100), 99):
+    """Return a domain whose first port nobody uses (DDS: 7400 + 250 * domain + 10).
+
+    It is unused until its first node starts: no other process of the run may choose the same.
+    """
+    first = 1 + int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
+    domains = range(first, 100, int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", 1)))
+    for domain in random.sample(domains, len(domains)):
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as test:
             try:
                 test.bind(("127.0.0.1", 7400 + 250 * domain + 10))

@@ -180,11 +180,13 @@ class Peer:
     def kill_when_known(self, node):
         """Do as `rosnode kill`, as soon as the master knows the node."""
         master = rosgraph.Master("/peer")
+        address = None
         end = time.monotonic() + TIMEOUT
-        while time.monotonic() < end:
-            with contextlib.suppress(OSError, rosgraph.MasterException):
-                ServerProxy(master.lookupNode(node)).shutdown("/peer", "killed")
-                return
+        while not address and time.monotonic() < end:
+            with contextlib.suppress(rosgraph.MasterException):
+                address = master.lookupNode(node)
+        with contextlib.suppress(OSError):  # it may end before it answers
+            ServerProxy(address).shutdown("/peer", "killed")
 
     def set_parameter(self, node, name, value):
         client = dynamic_reconfigure.client.Client(node, timeout=TIMEOUT)
