@@ -1,5 +1,6 @@
 """The fixtures of all tests: the collection, rendering, updating, and ROS."""
 
+import fcntl
 import os
 import shutil
 import subprocess
@@ -187,11 +188,33 @@ def put(make):
 
 
 @pytest.fixture(scope="session")
-def ros1_interfaces(put, tmp_path_factory):
+def built_once(tmp_path_factory):
+    """Build a workspace for all processes of pytest-xdist: the first that needs it does."""
+    root = tmp_path_factory.getbasetemp()
+    root = root.parent if "PYTEST_XDIST_WORKER" in os.environ else root
+
+    def run(name, build):
+        workspace = root / name
+        with (root / f"{name}.lock").open("a+") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            lock.seek(0)
+            if not lock.read():
+                shutil.rmtree(workspace, ignore_errors=True)
+                build(workspace)
+                lock.write("built")
+        return workspace
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def ros1_interfaces(put, built_once):
     """A workspace with the interfaces that ROS 1 lacks."""
     ros1 = ros.ros1() or pytest.skip(ros.NO_ROS1)
-    workspace = tmp_path_factory.mktemp("ros1_interfaces")
-    shutil.copytree(DATA / "test_msgs", workspace / "src/test_msgs")
-    put(EXAMPLES / "contact_msgs.ros_package", "interfaces_model", ros1.distro, workspace)
-    ros1.build(workspace)
-    return workspace
+
+    def build(workspace):
+        shutil.copytree(DATA / "test_msgs", workspace / "src/test_msgs")
+        put(EXAMPLES / "contact_msgs.ros_package", "interfaces_model", ros1.distro, workspace)
+        ros1.build(workspace)
+
+    return built_once("ros1_interfaces", build)
