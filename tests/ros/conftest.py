@@ -35,13 +35,15 @@ def model(request):
 
 
 @pytest.fixture(scope="session")
-def ros2_interfaces(put, tmp_path_factory):
+def ros2_interfaces(put, once):
     """A workspace with the interfaces that ROS 2 lacks."""
     ros2 = ros.ros2() or pytest.skip(ros.NO_ROS2)
-    workspace = tmp_path_factory.mktemp("ros2_interfaces")
-    put(CONTACT_MSGS, "interfaces_model", ros2.distro, workspace)
-    ros2.build(workspace)
-    return workspace
+
+    def build(workspace):
+        put(CONTACT_MSGS, "interfaces_model", ros2.distro, workspace)
+        ros2.build(workspace)
+
+    return once("ros2_interfaces", build)
 
 
 def untouched(ros_, put, model, workspace, interfaces, all_kinds):

@@ -58,16 +58,15 @@ def needed(package):
 
 
 @pytest.mark.ros1
-def test_builds_with_what_it_declares(ros1, namespace, tmp_path, model):
-    shutil.copytree(DATA / "test_msgs", tmp_path / "src/test_msgs")
+def test_builds_with_what_it_declares(ros1, ros1_interfaces, namespace, tmp_path, model):
     package = tmp_path / "src/all_kinds"
     shutil.copytree(EXAMPLES / "all_kinds" / model / "noetic", package)
-    needs = (needed(package) | needed(tmp_path / "src/test_msgs")) - {"rostest", "rosunit"}
+    needs = (needed(package) | needed(DATA / "test_msgs")) - {"rostest", "rosunit"}
     installed = {file.parent.name for file in SHARE.glob("*/package.xml")}
     assert "catkin" in installed & needs
     assert "rostest" in installed - needs
     hidden = [place / name for name in installed - needs for place in (SHARE, INCLUDE, *CMAKE)]
     mounts = [f"mount -t tmpfs none {path}" for path in [*hidden, *GTEST] if path.is_dir()]
     (tmp_path / "build.sh").write_text("\n".join(["set -e", *mounts, "exec catkin_make", ""]))
-    built = ros1.run(shlex.join([*namespace, "sh", "build.sh"]), tmp_path).stdout
+    built = ros1.run(shlex.join([*namespace, "sh", "build.sh"]), tmp_path, ros1_interfaces).stdout
     assert "warning:" not in built

@@ -36,8 +36,7 @@ def build(ros_, put, model, workspace, options):
 
 @pytest.mark.ros1
 def test_figure_in_ros1(ros1, put, model, ros1_workspace, tmp_path):
-    options = "-DCATKIN_ENABLE_TESTING=OFF -DCMAKE_CXX_FLAGS=-O0"
-    build(ros1, put, model, ros1_workspace, options)
+    build(ros1, put, model, ros1_workspace, "-DCATKIN_ENABLE_TESTING=OFF")
     with ros.master(ros1):
         for part in ("learn", "remember"):
             launch = "roslaunch contact_analysis contact_analysis.launch"
@@ -50,8 +49,7 @@ def test_figure_in_ros1(ros1, put, model, ros1_workspace, tmp_path):
 def test_figure_in_ros2(ros2, put, model, ros2_workspace, tmp_path):
     if model == "cpp_model" and not ros.has_package(ros2, "rclcpp"):
         pytest.skip("rclcpp is not installed")
-    options = "--cmake-args -DBUILD_TESTING=OFF -DCMAKE_CXX_FLAGS=-O0"
-    build(ros2, put, model, ros2_workspace, options)
+    build(ros2, put, model, ros2_workspace, "--cmake-args -DBUILD_TESTING=OFF")
     for part in ("learn", "remember"):
         with ros.nodes(ros2, ros2_workspace, "contact_analysis", "contact_evaluate") as (log,):
             ros2.talk(ros2_workspace, "contact_analysis", part, str(tmp_path))

@@ -83,8 +83,7 @@ def arm(put, model, tmp_path_factory):
     for logic in workspace.glob("src/arm/src/watch_impl.cpp"):
         assert EMPTY in logic.read_text()
         logic.write_text(logic.read_text().replace(EMPTY, WRITTEN))
-    options = "--cmake-args -DBUILD_TESTING=OFF -DCMAKE_CXX_FLAGS=-O0"
-    ros2.run(f"{ros2.build_command} {options}", workspace, timeout=1800)
+    ros2.run(f"{ros2.build_command} --cmake-args -DBUILD_TESTING=OFF", workspace, timeout=1800)
     return workspace
 
 

@@ -90,7 +90,8 @@ class Cpp:
 
     passed = Python.passed
     failed = Python.failed
-    flags = f"-DCMAKE_CXX_FLAGS='-O0 -include {DATA}/mutants/is_mutant.hpp'"
+    flags = f"{ros.COMPILER['CXXFLAGS']} -include {DATA}/mutants/is_mutant.hpp"
+    flags = f"-DCMAKE_CXX_FLAGS='{flags}'"
 
     def __init__(self, package, variant):
         """Put the mutants into the package."""
