@@ -39,6 +39,7 @@ if shutil.which("ccache"):
         "CCACHE_DIR": str(Path(__file__).parents[2] / "build/ccache"),
         "CCACHE_MAXSIZE": "1G",
         "CCACHE_BASEDIR": tempfile.gettempdir(),
+        "CCACHE_DEPEND": "1",
         "CCACHE_SLOPPINESS": "include_file_ctime,include_file_mtime",
     }
 
