@@ -28,20 +28,6 @@ NO_ROS2 = "ROS 2 (sourced, or its wheels in .venv/ros2) is not there"
 # The environment before the tests change it: a ROS 2 may be sourced in it. The Makefile keeps
 # the modules of that ROS out of pytest, which has a Python of its own.
 SHELL = os.environ | {"PYTHONPATH": os.environ.get("ROS_PYTHONPATH", "")}
-# Two jobs, for other tests run beside; catkin_make alone would wait for a machine without load.
-# g++ needs a fifth less time where it frees less memory. ccache compiles once what several tests
-# compile alike in folders of the same depth.
-COMPILER = {"ROS_PARALLEL_JOBS": "-j2", "CXXFLAGS": "--param ggc-min-heapsize=500000"}
-if shutil.which("ccache"):
-    COMPILER |= {
-        "CMAKE_C_COMPILER_LAUNCHER": "ccache",
-        "CMAKE_CXX_COMPILER_LAUNCHER": "ccache",
-        "CCACHE_DIR": str(Path(__file__).parents[2] / "build/ccache"),
-        "CCACHE_MAXSIZE": "1G",
-        "CCACHE_BASEDIR": tempfile.gettempdir(),
-        "CCACHE_DEPEND": "1",
-        "CCACHE_SLOPPINESS": "include_file_ctime,include_file_mtime",
-    }
 
 
 @dataclass(frozen=True)
@@ -126,11 +112,32 @@ class Ros:
         return self.run(command, workspace, workspace, timeout=180)
 
 
+def _compiler():
+    """Return settings for the compiler.
+
+    Two jobs, for other tests run beside; catkin_make alone would wait for a machine without load.
+    g++ needs a fifth less time where it frees less memory. ccache compiles once what several tests
+    compile alike in folders of the same depth.
+    """
+    settings = {"ROS_PARALLEL_JOBS": "-j2", "CXXFLAGS": "--param ggc-min-heapsize=500000"}
+    if shutil.which("ccache"):
+        settings |= {
+            "CMAKE_C_COMPILER_LAUNCHER": "ccache",
+            "CMAKE_CXX_COMPILER_LAUNCHER": "ccache",
+            "CCACHE_DIR": str(Path(__file__).parents[2] / "build/ccache"),
+            "CCACHE_MAXSIZE": "1G",
+            "CCACHE_BASEDIR": tempfile.gettempdir(),
+            "CCACHE_DEPEND": "1",
+            "CCACHE_SLOPPINESS": "include_file_ctime,include_file_mtime",
+        }
+    return settings
+
+
 def _base(home):
     keep = ("LANG", "LC_ALL", "TMPDIR", "TERM")
     environment = {name: os.environ[name] for name in keep if name in os.environ}
     environment |= {"HOME": str(home), "ROS_HOME": str(home), "ROS_LOG_DIR": str(home)}
-    return environment | COMPILER
+    return environment | _compiler()
 
 
 def _home():
@@ -168,7 +175,7 @@ def ros2():
     if setup is None:
         return None
     home = _home()
-    environment = _base(home) | {"PATH": SHELL["PATH"]} if setup else SHELL | COMPILER
+    environment = _base(home) | {"PATH": SHELL["PATH"]} if setup else SHELL | _compiler()
     environment |= {
         "ROS_HOME": str(home),
         "ROS_LOG_DIR": str(home),
