@@ -1,6 +1,7 @@
 """The fixtures of all tests: the collection, rendering, updating, and ROS."""
 
 import fcntl
+import functools
 import os
 import re
 import shutil
@@ -104,9 +105,9 @@ def once(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def collection(tmp_path_factory):
+def collection(once):
     """The collection as it is in the working tree, as a repository with the tag 1.0.0."""
-    return copy_collection(tmp_path_factory.mktemp("collection"))
+    return once("collection", copy_collection)
 
 
 @pytest.fixture
@@ -116,9 +117,9 @@ def own_collection(collection, tmp_path):
 
 
 @pytest.fixture(scope="session")
-def published(collection, tmp_path_factory):
+def published(collection, once):
     """The folder of all models of the collection, each published as a repository of its own."""
-    return publish(collection, tmp_path_factory.mktemp("github") / "org")
+    return once("published", functools.partial(publish, collection))
 
 
 @pytest.fixture
