@@ -188,10 +188,15 @@ def test_killed_update_can_be_undone_and_done_again(arm, copier_command, tmp_pat
         spec.read_text().replace('<node name="watch"', '<node name="look" was="watch"')
     )
     commit(arm, "Rename a node")
-    undisturbed = tmp_path / "undisturbed"
+    undisturbed, temporary = tmp_path / "undisturbed", tmp_path / "temporary"
     shutil.copytree(arm, undisturbed)
+    temporary.mkdir()  # what is killed leaves its folders there
+    environment = {"TMPDIR": str(temporary)}
+    assert copier_command("update", *QUIET, cwd=arm, **environment).returncode == 0
+    git(arm, "reset", "--quiet", "--hard")
+    git(arm, "clean", "-fdq")
     start = time.monotonic()
-    assert copier_command("update", *QUIET, cwd=undisturbed).returncode == 0
+    assert copier_command("update", *QUIET, cwd=undisturbed, **environment).returncode == 0
     duration = time.monotonic() - start
     wanted = tree(undisturbed)
     before = git(arm, "rev-parse", "HEAD^{tree}")
@@ -201,7 +206,11 @@ def test_killed_update_can_be_undone_and_done_again(arm, copier_command, tmp_pat
         shutil.copytree(arm, package)
         command = [sys.executable, "-m", "copier", "update", *QUIET]
         process = subprocess.Popen(
-            command, cwd=package, stderr=subprocess.DEVNULL, start_new_session=True
+            command,
+            cwd=package,
+            env=os.environ | environment,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
         )
         time.sleep(random.uniform(0.3, 1.0) * duration)
         process.kill()
