@@ -29,8 +29,8 @@ NO_ROS2 = "ROS 2 (sourced, or its wheels in .venv/ros2) is not there"
 # the modules of that ROS out of pytest, which has a Python of its own.
 SHELL = os.environ | {"PYTHONPATH": os.environ.get("ROS_PYTHONPATH", "")}
 # Two jobs, for other tests run beside; catkin_make alone would wait for a machine without load.
-# g++ needs a fifth less time where it frees less memory. ccache compiles once what several tests
-# compile alike in folders of the same depth.
+# g++ needs less time where it frees less memory. ccache compiles once what several tests compile
+# alike, in folders of the same depth.
 COMPILER = {"ROS_PARALLEL_JOBS": "-j2", "CXXFLAGS": "--param ggc-min-heapsize=500000"}
 if shutil.which("ccache"):
     COMPILER |= {
