@@ -28,7 +28,7 @@ NO_ROS2 = "ROS 2 (sourced, or its wheels in .venv/ros2) is not there"
 # The environment before the tests change it: a ROS 2 may be sourced in it. The Makefile keeps
 # the modules of that ROS out of pytest, which has a Python of its own.
 SHELL = os.environ | {"PYTHONPATH": os.environ.get("ROS_PYTHONPATH", "")}
-# g++ needs a fifth less time where it frees less memory.
+# g++ needs less time where it frees less memory.
 COMPILER_FLAGS = "--param ggc-min-heapsize=500000"
 
 

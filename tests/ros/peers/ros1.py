@@ -32,15 +32,21 @@ class Goal:
         )
 
     def cancel(self):
+        """Cancel once the server's list has the goal; actionlib loses it by an older list."""
+        waiting = actionlib.CommState.WAITING_FOR_GOAL_ACK
+        self._wait(lambda state: state != waiting, "the goal is not listed")
         self.handle.cancel()
 
     def answer(self):
         """Wait for the end; return the outcome and the message of the result."""
-        end = time.monotonic() + TIMEOUT
-        while self.handle.get_comm_state() != actionlib.CommState.DONE:
-            assert time.monotonic() < end, "the goal does not end"
-            time.sleep(0.002)
+        self._wait(lambda state: state == actionlib.CommState.DONE, "the goal does not end")
         return RESULTS[self.handle.get_goal_status()], self.handle.get_result()
+
+    def _wait(self, reached, problem):
+        end = time.monotonic() + TIMEOUT
+        while not reached(self.handle.get_comm_state()):
+            assert time.monotonic() < end, problem
+            time.sleep(0.002)
 
     def result(self):
         """Wait for the end; return the outcome and the sequence of the result."""
