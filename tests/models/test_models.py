@@ -19,14 +19,22 @@ def source(tmp_path_factory):
     return model_checks.template(tmp_path_factory.mktemp("source") / "template")
 
 
+@pytest.fixture(scope="session")
+def rendered():
+    """What has been rendered: of the same spec, several tests look at the package."""
+    return {}
+
+
 @pytest.fixture
-def render(source, model):
+def render(source, model, rendered):
     """Render a package of some elements for a ROS, and see that its files can be parsed."""
 
     def run(elements, distro):
-        files = model_checks.render(model, model.spec(elements), distro, source)
-        check_syntax(files)
-        return files
+        key = (model.name, model.spec(elements), distro)
+        if key not in rendered:
+            rendered[key] = model_checks.render(model, key[1], distro, source)
+            check_syntax(rendered[key])
+        return rendered[key]
 
     return run
 
@@ -77,17 +85,10 @@ def test_each_kind_renders_alone(render, model, owner):
 )
 def test_every_attribute_is_used(render, model, owner):
     """Another value of an attribute changes a file besides the spec and Copier's answers."""
-    rendered = {}
-
-    def files(values, distro):
-        key = (*values.items(), distro)
-        rendered[key] = rendered.get(key) or render([(owner, values)], distro)
-        return rendered[key]
-
     used = set()
     for name, base, values in model.variants(owner):
         for distro in () if name in used else (model.distros[-1], model.distros[0]):
-            if files(base, distro) != files(values, distro):
+            if render([(owner, base)], distro) != render([(owner, values)], distro):
                 used.add(name)
                 break
     known = {name for name, attribute in owner.attributes.items() if not attribute.ignored}

@@ -15,7 +15,7 @@ import pytest
 from support.arm import EDITS, SPEC
 from support.laboratory.trials import second_version
 from support.packages import MADE_BY, QUIET
-from support.repository import EXAMPLES, commit, copy_collection, git
+from support.repository import EXAMPLES, commit, git
 
 
 def test_summary_says_what_changed(update_with):
@@ -229,16 +229,25 @@ def test_killed_update_can_be_undone_and_done_again(arm, copier_command, tmp_pat
         shutil.rmtree(package)
 
 
+@pytest.fixture(scope="session")
+def versions(collection, once):
+    """A collection that has a second version."""
+
+    def make(folder):
+        shutil.copytree(collection, folder, symlinks=True, dirs_exist_ok=True)
+        second_version(folder)
+
+    return once("versions", make)
+
+
 @pytest.mark.parametrize("example", sorted(EXAMPLES.glob("*.ros_package")), ids=lambda e: e.stem)
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
-def test_update_equals_fresh(tmp_path_factory, render, update, example, distro):
+def test_update_equals_fresh(versions, render, update, example, distro):
     """An untouched package of any version, updated, is what the newest version makes."""
-    newest = copy_collection(tmp_path_factory.mktemp("versions"))
-    second_version(newest)
-    options = {"template": newest, "ros_distro": distro}
+    options = {"template": versions, "ros_distro": distro}
     options["model"] = MADE_BY.get(example.stem, "python_model")
     fresh = render(example, name="fresh/same", **options)
-    for version in git(newest, "tag").split():
+    for version in git(versions, "tag").split():
         old = render(example, vcs_ref=version, name=f"{version}/same", **options)
         update(old)
         assert texts(old) == texts(fresh), version
