@@ -6,16 +6,20 @@ import zlib
 from xdist.scheduler import LoadFileScheduling
 
 PARTS = 4
+SINGLE = re.compile(r"tests/(adoption|publishing|updates)/(?!test_(form|lab|nesting))")
 VARIANT = re.compile(r"/test_contract\.py::.*\[(\w+_model-[a-z]+)")
 
 
 class Scheduling(LoadFileScheduling):
-    """Give a process a whole file; of the contract, whose tests mostly wait, parts of a variant.
+    """Give a process a whole file, or the single test where tests take seconds and share little.
 
-    They are no marks `xdist_group`, which pytest-xdist 3.8 does not see with pytest 9.2.
+    Of the contract, whose tests mostly wait, it is a part of those of a variant. The parts are no
+    marks `xdist_group`, which pytest-xdist 3.8 does not see with pytest 9.2.
     """
 
     def _split_scope(self, nodeid):
+        if SINGLE.search(nodeid):
+            return nodeid
         variant = VARIANT.search(nodeid)
         return f"{variant[1]} {part(nodeid)}" if variant else super()._split_scope(nodeid)
 
