@@ -280,10 +280,11 @@ def _load_hooks(root: Path) -> ModuleType:
     if name not in sys.modules:
         sys.modules[name] = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(sys.modules[name])
-    # The folder that it was loaded from is gone when the render that did so has ended.
+    # A folder is gone when the render that it was cloned for has ended; modules may be loaded later.
     for package in ("", ".merge"):
-        if name + package in sys.modules:
-            sys.modules[name + package].__path__ = [str(folder / package.strip("."))]
+        if module := sys.modules.get(name + package):
+            places = {str(folder / package.strip(".")): None, **dict.fromkeys(module.__path__)}
+            module.__path__ = list(filter(os.path.exists, places))
     return sys.modules[name]
 
 

@@ -23,5 +23,5 @@ def load_yaml(text: str | bytes) -> Any:
 
 def load_data(name: str) -> Any:
     """Return the content of a YAML file of this folder, wherever the package is now."""
-    folder = sys.modules[str(__package__)].__path__[0]
-    return load_yaml((Path(folder) / name).read_text(encoding="utf-8"))
+    places = (Path(folder) / name for folder in sys.modules[str(__package__)].__path__)
+    return load_yaml(next(filter(Path.exists, places)).read_text(encoding="utf-8"))

@@ -60,8 +60,9 @@ def test_changed_answer_is_said(arm, copier_command):
         ("model: my_model", 'model: unknown "my_model"; '),
     ],
 )
-def test_recorded_answer_that_is_no_choice(arm, copier_command, answer, message):
+def test_recorded_answer_that_is_no_choice(render, collection, copier_command, answer, message):
     """The package would become another one without a word."""
+    arm = render(SPEC, template=collection, name="arm")
     file = arm / ".copier-answers.yml"
     text = file.read_text()
     name = answer.partition(":")[0]
