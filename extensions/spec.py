@@ -280,7 +280,7 @@ def _load_hooks(root: Path) -> ModuleType:
     if name not in sys.modules:
         sys.modules[name] = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(sys.modules[name])
-    # A folder is gone when the render that it was cloned for has ended; modules may be loaded later.
+    # A folder goes with the render that it was cloned for; modules may be loaded later.
     for package in ("", ".merge"):
         if module := sys.modules.get(name + package):
             places = {str(folder / package.strip(".")): None, **dict.fromkeys(module.__path__)}
