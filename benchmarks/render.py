@@ -18,7 +18,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 ROUNDS = int(os.environ.get("BENCH_ROUNDS", "3"))
-COPIES, UPDATES = (1,), (1,)  # nodes
+COPIES, UPDATES = (1, 100), (1, 10, 50)  # nodes
 COPIER = (sys.executable, "-m", "copier")
 QUIET = ("--trust", "--defaults", "--quiet")
 NODE = """\
@@ -35,7 +35,7 @@ MORE = '\n    <subscriber name="speed" type="std_msgs::Float64" description="Spe
 class Job:
     """A command to time: what it does, from which template, and how long it may take.
 
-    `target` is relative to the job of the template `base` that does the same, or next to it.
+    `target` is relative to the job of the template `base`.
     """
 
     what: str
@@ -70,6 +70,7 @@ def compare(nodes: int, jobs: list[Job]) -> int:
         median = medians[job.what, job.template]
         line = f"{nodes:5}  {job.what:22} {job.template:12} {median:6.2f}"
         if job.base:
+            # Bare Copier has nothing to do in any of its updates.
             same = medians.get((job.what, job.base)) or medians["update, nothing", job.base]
             is_over = median / same > job.target
             missed += is_over
