@@ -26,8 +26,9 @@ class CompiledExtension(Extension):
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
-        # Jinja refuses a temporary folder that others could write to.
-        with contextlib.suppress(OSError, RuntimeError):
+        # Jinja refuses a temporary folder that others could write to; a library may be there
+        # without its metadata.
+        with contextlib.suppress(ImportError, OSError, RuntimeError):
             root = Path(environment.loader.searchpath[0])  # type: ignore[union-attr]
             cache = environment.bytecode_cache = _Cache(_version(root))
             compiled = functools.partial(_compile, environment, cache, environment.compile)
