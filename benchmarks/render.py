@@ -25,7 +25,7 @@ NODE = """\
   <node name="{name}"{was} frequency="10">
     <publisher name="power_{i}" type="std_msgs::Float64" description="Power"/>
     <subscriber name="goal_{i}" type="std_msgs::Float64" description="Goal"/>
-    <dynParameter name="gain_{i}" type="double" value="1.0" description="Gain"/>{more}
+    <dynParameter name="gain_{i}" type="double" value="1.0" description="Gain"/>
   </node>
 """
 MORE = '\n    <subscriber name="speed" type="std_msgs::Float64" description="Speed"/>'
@@ -143,10 +143,7 @@ class Workshop:
     def text(self, was: str = "") -> str:
         """Return a spec, in which the first node may have had another name."""
         names = ["arm" if was and not i else f"node_{i}" for i in range(self.nodes)]
-        nodes = [
-            NODE.format(name=name, was="" if i else was, i=i, more="")
-            for i, name in enumerate(names)
-        ]
+        nodes = [NODE.format(name=name, was="" if i else was, i=i) for i, name in enumerate(names)]
         about = 'name="arm_nodes" author="Ada" author_email="ada@example.org" description="Arms"'
         rights = 'license="Apache-2.0" copyright="2026 Ada"'
         return f"<package {about} {rights}>\n{''.join(nodes)}</package>\n"

@@ -44,11 +44,11 @@ def pytest_terminal_summary(terminalreporter):
     """Say what was skipped, and why, in a line for each cause."""
     skipped = terminalreporter.stats.get("skipped", [])
     causes = Counter(re.split("[:;]", report.longrepr[2][9:])[0] for report in skipped)
-    *most, last = causes.most_common(4) + [("for other causes", len(skipped))]
+    most = causes.most_common(4)
     for cause, count in most:
         terminalreporter.write_line(f"{count} skipped: {cause}")
-    if rest := last[1] - sum(count for _, count in most):
-        terminalreporter.write_line(f"{rest} skipped {last[0]} (pytest -rs names them)")
+    if rest := len(skipped) - sum(count for _, count in most):
+        terminalreporter.write_line(f"{rest} skipped for other causes (pytest -rs names them)")
 
 
 def pytest_collection_modifyitems(items):
