@@ -243,7 +243,6 @@ void ContactEvaluateImpl::execute_evaluate(
   }
 }
 
-// End of life
 void ContactEvaluateImpl::deactivate()
 {
 }

@@ -36,7 +36,6 @@ struct Contact
 /// The logic of contact_evaluate.
 ///
 /// It learns where the center of pressure lies during a contact, and tells contacts apart by that.
-/// Callbacks run in threads of their own: protect shared state with a mutex.
 class ContactEvaluateImpl
 {
 public:
@@ -57,13 +56,13 @@ public:
     const ContactEvaluateConfig & config);
 
   // Service load
-  /// Fill in the response.
+  /// Fill in the response, in a thread of its own.
   void serve_load(
     const contact_evaluate_types::LoadService::Request & request,
     contact_evaluate_types::LoadService::Response & response);
 
   // Service store
-  /// Fill in the response.
+  /// Fill in the response, in a thread of its own.
   void serve_store(
     const contact_evaluate_types::StoreService::Request & request,
     contact_evaluate_types::StoreService::Response & response);
@@ -78,7 +77,6 @@ public:
   void execute_evaluate(
     Goal<contact_evaluate_types::EvaluateAction> & goal);
 
-  // End of life
   /// Stop everything that moves; publishers, service calls and goals still work here.
   void deactivate();
 

@@ -117,7 +117,7 @@ class ContactEvaluateImpl:
         request: LoadRequest,
         response: LoadResponse,
     ) -> LoadResponse:
-        """Fill in the response and return it."""
+        """Fill in the response and return it, in a thread of its own."""
         try:
             text = Path(request.data, FILE).read_text(encoding='utf-8')
             contacts = dict(map(read, text.split('\n')[:-1]))
@@ -135,7 +135,7 @@ class ContactEvaluateImpl:
         request: StoreRequest,
         response: StoreResponse,
     ) -> StoreResponse:
-        """Fill in the response and return it."""
+        """Fill in the response and return it, in a thread of its own."""
         with self.lock:
             contacts = dict(self.contacts)
         lines = [
@@ -204,7 +204,6 @@ class ContactEvaluateImpl:
         else:
             goal.succeed()
 
-    # End of life
     def deactivate(self) -> None:
         """Stop everything that moves; publishers, service calls and goals still work here."""
 

@@ -47,7 +47,7 @@ def test_words_while_copying(collection, copier_command, tmp_path, model, distro
 def test_first_screen_of_the_readme(render, model, distro):
     spec = EXAMPLE.read_text().replace('name="all_kinds"', 'name="arm"')
     package = render(spec, model=model, ros_distro=distro, name="arm")
-    screen = "\n".join((package / "README.md").read_text().splitlines()[:30])
+    screen = "\n".join((package / "README.md").read_text().splitlines()[:36])
     for command in USE[distro]:
         assert command in screen
     for word in ("data.in_NAME", "data.out_NAME", "config.NAME", "passthrough", "log_level"):

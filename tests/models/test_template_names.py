@@ -9,13 +9,13 @@ from jinja2 import Template
 from support.model_checks import Model
 from support.packages import MODELS as BOTH
 from support.packages import all_kinds
-from support.repository import ROOT, commit, git
+from support.repository import EXAMPLES, ROOT, commit, git
 
 FILES = git(ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
 TEMPLATES = sorted(name for name in FILES if re.match(r"\w+_model/template/", name))
 PARTS = [name for name in FILES if re.search(r"\.jinja$|^shared/gitignore$", name)]
 MODELS = sorted(file.parent for file in ROOT.glob("*_model/dictionary.yaml"))
-LONGEST_PATH = 90
+LONGEST_PATH = 96
 LONGEST_FILE = 300
 
 
@@ -149,3 +149,26 @@ def test_update_from_a_version_without_the_table(own_collection, render, update)
     update(package)
     commit(package)
     assert names(package) == names(render(all_kinds(), template=own_collection, name="fresh/same"))
+
+
+OWN = (
+    r"README\.md|CMakeLists\.txt|package\.xml|setup\.(py|cfg)|mypy\.ini|ruff\.toml|resource/.*"
+    r"|\.git.*|(config|launch)/.*|.*\.ros_package|.*_impl\.(py|[ch]pp)|.*\.test"
+    r"|.*/(__init__\.py|py\.typed)|test/test_(flake8|pep257)\.py"
+)
+"""What people edit, or is too short to fold away."""
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize("model", ["python_model", "cpp_model", "mixed_model"])
+def test_what_no_one_edits_is_folded_in_reviews(render, model, distro):
+    spec = EXAMPLES / ("driving" if model == "mixed_model" else "all_kinds")
+    package = render(spec.with_suffix(".ros_package"), model=model, ros_distro=distro)
+    paths = sorted(names(package))
+    marked = git(package, "check-attr", "--all", "--", *paths)
+    for attribute in ("linguist-generated", "gitlab-generated"):
+        folded = set(re.findall(rf"^(.*): {attribute}: set$", marked, re.MULTILINE))
+        made = {
+            p for p in paths if re.match("test/support/|.*/ros/", p) or not re.fullmatch(OWN, p)
+        }
+        assert folded == made

@@ -36,7 +36,7 @@ LOGIC = {
             self.passthrough.pub_seen.publish(data.in_order)""",
         ),
         (
-            'Handle a message when it arrives."""',
+            'Handle a message when it arrives, in a thread of its own."""',
             "\n        self.passthrough.pub_seen.publish(message)",
         ),
     ),

@@ -19,7 +19,9 @@ EDITS = {
     '"""Compute the outputs of one cycle from the latest inputs."""': (
         "data.out_pose.data = config.gain * data.in_goal.data"
     ),
-    '"""Handle a message when it arrives."""': "self.passthrough.log.info('stop')",
+    '"""Handle a message when it arrives, in a thread of its own."""': (
+        "self.passthrough.log.info('stop')"
+    ),
 }
 
 # Its logic in short: as the old model makes it, as the new one does, and as the developer has it.

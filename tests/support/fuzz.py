@@ -430,8 +430,9 @@ def check_own_files(files, package):
             for own in re.findall(r'^#include "(\w+\.hpp)"', text, re.MULTILINE):
                 assert str(PurePosixPath(name).with_name(own)) in files, f"{name} includes {own}"
         elif name.endswith(".py"):
-            for own in re.findall(rf"^from {package}\.(\w+) import", text, re.MULTILINE):
-                assert own in {"cfg", "msg"} or f"{package}/{own}.py" in files, f"{name}: {own}"
+            for own in re.findall(rf"^from {package}\.([\w.]+) import", text, re.MULTILINE):
+                file = f"{package}/{own.replace('.', '/')}.py"
+                assert own in {"cfg", "msg"} or file in files, f"{name}: {own}"
 
 
 def check(files, harmless, spec):

@@ -164,9 +164,7 @@ def test_reordering_needs_no_hand(arm, update_with):
     speed = '    <publisher name="speed" type="std_msgs::Int8" description="x"/>\n'
     said = update_with((pose, ""), ("    <dynParameter", speed + pose + "    <dynParameter"))
     assert "CONFLICT" not in said
-    assert (
-        EDITS['"""Handle a message when it arrives."""'] in (arm / "arm/reach_impl.py").read_text()
-    )
+    assert "self.passthrough.log.info('stop')" in (arm / "arm/reach_impl.py").read_text()
 
 
 def texts(folder):
@@ -284,25 +282,25 @@ def test_renames_in_cpp_keep_their_code(render, copier_command):
 
 def test_files_that_a_version_calls_otherwise_keep_edits(own_collection, render, copier_command):
     package = render(SPEC, template=own_collection, name="arm")
-    worker = package / "arm/worker.py"
+    worker = package / "arm/ros/worker.py"
     worker.write_text(worker.read_text().replace("import", "# My own line.\nimport", 1))
     commit(package, "Edit a helper")
     model = own_collection / "python_model"
-    folder = model / "template/{{ spec.name }}"
+    folder = model / "template/{{ spec.name }}/ros"
     (folder / "worker.py.jinja").rename(folder / "jobs.py.jinja")
-    (model / "moved_files.yaml").write_text('"{package}/jobs.py": "{package}/worker.py"\n')
+    (model / "moved_files.yaml").write_text('"{package}/ros/jobs.py": "{package}/ros/worker.py"\n')
     commit(own_collection, "Call the workers jobs", tag="2.0.0")
-    (package / "arm/jobs.py").write_text("MINE = 1\n")
+    (package / "arm/ros/jobs.py").write_text("MINE = 1\n")
     commit(package, "Write a file whose name the model takes")
     result = copier_command("update", "--trust", "--defaults", cwd=package)
     assert result.returncode == 1
-    assert "arm/jobs.py: arm/worker.py is to have this name" in result.stderr
-    (package / "arm/jobs.py").unlink()
+    assert "arm/ros/jobs.py: arm/ros/worker.py is to have this name" in result.stderr
+    (package / "arm/ros/jobs.py").unlink()
     commit(package, "Give it another one")
     result = copier_command("update", "--trust", "--defaults", cwd=package)
     assert result.returncode == 0, result.stderr
-    assert "moved     arm/worker.py -> arm/jobs.py" in result.stderr
-    assert "# My own line.\n" in (package / "arm/jobs.py").read_text()
+    assert "moved     arm/ros/worker.py -> arm/ros/jobs.py" in result.stderr
+    assert "# My own line.\n" in (package / "arm/ros/jobs.py").read_text()
     assert not worker.exists()
 
 
@@ -334,7 +332,7 @@ def test_missing_generated_parts_are_named(arm, copier_command):
     (arm / "arm/watch_ros.py").unlink()
     impl = arm / "arm/watch_impl.py"
     text = impl.read_text()
-    impl.write_text(text[: text.index("    # End of life")].rstrip() + "\n")
+    impl.write_text(text[: text.index("    def deactivate")].rstrip() + "\n")
     commit(arm, "Delete generated code")
     said = copier_command("update", "--trust", "--defaults", cwd=arm).stderr
     assert "missing   arm/watch_ros.py\n" in said
@@ -354,7 +352,7 @@ def test_formatted_files_do_not_conflict(arm, update_with):
 def test_method_written_before_the_update_is_there_once(arm, update_with):
     impl = arm / "arm/reach_impl.py"
     method = "    def serve_estop(self, request, response):\n        return 'stopped'\n\n"
-    impl.write_text(impl.read_text().replace("    # End of life", f"{method}    # End of life"))
+    impl.write_text(impl.read_text().replace("    def deactivate", f"{method}    def deactivate"))
     server = '    <serviceServer name="estop" type="std_srvs::Trigger"/>\n'
     said = update_with(("    <dynParameter", f"{server}    <dynParameter"))
     assert "CONFLICT" not in said

@@ -5,7 +5,7 @@
 
 #include "gtest/gtest.h"
 
-#include "./worker_harness.hpp"
+#include "./support/worker_harness.hpp"
 
 using namespace all_kinds;  // NOLINT
 

@@ -20,7 +20,7 @@ from all_kinds.worker_interface import (
 )
 
 sys.path.insert(0, sys.argv.pop(1))
-import harness  # noqa: E402
+from support import harness  # noqa: E402
 
 
 class TestWorker(unittest.TestCase):

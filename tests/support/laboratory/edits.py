@@ -406,10 +406,14 @@ WAYS = {
     "_ros.py": _code,
     "_ros.cpp": _code,
     "worker.py": _code,
+    "managed_node.py": _code,
+    "harness.py": _code,
     "_impl.hpp": lambda random, edited, path, lines: _beside(
         random, edited, path, lines, "^private:", "// {}".format
     ),
     "inbox.hpp": _header,
+    "logger.hpp": _header,
+    "_harness.hpp": _header,
 }
 
 

@@ -24,7 +24,7 @@ from hooks.merge.renaming import Renaming, plan
 from hooks.merge.tree import File, encode, read_folder, remove, write
 from hooks.model import Model
 from support.direct_render import Renderer as DirectRenderer
-from support.laboratory import specs
+from support.laboratory import layouts, specs
 from support.laboratory.edits import HABITS, edit
 from support.laboratory.judge import CONFLICT, judge
 from support.repository import commit, copy_collection, git
@@ -70,12 +70,14 @@ class Pair:
     is_kept: object
     moves: bool
     """Whether the package moves to the other ROS."""
-    is_moved: bool = False
-    """Whether the model calls some of its files otherwise."""
+    layout: dict = field(default_factory=dict)
+    """New paths of files that the new version of the model calls otherwise, by the old ones."""
 
 
 class Laboratory:
-    """The collection in two versions, the second of which moves, adds and rewrites text and files.
+    """The collection in versions: 2.0.0 moves, adds and rewrites text and files of 1.0.0.
+
+    0.9.0 is 1.0.0 in another layout, as older packages have it.
 
     Packages of chains are made by Copier, from the repository. Trials need renders alone, which
     Jinja makes of the two versions in a hundredth of the time.
@@ -84,7 +86,8 @@ class Laboratory:
     def __init__(self, folder):
         self.folder = folder
         self.collection = copy_collection(folder / "collection")
-        self.versions = {"1.0.0": self._version("1.0.0")}
+        self.versions = {name: self._version(name) for name in ("0.9.0", "1.0.0")}
+        layouts.flatten(self.versions["0.9.0"])
         second_version(self.collection)
         self.versions["2.0.0"] = self._version("2.0.0")
         self.models = {model: Model(self.collection / model, self.collection) for model in MODELS}
@@ -133,11 +136,11 @@ class Laboratory:
             renaming = plan(_tree(old), marked_render, marks, old)
         source = self.versions[version]
         dictionary = load(source / model / "dictionary.yaml", source)
-        renaming.follow(moved_files(contexts[1], dictionary), old, new)
+        layout = moved_files(contexts[1], dictionary) if version != old_version else {}
+        renaming.follow(layout, old, new)
         kept = {path for path in {*old, *new} if path.endswith((".ros_package", "CHANGELOG.md"))}
-        is_moved = (old_version, version) == ("1.0.0", "2.0.0")
         return Pair(
-            spec, new_spec, old, new, renaming, kept.__contains__, len({*distros}) > 1, is_moved
+            spec, new_spec, old, new, renaming, kept.__contains__, len({*distros}) > 1, layout
         )
 
 
@@ -343,11 +346,8 @@ def moves(pair, edited):
                 form = rf"(^|/|test_){was}(?=(_{NODE_FILES})?(\.\w+)?$)"
                 renamed_ = re.sub(form, rf"\g<1>{node['name']}", path)
                 target = renamed_ if renamed_ != path else target
-        origin = target
-        for before, after in MOVED if pair.is_moved else ():
-            target = re.sub(before, after, target)
-        if target not in pair.new:
-            target = origin
+        if pair.layout.get(target) in pair.new:
+            target = pair.layout[target]
         if target != path:
             found[path] = target
     return found
@@ -410,22 +410,17 @@ REWRITTEN = {
     "Prepare the logic; return": "Get the logic ready; return",
     "Compute the outputs of one cycle": "Compute the outputs of a cycle",
     "The input and output messages": "All messages, input and output,",
-    "Callbacks run in threads of their own": "Every callback runs in its own thread",
-    "\n## Licence": "\n## Support\n\nAsk the authors.\n\n## Licence",
+    "Start operating; return": "Begin to work; return",
+    "\n## Lifecycle": "\n## Support\n\nAsk the authors.\n\n## Lifecycle",
     "/config/{{ node.name }}.yaml": "/config/{{ node.name }}_params.yaml",
-    "{{ spec.name }}.worker import": "{{ spec.name }}.jobs import",
+    "{{ spec.name }}.ros.worker import": "{{ spec.name }}.ros.jobs import",
     '"ros/inbox.hpp"': '"ros/mailbox.hpp"',
     "\n  'inbox':": "\n  'mailbox':",
     '/worker.py.jinja"': '/jobs.py.jinja"',
     '/inbox.hpp.jinja"': '/mailbox.hpp.jinja"',
 }
-MOVED = (
-    (r"^config/(\w+)\.yaml$", r"config/\1_params.yaml"),
-    (r"^lab/worker\.py$", "lab/jobs.py"),
-    (r"^src/ros/inbox\.hpp$", "src/ros/mailbox.hpp"),
-)
 MOVED_FILES = """"config/{node}_params.yaml": "config/{node}.yaml"
-"{package}/jobs.py": "{package}/worker.py"
+"{package}/ros/jobs.py": "{package}/ros/worker.py"
 "src/ros/mailbox.hpp": "src/ros/inbox.hpp"
 """
 
@@ -452,5 +447,6 @@ def second_version(collection):
             file.rename(file.with_name(after))
     for model in MODELS:
         (collection / model / "template/EXTRA.md.jinja").write_text("An added file.\n")
-        (collection / model / "moved_files.yaml").write_text(MOVED_FILES)
+        moved = collection / model / "moved_files.yaml"
+        moved.write_text(moved.read_text() + MOVED_FILES)
     commit(collection, "Second version", tag="2.0.0")
