@@ -7,11 +7,11 @@ A moment between two threads becomes as long as the test likes.
 from functools import wraps
 from threading import current_thread
 
-from contract.action_client import SentGoal
-from contract.action_server import Goal
 from contract.behaviour import Behaviour
-from contract.managed_node import ManagedNode
-from contract.stop import Stop
+from contract.ros.action_client import SentGoal
+from contract.ros.action_server import Goal
+from contract.ros.managed_node import ManagedNode
+from contract.ros.stop import Stop
 
 _places = Behaviour("places", {})
 
