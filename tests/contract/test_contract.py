@@ -126,6 +126,17 @@ def test_last_word(stage, way):
         assert node.exit() == 0
 
 
+@pytest.mark.parametrize("way", ["sigint", "transitions"])
+def test_long_last_word(stage, way):
+    """A last message arrives whole that takes longer to send than the node would to end."""
+    if way == "transitions":
+        only_ros2(stage)
+    node = stage.active("cleanup: shout 5000000")
+    heard = stage.listen(node)
+    STOPS[way](stage, node)
+    wait_for(lambda: [len(text) for text in heard()] == [5000000], node.story)
+
+
 @pytest.mark.parametrize("way", ["autostart", "transitions"])
 def test_everything_works_in_all_five(stage, way):
     """Messages leave, calls and goals are answered, transforms are found, in all five."""

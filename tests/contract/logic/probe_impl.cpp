@@ -67,6 +67,9 @@ ProbeImpl::ProbeImpl(const ProbePassthrough & passthrough)
 : passthrough_(passthrough),
   behaviour_("probe", {
       {"publish", [this](const auto & a) {return publish(*passthrough_.pub_say, a.at(0));}},
+      {"shout", [this](const auto & a) {
+          return publish(*passthrough_.pub_say, std::string(std::stoul(a.at(0)), 'x'));
+        }},
       {"keep", [this](const auto & a) {return publish(*passthrough_.pub_kept, a.at(0));}},
       {"call", [this](const auto & a) {return call(std::stod(a.at(0)));}},
       {"send", [this](const auto & a) {return json(send(std::stoi(a.at(0))));}},

@@ -18,6 +18,7 @@ class ProbeImpl:
             "probe",
             {
                 "publish": self.publish,
+                "shout": lambda length: self.publish("x" * int(length)),
                 "keep": self.keep,
                 "call": self.call,
                 "send": self.send,

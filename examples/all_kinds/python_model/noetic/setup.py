@@ -8,7 +8,7 @@ from setuptools import setup
 
 setup(
     **generate_distutils_setup(
-        packages=['all_kinds'],
+        packages=['all_kinds', 'all_kinds.ros'],
         package_dir={'': '.'},
         package_data={'all_kinds': ['py.typed']},
     )

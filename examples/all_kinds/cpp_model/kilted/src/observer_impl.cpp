@@ -31,7 +31,6 @@ void ObserverImpl::update(
 {
 }
 
-// End of life
 void ObserverImpl::deactivate()
 {
 }

@@ -9,9 +9,9 @@ import signal
 from time import sleep
 import unittest
 
-from peer import Peer
-from running import eventually, RunningNode
 import std_msgs.msg
+from support.peer import Peer
+from support.running import eventually, RunningNode
 
 NAME = '/observer'
 if 'RECORDER' not in os.environ:

@@ -10,10 +10,10 @@ from time import sleep
 import unittest
 
 import geometry_msgs.msg
-from peer import Peer
-from running import eventually, RunningNode
 import std_msgs.msg
 import std_srvs.srv
+from support.peer import Peer
+from support.running import eventually, RunningNode
 import test_msgs.action
 
 NAME = '/worker'

@@ -58,7 +58,6 @@ void WorkerImpl::execute_compute(
   goal.succeed();
 }
 
-// End of life
 void WorkerImpl::deactivate()
 {
 }

@@ -5,7 +5,7 @@
 
 #include "gtest/gtest.h"
 
-#include "./observer_harness.hpp"
+#include "./support/observer_harness.hpp"
 
 /// The logic alone, with fakes that record what it does.
 class TestObserverImpl : public ::testing::Test

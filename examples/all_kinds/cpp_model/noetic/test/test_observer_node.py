@@ -8,12 +8,12 @@ import signal
 from time import sleep
 import unittest
 
-from peer import Peer
 from roslib.packages import find_node
 import rospy
 import rostest
-from running import eventually, RunningNode
 import std_msgs.msg
+from support.peer import Peer
+from support.running import eventually, RunningNode
 
 NAME = '/observer'
 RECORDER = find_node('all_kinds', 'test_observer_recorder')

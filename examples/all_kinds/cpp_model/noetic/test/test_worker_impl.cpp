@@ -5,7 +5,7 @@
 
 #include "gtest/gtest.h"
 
-#include "./worker_harness.hpp"
+#include "./support/worker_harness.hpp"
 
 /// The logic alone, with fakes that record what it does.
 class TestWorkerImpl : public ::testing::Test

@@ -9,13 +9,13 @@ from time import sleep
 import unittest
 
 import geometry_msgs.msg
-from peer import Peer
 from roslib.packages import find_node
 import rospy
 import rostest
-from running import eventually, RunningNode
 import std_msgs.msg
 import std_srvs.srv
+from support.peer import Peer
+from support.running import eventually, RunningNode
 import test_msgs.msg
 
 NAME = '/worker'

@@ -15,11 +15,7 @@ from all_kinds.observer_interface import (
 
 
 class ObserverImpl:
-    """
-    The logic of observer.
-
-    Callbacks run in threads of their own: protect shared state with a lock.
-    """
+    """The logic of observer."""
 
     def __init__(self, passthrough: ObserverPassthrough) -> None:
         """Store the passthrough."""
@@ -40,7 +36,6 @@ class ObserverImpl:
     ) -> None:
         """Compute the outputs of one cycle from the latest inputs."""
 
-    # End of life
     def deactivate(self) -> None:
         """Stop everything that moves; publishers, service calls and goals still work here."""
 

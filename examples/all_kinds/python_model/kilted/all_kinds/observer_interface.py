@@ -10,7 +10,7 @@ Generated from all_kinds.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable
 
-from all_kinds.protocols import (
+from all_kinds.ros.protocols import (
     Log,
     Stamp,
 )

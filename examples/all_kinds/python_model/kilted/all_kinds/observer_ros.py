@@ -10,30 +10,21 @@ Generated from all_kinds.ros_package; the logic is in observer_impl.py.
 from __future__ import annotations
 
 from threading import Lock
-from typing import Any, Callable, Optional
+from typing import Any, Optional
 
-from all_kinds.loop import Loop
-from all_kinds.managed_node import ManagedNode
 from all_kinds.observer_impl import ObserverImpl
 from all_kinds.observer_interface import (
     ObserverConfig,
     ObserverData,
     ObserverPassthrough,
 )
-from all_kinds.process import run
+from all_kinds.ros.loop import Loop
+from all_kinds.ros.managed_node import ManagedNode
+from all_kinds.ros.process import run
 from rcl_interfaces.msg import ParameterDescriptor
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
-from rclpy.qos import QoSPolicyKind
-from rclpy.qos_overriding_options import QoSOverridingOptions
 import std_msgs.msg
 
 FREQUENCY = 12.5  # Hz
-OVERRIDABLE_QOS = (
-    QoSPolicyKind.DEPTH,
-    QoSPolicyKind.DURABILITY,
-    QoSPolicyKind.HISTORY,
-    QoSPolicyKind.RELIABILITY,
-)
 
 
 class ObserverNode(ManagedNode):
@@ -57,19 +48,9 @@ class ObserverNode(ManagedNode):
                 description='How many to keep',
             ),
         )
-        self._config = self._read_config()
         self._received: dict[str, Any] = {}
         self._received_lock = Lock()
-        self._cycles = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
-
-    def _configure(self) -> bool:
-        """Configure the logic with the parameters."""
-        self._config = self._read_config()
-        return bool(self._impl.configure(self._config))
-
-    def _loop(self) -> None:
-        """Call update until the node stops."""
-        self._cycles.run(self.stop)
+        self.loop = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
 
     def _read_config(self) -> ObserverConfig:
         """Return the current parameters."""
@@ -111,24 +92,6 @@ class ObserverNode(ManagedNode):
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['status'] = message
-
-    def _subscribe(
-        self,
-        message_type: Any,
-        topic: str,
-        callback: Callable[[Any], Any],
-        qos: Any = 10,
-    ) -> None:
-        """Create a subscription; its QoS, a profile or a depth, can be overridden."""
-        subscription = self.create_subscription(
-            message_type,
-            topic,
-            callback,
-            qos,
-            callback_group=MutuallyExclusiveCallbackGroup(),
-            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
-        )
-        self._active.callback(self.destroy_subscription, subscription)
 
 
 def main(args: Optional[list[str]] = None) -> int:

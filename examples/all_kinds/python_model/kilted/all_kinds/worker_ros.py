@@ -10,12 +10,12 @@ Generated from all_kinds.ros_package; the logic is in worker_impl.py.
 from __future__ import annotations
 
 from threading import Lock
-from typing import Any, Callable, Optional
+from typing import Any, Optional
 
-from all_kinds.loop import Loop
-from all_kinds.managed_node import ManagedNode
-from all_kinds.process import run
-from all_kinds.transforms import TransformBroadcaster, TransformListener
+from all_kinds.ros.loop import Loop
+from all_kinds.ros.managed_node import ManagedNode
+from all_kinds.ros.process import run
+from all_kinds.ros.transforms import TransformBroadcaster, TransformListener
 from all_kinds.worker_impl import WorkerImpl
 from all_kinds.worker_interface import (
     WorkerConfig,
@@ -24,22 +24,11 @@ from all_kinds.worker_interface import (
 )
 import geometry_msgs.msg
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
-from rclpy.parameter import Parameter
-from rclpy.publisher import Publisher
-from rclpy.qos import QoSPolicyKind
-from rclpy.qos_overriding_options import QoSOverridingOptions
 import std_msgs.msg
 import std_srvs.srv
 import test_msgs.action
 
 FREQUENCY = 20  # Hz
-OVERRIDABLE_QOS = (
-    QoSPolicyKind.DEPTH,
-    QoSPolicyKind.DURABILITY,
-    QoSPolicyKind.HISTORY,
-    QoSPolicyKind.RELIABILITY,
-)
 
 
 class WorkerNode(ManagedNode):
@@ -114,7 +103,6 @@ class WorkerNode(ManagedNode):
                 description='Name in the status',
             ),
         )
-        self._config = self._read_config()
         self.add_post_set_parameters_callback(self._apply_parameters)
         self._action_client_delegate = self._action_client(
             test_msgs.action.Fibonacci,
@@ -128,16 +116,7 @@ class WorkerNode(ManagedNode):
         )
         self._received: dict[str, Any] = {}
         self._received_lock = Lock()
-        self._cycles = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
-
-    def _configure(self) -> bool:
-        """Configure the logic with the parameters."""
-        self._config = self._read_config()
-        return bool(self._impl.configure(self._config))
-
-    def _loop(self) -> None:
-        """Call update until the node stops."""
-        self._cycles.run(self.stop)
+        self.loop = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
 
     def _read_config(self) -> WorkerConfig:
         """Return the current parameters."""
@@ -149,10 +128,6 @@ class WorkerNode(ManagedNode):
             verbose=self.get_parameter('verbose').value,
             label=self.get_parameter('label').value,
         )
-
-    def _apply_parameters(self, _parameters: list[Parameter[Any]]) -> None:
-        """Update the configuration with the changed parameters."""
-        self._config = self._read_config()
 
     def _connect_senders(self) -> None:
         """Create publishers and clients, then the logic."""
@@ -253,35 +228,6 @@ class WorkerNode(ManagedNode):
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['counter'] = message
-
-    def _advertise(self, message_type: Any, topic: str, qos: Any = 10) -> Publisher[Any]:
-        """Create a publisher; its QoS, a profile or a depth, can be overridden."""
-        publisher = self.create_publisher(
-            message_type,
-            topic,
-            qos,
-            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
-        )
-        self._configured.callback(self._drop_publisher, publisher)
-        return publisher
-
-    def _subscribe(
-        self,
-        message_type: Any,
-        topic: str,
-        callback: Callable[[Any], Any],
-        qos: Any = 10,
-    ) -> None:
-        """Create a subscription; its QoS, a profile or a depth, can be overridden."""
-        subscription = self.create_subscription(
-            message_type,
-            topic,
-            callback,
-            qos,
-            callback_group=MutuallyExclusiveCallbackGroup(),
-            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
-        )
-        self._active.callback(self.destroy_subscription, subscription)
 
 
 def main(args: Optional[list[str]] = None) -> int:

@@ -10,14 +10,14 @@ from time import sleep
 import unittest
 
 from all_kinds.observer_interface import ObserverConfig
-from peer import Peer
-from running import eventually, RunningNode
 import std_msgs.msg
+from support.peer import Peer
+from support.running import eventually, RunningNode
 
 NAME = '/observer'
 RECORDER = [
     sys.executable,
-    os.path.join(os.path.dirname(__file__), 'recorder.py'),
+    os.path.join(os.path.dirname(__file__), 'support', 'recorder.py'),
     'observer',
     'ObserverImpl',
     '--ros-args',

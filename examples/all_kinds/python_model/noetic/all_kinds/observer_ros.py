@@ -12,15 +12,15 @@ from __future__ import annotations
 from threading import Lock
 from typing import Any, Dict
 
-from all_kinds.loop import Loop
-from all_kinds.managed_node import ManagedNode
 from all_kinds.observer_impl import ObserverImpl
 from all_kinds.observer_interface import (
     ObserverConfig,
     ObserverData,
     ObserverPassthrough,
 )
-from all_kinds.process import run
+from all_kinds.ros.loop import Loop
+from all_kinds.ros.managed_node import ManagedNode, read_parameter
+from all_kinds.ros.process import run
 import rospy
 import std_msgs.msg
 
@@ -40,15 +40,7 @@ class ObserverNode(ManagedNode):
         self._data = ObserverData()
         self._received: Dict[str, Any] = {}
         self._received_lock = Lock()
-        self._cycles = Loop(self._update, FREQUENCY, self._time, self._log.warning)
-
-    def _configure(self) -> bool:
-        """Configure the logic with the parameters."""
-        return bool(self._impl.configure(self._config))
-
-    def _loop(self) -> None:
-        """Call update until the node stops."""
-        self._cycles.run(self.stop)
+        self.loop = Loop(self._update, FREQUENCY, self._time, self._log.warning)
 
     def _connect_senders(self) -> None:
         """Create publishers and clients, then the logic."""
@@ -83,19 +75,6 @@ class ObserverNode(ManagedNode):
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['status'] = message
-
-
-def read_parameter(name: str, default: Any) -> Any:
-    """Return a private parameter; raise if its type is not that of the default."""
-    value = rospy.get_param('~' + name, default)
-    if isinstance(value, list):
-        value = tuple(value)
-    if isinstance(default, float) and type(value) is int:
-        value = float(value)
-    if type(value) is not type(default):
-        wanted = type(default).__name__
-        raise rospy.ROSInitException(f'Parameter {name} must be of type {wanted}, not {value!r}.')
-    return value
 
 
 def main() -> int:

@@ -21,11 +21,7 @@ from all_kinds.worker_interface import (
 
 
 class WorkerImpl:
-    """
-    The logic of worker.
-
-    Callbacks run in threads of their own: protect shared state with a lock.
-    """
+    """The logic of worker."""
 
     def __init__(self, passthrough: WorkerPassthrough) -> None:
         """Store the passthrough."""
@@ -51,7 +47,7 @@ class WorkerImpl:
         self,
         message: SayMessage,
     ) -> None:
-        """Handle a message when it arrives."""
+        """Handle a message when it arrives, in a thread of its own."""
 
     # Service reset
     def serve_reset(
@@ -59,7 +55,7 @@ class WorkerImpl:
         request: ResetRequest,
         response: ResetResponse,
     ) -> ResetResponse:
-        """Fill in the response and return it."""
+        """Fill in the response and return it, in a thread of its own."""
         return response
 
     # Service enable
@@ -68,7 +64,7 @@ class WorkerImpl:
         request: EnableRequest,
         response: EnableResponse,
     ) -> EnableResponse:
-        """Fill in the response and return it."""
+        """Fill in the response and return it, in a thread of its own."""
         return response
 
     # Action compute
@@ -76,10 +72,9 @@ class WorkerImpl:
         self,
         goal: ComputeGoal,
     ) -> None:
-        """Execute a goal and set its outcome; replace this stub, which reports success."""
+        """Execute a goal and set its outcome, in a thread of its own; this stub only succeeds."""
         goal.succeed()
 
-    # End of life
     def deactivate(self) -> None:
         """Stop everything that moves; publishers, service calls and goals still work here."""
 

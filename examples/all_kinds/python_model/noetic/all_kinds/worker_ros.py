@@ -14,12 +14,12 @@ from threading import Lock
 from typing import Any, Dict
 
 from all_kinds.cfg import WorkerConfig as WorkerReconfigure
-from all_kinds.loop import Loop
-from all_kinds.managed_node import ManagedNode
-from all_kinds.process import run
-from all_kinds.service_client import ServiceClient
-from all_kinds.service_server import ServiceServer
-from all_kinds.transforms import TransformBroadcaster, TransformListener
+from all_kinds.ros.loop import Loop
+from all_kinds.ros.managed_node import ManagedNode, read_parameter
+from all_kinds.ros.process import run
+from all_kinds.ros.service_client import ServiceClient
+from all_kinds.ros.service_server import ServiceServer
+from all_kinds.ros.transforms import TransformBroadcaster, TransformListener
 from all_kinds.worker_impl import WorkerImpl
 from all_kinds.worker_interface import (
     WorkerConfig,
@@ -54,15 +54,7 @@ class WorkerNode(ManagedNode):
         self._data = WorkerData()
         self._received: Dict[str, Any] = {}
         self._received_lock = Lock()
-        self._cycles = Loop(self._update, FREQUENCY, self._time, self._log.warning)
-
-    def _configure(self) -> bool:
-        """Configure the logic with the parameters."""
-        return bool(self._impl.configure(self._config))
-
-    def _loop(self) -> None:
-        """Call update until the node stops."""
-        self._cycles.run(self.stop)
+        self.loop = Loop(self._update, FREQUENCY, self._time, self._log.warning)
 
     def _connect_senders(self) -> None:
         """Create publishers and clients, then the logic."""
@@ -190,19 +182,6 @@ class WorkerNode(ManagedNode):
             label=values['label'],
         )
         return values
-
-
-def read_parameter(name: str, default: Any) -> Any:
-    """Return a private parameter; raise if its type is not that of the default."""
-    value = rospy.get_param('~' + name, default)
-    if isinstance(value, list):
-        value = tuple(value)
-    if isinstance(default, float) and type(value) is int:
-        value = float(value)
-    if type(value) is not type(default):
-        wanted = type(default).__name__
-        raise rospy.ROSInitException(f'Parameter {name} must be of type {wanted}, not {value!r}.')
-    return value
 
 
 def main() -> int:

@@ -10,7 +10,7 @@ from all_kinds.observer_interface import (
     ObserverConfig,
     ObserverPassthrough,
 )
-from harness import fake, run_cycle
+from support.harness import fake, run_cycle
 
 
 class TestObserverImpl(unittest.TestCase):

@@ -10,7 +10,7 @@ from all_kinds.worker_interface import (
     WorkerConfig,
     WorkerPassthrough,
 )
-from harness import fake, run_cycle
+from support.harness import fake, run_cycle
 
 
 class TestWorkerImpl(unittest.TestCase):

@@ -11,17 +11,17 @@ import unittest
 
 from all_kinds.worker_interface import WorkerConfig
 import geometry_msgs.msg
-from peer import Peer
 import rospy
-from running import eventually, RunningNode
 import std_msgs.msg
 import std_srvs.srv
+from support.peer import Peer
+from support.running import eventually, RunningNode
 import test_msgs.msg
 
 NAME = '/worker'
 RECORDER = [
     sys.executable,
-    os.path.join(os.path.dirname(__file__), 'recorder.py'),
+    os.path.join(os.path.dirname(__file__), 'support', 'recorder.py'),
     'worker',
     'WorkerImpl',
 ]

@@ -59,7 +59,6 @@ void ContactEvaluateImpl::execute_evaluate(
   goal.succeed();
 }
 
-// End of life
 void ContactEvaluateImpl::deactivate()
 {
 }

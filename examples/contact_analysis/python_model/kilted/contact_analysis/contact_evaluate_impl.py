@@ -21,11 +21,7 @@ from contact_analysis.contact_evaluate_interface import (
 
 
 class ContactEvaluateImpl:
-    """
-    The logic of contact_evaluate.
-
-    Callbacks run in threads of their own: protect shared state with a lock.
-    """
+    """The logic of contact_evaluate."""
 
     def __init__(self, passthrough: ContactEvaluatePassthrough) -> None:
         """Store the passthrough."""
@@ -52,7 +48,7 @@ class ContactEvaluateImpl:
         request: LoadRequest,
         response: LoadResponse,
     ) -> LoadResponse:
-        """Fill in the response and return it."""
+        """Fill in the response and return it, in a thread of its own."""
         return response
 
     # Service store
@@ -61,7 +57,7 @@ class ContactEvaluateImpl:
         request: StoreRequest,
         response: StoreResponse,
     ) -> StoreResponse:
-        """Fill in the response and return it."""
+        """Fill in the response and return it, in a thread of its own."""
         return response
 
     # Action learn
@@ -69,7 +65,7 @@ class ContactEvaluateImpl:
         self,
         goal: LearnGoal,
     ) -> None:
-        """Execute a goal and set its outcome; replace this stub, which reports success."""
+        """Execute a goal and set its outcome, in a thread of its own; this stub only succeeds."""
         goal.succeed()
 
     # Action evaluate
@@ -77,10 +73,9 @@ class ContactEvaluateImpl:
         self,
         goal: EvaluateGoal,
     ) -> None:
-        """Execute a goal and set its outcome; replace this stub, which reports success."""
+        """Execute a goal and set its outcome, in a thread of its own; this stub only succeeds."""
         goal.succeed()
 
-    # End of life
     def deactivate(self) -> None:
         """Stop everything that moves; publishers, service calls and goals still work here."""
 

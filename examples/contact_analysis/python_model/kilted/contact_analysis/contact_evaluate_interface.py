@@ -10,7 +10,7 @@ Generated from contact_analysis.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable
 
-from contact_analysis.protocols import (
+from contact_analysis.ros.protocols import (
     Goal,
     Log,
     Publisher,

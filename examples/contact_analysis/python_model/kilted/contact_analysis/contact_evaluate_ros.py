@@ -10,7 +10,7 @@ Generated from contact_analysis.ros_package; the logic is in contact_evaluate_im
 from __future__ import annotations
 
 from threading import Lock
-from typing import Any, Callable, Optional
+from typing import Any, Optional
 
 from contact_analysis.contact_evaluate_impl import ContactEvaluateImpl
 from contact_analysis.contact_evaluate_interface import (
@@ -18,27 +18,16 @@ from contact_analysis.contact_evaluate_interface import (
     ContactEvaluateData,
     ContactEvaluatePassthrough,
 )
-from contact_analysis.loop import Loop
-from contact_analysis.managed_node import ManagedNode
-from contact_analysis.process import run
+from contact_analysis.ros.loop import Loop
+from contact_analysis.ros.managed_node import ManagedNode
+from contact_analysis.ros.process import run
 import contact_msgs.action
 import contact_msgs.msg
 import contact_msgs.srv
 import geometry_msgs.msg
 from rcl_interfaces.msg import ParameterDescriptor
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
-from rclpy.parameter import Parameter
-from rclpy.publisher import Publisher
-from rclpy.qos import QoSPolicyKind
-from rclpy.qos_overriding_options import QoSOverridingOptions
 
 FREQUENCY = 1000  # Hz
-OVERRIDABLE_QOS = (
-    QoSPolicyKind.DEPTH,
-    QoSPolicyKind.DURABILITY,
-    QoSPolicyKind.HISTORY,
-    QoSPolicyKind.RELIABILITY,
-)
 
 
 class ContactEvaluateNode(ManagedNode):
@@ -70,7 +59,6 @@ class ContactEvaluateNode(ManagedNode):
                 description='Whether cop sampled should be published',
             ),
         )
-        self._config = self._read_config()
         self.add_post_set_parameters_callback(self._apply_parameters)
         self._action_server_learn = self._action_server(
             contact_msgs.action.LearnContact,
@@ -86,16 +74,7 @@ class ContactEvaluateNode(ManagedNode):
         )
         self._received: dict[str, Any] = {}
         self._received_lock = Lock()
-        self._cycles = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
-
-    def _configure(self) -> bool:
-        """Configure the logic with the parameters."""
-        self._config = self._read_config()
-        return bool(self._impl.configure(self._config))
-
-    def _loop(self) -> None:
-        """Call update until the node stops."""
-        self._cycles.run(self.stop)
+        self.loop = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
 
     def _read_config(self) -> ContactEvaluateConfig:
         """Return the current parameters."""
@@ -103,10 +82,6 @@ class ContactEvaluateNode(ManagedNode):
             samples=self.get_parameter('samples').value,
             pub_sample=self.get_parameter('pub_sample').value,
         )
-
-    def _apply_parameters(self, _parameters: list[Parameter[Any]]) -> None:
-        """Update the configuration with the changed parameters."""
-        self._config = self._read_config()
 
     def _connect_senders(self) -> None:
         """Create publishers and clients, then the logic."""
@@ -158,35 +133,6 @@ class ContactEvaluateNode(ManagedNode):
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['cop'] = message
-
-    def _advertise(self, message_type: Any, topic: str, qos: Any = 10) -> Publisher[Any]:
-        """Create a publisher; its QoS, a profile or a depth, can be overridden."""
-        publisher = self.create_publisher(
-            message_type,
-            topic,
-            qos,
-            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
-        )
-        self._configured.callback(self._drop_publisher, publisher)
-        return publisher
-
-    def _subscribe(
-        self,
-        message_type: Any,
-        topic: str,
-        callback: Callable[[Any], Any],
-        qos: Any = 10,
-    ) -> None:
-        """Create a subscription; its QoS, a profile or a depth, can be overridden."""
-        subscription = self.create_subscription(
-            message_type,
-            topic,
-            callback,
-            qos,
-            callback_group=MutuallyExclusiveCallbackGroup(),
-            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
-        )
-        self._active.callback(self.destroy_subscription, subscription)
 
 
 def main(args: Optional[list[str]] = None) -> int:

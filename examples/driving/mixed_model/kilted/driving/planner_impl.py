@@ -15,11 +15,7 @@ from driving.planner_interface import (
 
 
 class PlannerImpl:
-    """
-    The logic of planner.
-
-    Callbacks run in threads of their own: protect shared state with a lock.
-    """
+    """The logic of planner."""
 
     def __init__(self, passthrough: PlannerPassthrough) -> None:
         """Store the passthrough."""
@@ -40,7 +36,6 @@ class PlannerImpl:
     ) -> None:
         """Compute the outputs of one cycle from the latest inputs."""
 
-    # End of life
     def deactivate(self) -> None:
         """Stop everything that moves; publishers, service calls and goals still work here."""
 

@@ -10,7 +10,7 @@ Generated from driving.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable
 
-from driving.protocols import (
+from driving.ros.protocols import (
     Log,
     Stamp,
 )

@@ -10,31 +10,21 @@ Generated from driving.ros_package; the logic is in planner_impl.py.
 from __future__ import annotations
 
 from threading import Lock
-from typing import Any, Callable, Optional
+from typing import Any, Optional
 
-from driving.loop import Loop
-from driving.managed_node import ManagedNode
 from driving.planner_impl import PlannerImpl
 from driving.planner_interface import (
     PlannerConfig,
     PlannerData,
     PlannerPassthrough,
 )
-from driving.process import run
+from driving.ros.loop import Loop
+from driving.ros.managed_node import ManagedNode
+from driving.ros.process import run
 from rcl_interfaces.msg import ParameterDescriptor
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
-from rclpy.publisher import Publisher
-from rclpy.qos import QoSPolicyKind
-from rclpy.qos_overriding_options import QoSOverridingOptions
 import std_msgs.msg
 
 FREQUENCY = 10  # Hz
-OVERRIDABLE_QOS = (
-    QoSPolicyKind.DEPTH,
-    QoSPolicyKind.DURABILITY,
-    QoSPolicyKind.HISTORY,
-    QoSPolicyKind.RELIABILITY,
-)
 
 
 class PlannerNode(ManagedNode):
@@ -58,19 +48,9 @@ class PlannerNode(ManagedNode):
                 description='Highest speed, m/s',
             ),
         )
-        self._config = self._read_config()
         self._received: dict[str, Any] = {}
         self._received_lock = Lock()
-        self._cycles = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
-
-    def _configure(self) -> bool:
-        """Configure the logic with the parameters."""
-        self._config = self._read_config()
-        return bool(self._impl.configure(self._config))
-
-    def _loop(self) -> None:
-        """Call update until the node stops."""
-        self._cycles.run(self.stop)
+        self.loop = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
 
     def _read_config(self) -> PlannerConfig:
         """Return the current parameters."""
@@ -119,35 +99,6 @@ class PlannerNode(ManagedNode):
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['speed'] = message
-
-    def _advertise(self, message_type: Any, topic: str, qos: Any = 10) -> Publisher[Any]:
-        """Create a publisher; its QoS, a profile or a depth, can be overridden."""
-        publisher = self.create_publisher(
-            message_type,
-            topic,
-            qos,
-            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
-        )
-        self._configured.callback(self._drop_publisher, publisher)
-        return publisher
-
-    def _subscribe(
-        self,
-        message_type: Any,
-        topic: str,
-        callback: Callable[[Any], Any],
-        qos: Any = 10,
-    ) -> None:
-        """Create a subscription; its QoS, a profile or a depth, can be overridden."""
-        subscription = self.create_subscription(
-            message_type,
-            topic,
-            callback,
-            qos,
-            callback_group=MutuallyExclusiveCallbackGroup(),
-            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
-        )
-        self._active.callback(self.destroy_subscription, subscription)
 
 
 def main(args: Optional[list[str]] = None) -> int:

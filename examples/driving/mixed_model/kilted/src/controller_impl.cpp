@@ -38,7 +38,6 @@ void ControllerImpl::serve_stop(
 {
 }
 
-// End of life
 void ControllerImpl::deactivate()
 {
 }

@@ -46,7 +46,6 @@ void ClerkImpl::execute_count(
   goal.succeed();
 }
 
-// End of life
 void ClerkImpl::deactivate()
 {
 }

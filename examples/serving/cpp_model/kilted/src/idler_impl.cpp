@@ -25,7 +25,6 @@ bool IdlerImpl::activate()
   return true;
 }
 
-// End of life
 void IdlerImpl::deactivate()
 {
 }

@@ -19,11 +19,7 @@ from serving.clerk_interface import (
 
 
 class ClerkImpl:
-    """
-    The logic of clerk.
-
-    Callbacks run in threads of their own: protect shared state with a lock.
-    """
+    """The logic of clerk."""
 
     def __init__(self, passthrough: ClerkPassthrough) -> None:
         """Store the passthrough."""
@@ -43,7 +39,7 @@ class ClerkImpl:
         request: GreetRequest,
         response: GreetResponse,
     ) -> GreetResponse:
-        """Fill in the response and return it."""
+        """Fill in the response and return it, in a thread of its own."""
         return response
 
     # Service ~/open
@@ -52,7 +48,7 @@ class ClerkImpl:
         request: OpenRequest,
         response: OpenResponse,
     ) -> OpenResponse:
-        """Fill in the response and return it."""
+        """Fill in the response and return it, in a thread of its own."""
         return response
 
     # Action count
@@ -60,10 +56,9 @@ class ClerkImpl:
         self,
         goal: CountGoal,
     ) -> None:
-        """Execute a goal and set its outcome; replace this stub, which reports success."""
+        """Execute a goal and set its outcome, in a thread of its own; this stub only succeeds."""
         goal.succeed()
 
-    # End of life
     def deactivate(self) -> None:
         """Stop everything that moves; publishers, service calls and goals still work here."""
 

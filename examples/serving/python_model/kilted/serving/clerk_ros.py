@@ -17,8 +17,8 @@ from serving.clerk_interface import (
     ClerkConfig,
     ClerkPassthrough,
 )
-from serving.managed_node import ManagedNode
-from serving.process import run
+from serving.ros.managed_node import ManagedNode
+from serving.ros.process import run
 import std_srvs.srv
 import test_msgs.action
 
@@ -53,18 +53,12 @@ class ClerkNode(ManagedNode):
                 description='Time for a step, s',
             ),
         )
-        self._config = self._read_config()
         self._action_server_count = self._action_server(
             test_msgs.action.Fibonacci,
             'count',
             'execute_count',
             new_goal='replace',
         )
-
-    def _configure(self) -> bool:
-        """Configure the logic with the parameters."""
-        self._config = self._read_config()
-        return bool(self._impl.configure(self._config))
 
     def _read_config(self) -> ClerkConfig:
         """Return the current parameters."""

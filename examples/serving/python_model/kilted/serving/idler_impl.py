@@ -14,11 +14,7 @@ from serving.idler_interface import (
 
 
 class IdlerImpl:
-    """
-    The logic of idler.
-
-    Callbacks run in threads of their own: protect shared state with a lock.
-    """
+    """The logic of idler."""
 
     def __init__(self, passthrough: IdlerPassthrough) -> None:
         """Store the passthrough."""
@@ -32,7 +28,6 @@ class IdlerImpl:
         """Start operating; return False to refuse activation."""
         return True
 
-    # End of life
     def deactivate(self) -> None:
         """Stop everything that moves; publishers, service calls and goals still work here."""
 

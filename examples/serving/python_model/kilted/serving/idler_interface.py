@@ -10,7 +10,7 @@ Generated from serving.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable
 
-from serving.protocols import (
+from serving.ros.protocols import (
     Log,
     Stamp,
 )

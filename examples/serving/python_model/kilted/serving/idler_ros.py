@@ -16,8 +16,8 @@ from serving.idler_interface import (
     IdlerConfig,
     IdlerPassthrough,
 )
-from serving.managed_node import ManagedNode
-from serving.process import run
+from serving.ros.managed_node import ManagedNode
+from serving.ros.process import run
 
 
 class IdlerNode(ManagedNode):
@@ -26,12 +26,6 @@ class IdlerNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters."""
         super().__init__('idler', **options)
-        self._config = IdlerConfig()
-
-    def _configure(self) -> bool:
-        """Configure the logic with the parameters."""
-        self._config = self._read_config()
-        return bool(self._impl.configure(self._config))
 
     def _read_config(self) -> IdlerConfig:
         """Return the current parameters."""

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "all_kinds/logger.hpp"
-#include "all_kinds/time.hpp"
+#include "all_kinds/ros/logger.hpp"
+#include "all_kinds/ros/time.hpp"
 #include "std_msgs/msg/string.hpp"
 
 namespace all_kinds

@@ -12,7 +12,6 @@ namespace all_kinds
 /// The logic of worker.
 ///
 /// Edit this file: worker_interface.hpp declares what the logic can use.
-/// Callbacks run in threads of their own: protect shared state with a mutex.
 class WorkerImpl
 {
 public:
@@ -33,28 +32,27 @@ public:
     const WorkerConfig & config);
 
   // Topic say
-  /// Handle a message when it arrives.
+  /// Handle a message when it arrives, in a thread of its own.
   void receive_say(
     const worker_types::SayMessage & message);
 
   // Service reset
-  /// Fill in the response.
+  /// Fill in the response, in a thread of its own.
   void serve_reset(
     const worker_types::ResetService::Request & request,
     worker_types::ResetService::Response & response);
 
   // Service enable
-  /// Fill in the response.
+  /// Fill in the response, in a thread of its own.
   void serve_enable(
     const worker_types::EnableService::Request & request,
     worker_types::EnableService::Response & response);
 
   // Action compute
-  /// Execute a goal until it succeeds, is aborted, or a cancel is requested; replace the stub.
+  /// Execute a goal and set its outcome, in a thread of its own; the stub only succeeds.
   void execute_compute(
     Goal<worker_types::ComputeAction> & goal);
 
-  // End of life
   /// Stop everything that moves; publishers, service calls and goals still work here.
   void deactivate();
 

@@ -13,7 +13,7 @@
 #include "rclcpp/create_timer.hpp"
 #include "rclcpp_action/rclcpp_action.hpp"
 
-#include "all_kinds/action_client.hpp"
+#include "all_kinds/ros/action_client.hpp"
 #include "managed_node.hpp"
 #include "tracked_goal.hpp"
 

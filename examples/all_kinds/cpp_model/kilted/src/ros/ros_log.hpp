@@ -10,7 +10,7 @@
 #include "rclcpp/logger.hpp"
 #include "rclcpp/logging.hpp"
 
-#include "all_kinds/logger.hpp"
+#include "all_kinds/ros/logger.hpp"
 
 namespace all_kinds
 {

@@ -13,7 +13,7 @@
 
 #include "rclcpp/publisher.hpp"
 
-#include "all_kinds/publisher.hpp"
+#include "all_kinds/ros/publisher.hpp"
 
 namespace all_kinds
 {

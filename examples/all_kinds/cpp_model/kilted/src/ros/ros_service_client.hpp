@@ -15,7 +15,7 @@
 #include "rclcpp/client.hpp"
 #include "rclcpp/qos.hpp"
 
-#include "all_kinds/service_client.hpp"
+#include "all_kinds/ros/service_client.hpp"
 #include "managed_node.hpp"
 #include "stop.hpp"
 

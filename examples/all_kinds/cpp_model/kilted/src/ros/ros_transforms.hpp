@@ -20,7 +20,7 @@
 #include "tf2_ros/static_transform_broadcaster.h"
 #include "tf2_ros/transform_broadcaster.h"
 
-#include "all_kinds/transforms.hpp"
+#include "all_kinds/ros/transforms.hpp"
 #include "managed_node.hpp"
 #include "stop.hpp"
 

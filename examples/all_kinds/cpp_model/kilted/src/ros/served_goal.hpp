@@ -10,7 +10,7 @@
 
 #include "rclcpp_action/rclcpp_action.hpp"
 
-#include "all_kinds/goal.hpp"
+#include "all_kinds/ros/goal.hpp"
 
 namespace all_kinds
 {

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <utility>
 
-#include "all_kinds/action_client.hpp"
+#include "all_kinds/ros/action_client.hpp"
 
 namespace all_kinds
 {

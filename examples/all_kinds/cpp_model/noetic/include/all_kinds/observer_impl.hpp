@@ -12,7 +12,6 @@ namespace all_kinds
 /// The logic of observer.
 ///
 /// Edit this file: observer_interface.hpp declares what the logic can use.
-/// Callbacks run in threads of their own: protect shared state with a mutex.
 class ObserverImpl
 {
 public:
@@ -32,7 +31,6 @@ public:
     ObserverData & data,
     const ObserverConfig & config);
 
-  // End of life
   /// Stop everything that moves; publishers, service calls and goals still work here.
   void deactivate();
 

@@ -13,13 +13,13 @@
 #include <string>
 #include <vector>
 
-#include "all_kinds/action_client.hpp"
-#include "all_kinds/goal.hpp"
-#include "all_kinds/logger.hpp"
-#include "all_kinds/publisher.hpp"
-#include "all_kinds/service_client.hpp"
-#include "all_kinds/time.hpp"
-#include "all_kinds/transforms.hpp"
+#include "all_kinds/ros/action_client.hpp"
+#include "all_kinds/ros/goal.hpp"
+#include "all_kinds/ros/logger.hpp"
+#include "all_kinds/ros/publisher.hpp"
+#include "all_kinds/ros/service_client.hpp"
+#include "all_kinds/ros/time.hpp"
+#include "all_kinds/ros/transforms.hpp"
 #include "geometry_msgs/TransformStamped.h"
 #include "geometry_msgs/Twist.h"
 #include "std_msgs/Empty.h"

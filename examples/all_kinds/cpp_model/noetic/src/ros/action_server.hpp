@@ -21,7 +21,7 @@
 #include "receiver.hpp"
 #include "supervisor.hpp"
 
-#include "all_kinds/goal.hpp"
+#include "all_kinds/ros/goal.hpp"
 
 namespace all_kinds
 {

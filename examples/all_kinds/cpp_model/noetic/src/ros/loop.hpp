@@ -13,7 +13,7 @@
 #include "clock.hpp"
 #include "supervisor.hpp"
 
-#include "all_kinds/logger.hpp"
+#include "all_kinds/ros/logger.hpp"
 
 namespace all_kinds
 {

@@ -13,7 +13,7 @@
 #include "actionlib_msgs/GoalStatusArray.h"
 #include "ros/node_handle.h"
 
-#include "all_kinds/action_client.hpp"
+#include "all_kinds/ros/action_client.hpp"
 #include "sent_goal.hpp"
 
 namespace all_kinds

@@ -10,7 +10,7 @@
 #include "ros/console.h"
 #include "ros/param.h"
 
-#include "all_kinds/logger.hpp"
+#include "all_kinds/ros/logger.hpp"
 
 namespace all_kinds
 {

@@ -6,7 +6,7 @@
 
 #include "ros/publisher.h"
 
-#include "all_kinds/publisher.hpp"
+#include "all_kinds/ros/publisher.hpp"
 
 namespace all_kinds
 {

@@ -14,7 +14,7 @@
 #include "ros/service.h"
 #include "ros/service_traits.h"
 
-#include "all_kinds/service_client.hpp"
+#include "all_kinds/ros/service_client.hpp"
 #include "service_caller.hpp"
 
 namespace all_kinds

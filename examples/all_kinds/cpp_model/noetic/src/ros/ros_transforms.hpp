@@ -16,7 +16,7 @@
 #include "tf2_ros/transform_broadcaster.h"
 #include "tf2_ros/transform_listener.h"
 
-#include "all_kinds/transforms.hpp"
+#include "all_kinds/ros/transforms.hpp"
 #include "callback_thread.hpp"
 #include "stop.hpp"
 

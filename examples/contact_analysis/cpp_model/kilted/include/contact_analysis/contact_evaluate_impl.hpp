@@ -12,7 +12,6 @@ namespace contact_analysis
 /// The logic of contact_evaluate.
 ///
 /// Edit this file: contact_evaluate_interface.hpp declares what the logic can use.
-/// Callbacks run in threads of their own: protect shared state with a mutex.
 class ContactEvaluateImpl
 {
 public:
@@ -33,28 +32,27 @@ public:
     const ContactEvaluateConfig & config);
 
   // Service load
-  /// Fill in the response.
+  /// Fill in the response, in a thread of its own.
   void serve_load(
     const contact_evaluate_types::LoadService::Request & request,
     contact_evaluate_types::LoadService::Response & response);
 
   // Service store
-  /// Fill in the response.
+  /// Fill in the response, in a thread of its own.
   void serve_store(
     const contact_evaluate_types::StoreService::Request & request,
     contact_evaluate_types::StoreService::Response & response);
 
   // Action learn
-  /// Execute a goal until it succeeds, is aborted, or a cancel is requested; replace the stub.
+  /// Execute a goal and set its outcome, in a thread of its own; the stub only succeeds.
   void execute_learn(
     Goal<contact_evaluate_types::LearnAction> & goal);
 
   // Action evaluate
-  /// Execute a goal until it succeeds, is aborted, or a cancel is requested; replace the stub.
+  /// Execute a goal and set its outcome, in a thread of its own; the stub only succeeds.
   void execute_evaluate(
     Goal<contact_evaluate_types::EvaluateAction> & goal);
 
-  // End of life
   /// Stop everything that moves; publishers, service calls and goals still work here.
   void deactivate();
 

@@ -11,10 +11,10 @@
 #include <functional>
 #include <memory>
 
-#include "contact_analysis/goal.hpp"
-#include "contact_analysis/logger.hpp"
-#include "contact_analysis/publisher.hpp"
-#include "contact_analysis/time.hpp"
+#include "contact_analysis/ros/goal.hpp"
+#include "contact_analysis/ros/logger.hpp"
+#include "contact_analysis/ros/publisher.hpp"
+#include "contact_analysis/ros/time.hpp"
 #include "contact_msgs/action/evaluate_contact.hpp"
 #include "contact_msgs/action/learn_contact.hpp"
 #include "contact_msgs/msg/point_array.hpp"

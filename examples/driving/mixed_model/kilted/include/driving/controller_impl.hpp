@@ -12,7 +12,6 @@ namespace driving
 /// The logic of controller.
 ///
 /// Edit this file: controller_interface.hpp declares what the logic can use.
-/// Callbacks run in threads of their own: protect shared state with a mutex.
 class ControllerImpl
 {
 public:
@@ -33,12 +32,11 @@ public:
     const ControllerConfig & config);
 
   // Service stop
-  /// Fill in the response.
+  /// Fill in the response, in a thread of its own.
   void serve_stop(
     const controller_types::StopService::Request & request,
     controller_types::StopService::Response & response);
 
-  // End of life
   /// Stop everything that moves; publishers, service calls and goals still work here.
   void deactivate();
 

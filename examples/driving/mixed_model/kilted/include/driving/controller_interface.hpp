@@ -9,8 +9,8 @@
 
 #include <functional>
 
-#include "driving/logger.hpp"
-#include "driving/time.hpp"
+#include "driving/ros/logger.hpp"
+#include "driving/ros/time.hpp"
 #include "std_msgs/msg/float64.hpp"
 #include "std_srvs/srv/trigger.hpp"
 

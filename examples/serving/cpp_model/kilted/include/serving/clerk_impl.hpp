@@ -12,7 +12,6 @@ namespace serving
 /// The logic of clerk.
 ///
 /// Edit this file: clerk_interface.hpp declares what the logic can use.
-/// Callbacks run in threads of their own: protect shared state with a mutex.
 class ClerkImpl
 {
 public:
@@ -28,23 +27,22 @@ public:
   bool activate();
 
   // Service greet
-  /// Fill in the response.
+  /// Fill in the response, in a thread of its own.
   void serve_greet(
     const clerk_types::GreetService::Request & request,
     clerk_types::GreetService::Response & response);
 
   // Service ~/open
-  /// Fill in the response.
+  /// Fill in the response, in a thread of its own.
   void serve_open(
     const clerk_types::OpenService::Request & request,
     clerk_types::OpenService::Response & response);
 
   // Action count
-  /// Execute a goal until it succeeds, is aborted, or a cancel is requested; replace the stub.
+  /// Execute a goal and set its outcome, in a thread of its own; the stub only succeeds.
   void execute_count(
     Goal<clerk_types::CountAction> & goal);
 
-  // End of life
   /// Stop everything that moves; publishers, service calls and goals still work here.
   void deactivate();
 

@@ -10,9 +10,9 @@
 #include <functional>
 #include <string>
 
-#include "serving/goal.hpp"
-#include "serving/logger.hpp"
-#include "serving/time.hpp"
+#include "serving/ros/goal.hpp"
+#include "serving/ros/logger.hpp"
+#include "serving/ros/time.hpp"
 #include "std_srvs/srv/set_bool.hpp"
 #include "std_srvs/srv/trigger.hpp"
 #include "test_msgs/action/fibonacci.hpp"

@@ -12,7 +12,6 @@ namespace serving
 /// The logic of idler.
 ///
 /// Edit this file: idler_interface.hpp declares what the logic can use.
-/// Callbacks run in threads of their own: protect shared state with a mutex.
 class IdlerImpl
 {
 public:
@@ -27,7 +26,6 @@ public:
   /// Start operating; return false to refuse activation.
   bool activate();
 
-  // End of life
   /// Stop everything that moves; publishers, service calls and goals still work here.
   void deactivate();
 

@@ -9,8 +9,8 @@
 
 #include <functional>
 
-#include "serving/logger.hpp"
-#include "serving/time.hpp"
+#include "serving/ros/logger.hpp"
+#include "serving/ros/time.hpp"
 
 namespace serving
 {

@@ -1,0 +1,23 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef ALL_KINDS__ROS__PUBLISHER_HPP_
+#define ALL_KINDS__ROS__PUBLISHER_HPP_
+
+namespace all_kinds
+{
+
+/// Publishes messages to a topic. This base class, for tests without ROS, drops them.
+template<typename Message>
+class Publisher
+{
+public:
+  virtual ~Publisher() = default;
+
+  /// Publish a message.
+  virtual void publish(const Message & /* message */) {}
+};
+
+}  // namespace all_kinds
+
+#endif  // ALL_KINDS__ROS__PUBLISHER_HPP_

@@ -1,0 +1,91 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef ALL_KINDS__ROS__TIME_HPP_
+#define ALL_KINDS__ROS__TIME_HPP_
+
+#include <chrono>
+#include <cstdint>
+
+namespace all_kinds
+{
+
+/// ROS time, real or simulated; it converts to a message's stamp and back.
+///
+/// The difference of two is a std::chrono duration: `now() - message.header.stamp < 100ms`.
+class Time
+{
+public:
+  Time() = default;
+
+  explicit Time(std::int64_t nanoseconds)
+  : nanoseconds_(nanoseconds)
+  {
+  }
+
+  /// Convert from a stamp of ROS 2.
+  template<typename Stamp, decltype(Stamp::nanosec) * = nullptr>
+  Time(const Stamp & stamp)  // NOLINT(runtime/explicit)
+  : nanoseconds_(stamp.sec * std::int64_t{1000000000} + stamp.nanosec)
+  {
+  }
+
+  /// Convert from a stamp of ROS 1.
+  template<typename Stamp, decltype(Stamp::nsec) * = nullptr>
+  Time(const Stamp & stamp)  // NOLINT(runtime/explicit)
+  : nanoseconds_(stamp.sec * std::int64_t{1000000000} + stamp.nsec)
+  {
+  }
+
+  std::int64_t nanoseconds() const {return nanoseconds_;}
+  double seconds() const {return static_cast<double>(nanoseconds_) * 1e-9;}
+
+  /// Convert to a stamp of ROS 2.
+  template<typename Stamp, decltype(Stamp::nanosec) * = nullptr>
+  operator Stamp() const
+  {
+    Stamp stamp;
+    stamp.sec = static_cast<decltype(stamp.sec)>(nanoseconds_ / 1000000000);
+    stamp.nanosec = static_cast<decltype(stamp.nanosec)>(nanoseconds_ % 1000000000);
+    return stamp;
+  }
+
+  /// Convert to a stamp of ROS 1.
+  template<typename Stamp, decltype(Stamp::nsec) * = nullptr>
+  operator Stamp() const
+  {
+    Stamp stamp;
+    stamp.sec = static_cast<decltype(stamp.sec)>(nanoseconds_ / 1000000000);
+    stamp.nsec = static_cast<decltype(stamp.nsec)>(nanoseconds_ % 1000000000);
+    return stamp;
+  }
+
+  friend std::chrono::nanoseconds operator-(Time left, Time right)
+  {
+    return std::chrono::nanoseconds(left.nanoseconds_ - right.nanoseconds_);
+  }
+
+  friend Time operator-(Time time, std::chrono::nanoseconds difference)
+  {
+    return Time(time.nanoseconds_ - difference.count());
+  }
+
+  friend Time operator+(Time time, std::chrono::nanoseconds difference)
+  {
+    return Time(time.nanoseconds_ + difference.count());
+  }
+
+  friend bool operator==(Time left, Time right) {return left.nanoseconds_ == right.nanoseconds_;}
+  friend bool operator!=(Time left, Time right) {return left.nanoseconds_ != right.nanoseconds_;}
+  friend bool operator<(Time left, Time right) {return left.nanoseconds_ < right.nanoseconds_;}
+  friend bool operator<=(Time left, Time right) {return left.nanoseconds_ <= right.nanoseconds_;}
+  friend bool operator>(Time left, Time right) {return left.nanoseconds_ > right.nanoseconds_;}
+  friend bool operator>=(Time left, Time right) {return left.nanoseconds_ >= right.nanoseconds_;}
+
+private:
+  std::int64_t nanoseconds_ = 0;
+};
+
+}  // namespace all_kinds
+
+#endif  // ALL_KINDS__ROS__TIME_HPP_

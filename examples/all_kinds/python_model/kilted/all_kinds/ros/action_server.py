@@ -1,0 +1,156 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""An action server that executes one goal at a time."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+from typing import Any
+
+from all_kinds.ros.callbacks import CallbackThread
+from all_kinds.ros.stop import Stop
+from rclpy.action import ActionServer as RosActionServer, CancelResponse, GoalResponse
+from rclpy.action.server import ServerGoalHandle
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.node import Node
+
+
+class Goal:
+    """
+    An action goal that the logic executes.
+
+    request: the goal message; feedback and result: messages to fill in.
+    """
+
+    def __init__(
+        self,
+        handle: ServerGoalHandle[Any, Any, Any],
+        action_type: Any,
+        stop: Stop,
+    ) -> None:
+        """Wrap an rclpy goal handle."""
+        self.request = handle.request
+        self.feedback = action_type.Feedback()
+        self.result = action_type.Result()
+        self._handle = handle
+        self._stop = stop
+        self._replaced = False
+        self._outcome = 'canceled'
+        self._given_up: Future[None] = Future()
+
+    @property
+    def cancel_requested(self) -> bool:
+        """Whether to stop: canceled, replaced by another goal, or the node stops."""
+        return self._replaced or self._stop.requested or self._handle.is_cancel_requested
+
+    def publish_feedback(self) -> None:
+        """Publish the current feedback."""
+        if not self._given_up.done():
+            self._handle.publish_feedback(self.feedback)
+
+    def succeed(self) -> None:
+        """Mark the goal as succeeded."""
+        self._outcome = 'succeeded'
+
+    def abort(self) -> None:
+        """Mark the goal as aborted."""
+        self._outcome = 'aborted'
+
+    def canceled(self) -> None:
+        """Mark the goal as canceled, after `cancel_requested` was true."""
+        self._outcome = 'canceled'
+
+    def replace(self) -> None:
+        """Ask the logic to end the goal in favour of a new one."""
+        self._replaced = True
+
+    def give_up(self) -> None:
+        """End the goal without the logic."""
+        if not self._given_up.done():
+            self._given_up.set_result(None)
+
+    def start(self) -> None:
+        """Have the server execute the goal."""
+        self._handle.execute()
+
+    async def execute(self, thread: CallbackThread) -> None:
+        """Let the logic execute the goal, unless it is to end already, and tell its outcome."""
+        if not self.cancel_requested:
+            self._outcome = 'none'  # until the logic tells it
+            await thread.run(self, until=self._given_up)
+            if self._outcome == 'none' and not self.cancel_requested:
+                thread.warn('returned without an outcome: the goal is aborted.')
+        if self._outcome == 'succeeded' and not self._given_up.done():
+            self._handle.succeed()
+        elif self._outcome == 'canceled' and self._handle.is_cancel_requested:
+            self._handle.canceled()
+        else:
+            self._handle.abort()
+
+
+class ActionServer:
+    """
+    An action server with one goal at a time.
+
+    new_goal: what becomes of a goal that comes while another is executed: it is to `replace` that
+    one, is put into a `queue`, or the server is to `reject` it.
+    """
+
+    def __init__(
+        self,
+        node: Node,
+        action_type: Any,
+        name: str,
+        thread: CallbackThread,
+        stop: Stop,
+        new_goal: str,
+    ) -> None:
+        """Advertise the action, whose goals the thread executes."""
+        self._action_type = action_type
+        self._thread = thread
+        self._stop = stop
+        self._new_goal = new_goal
+        self._open = False
+        self._goals: list[Goal] = []  # the first is being executed
+        self._server = RosActionServer(
+            node,
+            action_type,
+            name,
+            self._execute,
+            goal_callback=self._answer,
+            handle_accepted_callback=self._accept,
+            cancel_callback=lambda _: CancelResponse.ACCEPT,
+            callback_group=ReentrantCallbackGroup(),
+        )
+
+    def accept_goals(self, whether: bool) -> None:
+        """Accept new goals, or reject them."""
+        self._open = whether
+
+    def give_up(self) -> None:
+        """End the goals that the logic does not end."""
+        for goal in self._goals.copy():
+            goal.give_up()
+
+    def _answer(self, _request: Any) -> GoalResponse:
+        if not self._open or (self._goals and self._new_goal == 'reject'):
+            return GoalResponse.REJECT
+        return GoalResponse.ACCEPT
+
+    def _accept(self, handle: ServerGoalHandle[Any, Any, Any]) -> None:
+        if self._new_goal == 'replace':
+            for goal in self._goals:
+                goal.replace()
+        self._goals.append(Goal(handle, self._action_type, self._stop))
+        if len(self._goals) == 1:
+            self._goals[0].start()
+
+    async def _execute(self, _handle: ServerGoalHandle[Any, Any, Any]) -> Any:
+        """Execute the first goal and start the next."""
+        goal = self._goals[0]
+        await goal.execute(self._thread)
+        self._goals.remove(goal)
+        if self._goals:
+            self._goals[0].start()
+        return goal.result

@@ -1,0 +1,89 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""Threads for the callbacks of the logic, so that none delays another or the executor."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+from typing import Any, Optional, TYPE_CHECKING
+
+from all_kinds.ros.awaiting import executor_of, first
+from all_kinds.ros.worker import Worker
+
+if TYPE_CHECKING:
+    from all_kinds.ros.managed_node import ManagedNode
+
+
+class NoResponse(Exception):
+    """The logic gives no response to a request."""
+
+
+class CallbackThread:
+    """
+    A thread that runs one callback of the logic, one call at a time, while the executor goes on.
+
+    pending: the calls that have not been answered, with the name.
+    """
+
+    def __init__(self, node: ManagedNode, name: str, method: str) -> None:
+        """Start the thread, named after a topic, service or action."""
+        self.pending: dict[Future[None], str] = {}
+        self.name = name
+        self._node = node
+        self._method = method
+        self._worker = Worker(name)
+
+    async def run(self, *arguments: Any, until: Optional[Future[None]] = None) -> Any:
+        """Await the callback, or `until`; return None if it fails or the node stops."""
+        answered: Future[None] = Future()
+        call = self._node.stop.admit(lambda: self._submit(answered, *arguments))
+        if call is None:
+            return None
+        try:
+            await first(self._node, [call, until] if until else [call])
+            return call.result() if call.done() else None
+        finally:
+            # The executor comes to this after it has sent the response of a service.
+            executor_of(self._node).create_task(self._forget, answered)
+
+    async def receive(self, message: Any) -> None:
+        """Await the callback of a subscription."""
+        await self.run(message)
+
+    async def serve(self, request: Any, response: Any) -> Any:
+        """Await the callback of a service."""
+        answer = await self.run(request, response)
+        if answer is not None:
+            return answer
+        if not (self._node.has_error or self._node.stop.requested):
+            self._node.fail(TypeError(f'{self._method} returned no response'))
+        raise NoResponse(self._method)
+
+    def warn(self, text: str) -> None:
+        """Warn of what the callback did, unless it failed."""
+        if not self._node.has_error:
+            self._node.get_logger().warning(f'{self._method} {text}')
+
+    def is_running(self) -> bool:
+        """Return whether a call has not returned."""
+        return bool(self._worker.pending())
+
+    def close(self) -> None:
+        """End the thread after the calls under way."""
+        self._worker.close()
+
+    def _submit(self, answered: Future[None], *arguments: Any) -> Future[Any]:
+        self.pending[answered] = self.name
+        return self._worker.submit(self._call, *arguments)
+
+    def _call(self, *arguments: Any) -> Any:
+        try:
+            return self._node.call(self._method, *arguments)
+        except BaseException as error:
+            self._node.fail(error)
+            return None
+
+    def _forget(self, answered: Future[None]) -> None:
+        del self.pending[answered]
+        answered.set_result(None)

@@ -1,0 +1,72 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""The loop that calls update."""
+
+from __future__ import annotations
+
+from time import monotonic
+from typing import Callable
+
+from all_kinds.ros.ros_time import RosTime
+from all_kinds.ros.stop import Stop
+
+PATIENCE = 10.0  # seconds between two warnings
+
+
+class Loop:
+    """
+    Calls update at a fixed frequency; cycles that there is no time for are skipped.
+
+    cycles: how many were run; missed: how many were skipped.
+    """
+
+    def __init__(
+        self,
+        update: Callable[[], None],
+        frequency: float,
+        time: RosTime,
+        warn: Callable[[str], object],
+    ) -> None:
+        """Prepare a loop of `frequency` Hz."""
+        self.cycles = 0
+        self.missed = 0
+        self._update = update
+        self._frequency = frequency
+        self._time = time
+        self._warn = warn
+        self._reported = 0
+        self._report_due = monotonic()
+
+    def run(self, stop: Stop) -> None:
+        """Loop until the node stops."""
+        period = 1.0 / self._frequency
+        due = self._now()
+        while not stop.requested:
+            if self._time.simulated:
+                due += self._periods_since(due) * period  # no sample of /clock was for them
+            begin = monotonic()
+            self._update()
+            self.cycles += 1
+            due = min(due, self._now()) + period  # the clock may have been set back
+            missed = self._periods_since(due)
+            due += missed * period
+            if self._time.simulated:  # a step of it is no time that update takes
+                missed = min(missed, int((monotonic() - begin) / period))
+            if missed and not stop.requested:
+                self._report(missed)
+            self._time.sleep(due - self._now())
+
+    def _periods_since(self, due: float) -> int:
+        return max(0, int((self._now() - due) * self._frequency))
+
+    def _now(self) -> float:
+        return self._time.now() if self._time.simulated else monotonic()
+
+    def _report(self, missed: int) -> None:
+        self.missed += missed
+        if monotonic() >= self._report_due:
+            count = self.missed - self._reported
+            self._warn(f'Missed {count} cycles of {self._frequency:g} Hz: update takes too long.')
+            self._reported = self.missed
+            self._report_due = monotonic() + PATIENCE

@@ -1,0 +1,391 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""A managed node whose logic runs in threads of its own."""
+
+from __future__ import annotations
+
+from concurrent.futures import wait
+from contextlib import ExitStack
+from time import monotonic
+import traceback
+from typing import Any, Callable, Optional, Sequence
+
+from all_kinds.ros.action_client import ActionClient
+from all_kinds.ros.action_server import ActionServer
+from all_kinds.ros.awaiting import first
+from all_kinds.ros.callbacks import CallbackThread
+from all_kinds.ros.logic_thread import LogicThread
+from all_kinds.ros.loop import Loop
+from all_kinds.ros.ros_time import RosTime
+from all_kinds.ros.service_client import ServiceClient
+from all_kinds.ros.stop import Stop
+from all_kinds.ros.worker import Worker
+from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from rclpy.client import Client
+from rclpy.clock import Clock, ClockType
+from rclpy.duration import Duration
+from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
+from rclpy.parameter import Parameter
+from rclpy.publisher import Publisher
+from rclpy.qos import QoSPolicyKind
+from rclpy.qos_overriding_options import QoSOverridingOptions
+
+FAREWELL = 0.5  # seconds for the last messages to arrive
+OVERRIDABLE_QOS = (
+    QoSPolicyKind.DEPTH,
+    QoSPolicyKind.DURABILITY,
+    QoSPolicyKind.HISTORY,
+    QoSPolicyKind.RELIABILITY,
+)
+
+
+class ManagedNode(LifecycleNode):
+    """
+    A managed node that calls its logic in other threads, and does not wait for it forever.
+
+    A node derives from it and connects its logic to ROS.
+
+    fixed_parameters: parameters that only change while the node is unconfigured.
+    loop: calls update while the node is active, if there is one.
+    failed: whether the logic raised an exception, or refused to start by itself.
+    has_error: whether the logic has raised an exception since it was configured.
+    on_failure: called when the node has failed and does nothing any more.
+    """
+
+    fixed_parameters: Sequence[str] = ()
+
+    def __init__(self, name: str, **options: Any) -> None:
+        """Declare the parameters that every node has."""
+        super().__init__(name, **options)
+        self.declare_parameter(
+            'autostart',
+            True,
+            ParameterDescriptor(
+                description='Whether the node configures and activates itself.',
+                read_only=True,
+            ),
+        )
+        self.declare_parameter(
+            'stop_timeout',
+            2.0,
+            ParameterDescriptor(
+                description='Time that the logic has to return when the node stops, s',
+                floating_point_range=[FloatingPointRange(from_value=0.0, to_value=3600.0)],
+            ),
+        )
+        self.failed = False
+        self.has_error = False
+        self.on_failure: Callable[[], object] = lambda: None
+        self.stop = Stop()
+        self._time = RosTime(self, self.stop)
+        self.loop: Optional[Loop] = None
+        self._config: Any = None
+        self._impl: Any = None
+        self._is_configured = False
+        self._farewell = 0.0
+        self._configured = ExitStack()
+        self._active = ExitStack()
+        self._logic = LogicThread(
+            self.stop,
+            self._stop_timeout,
+            self.get_logger().error,
+            self.fail,
+        )
+        self._threads: dict[str, CallbackThread] = {}
+        self._action_clients: list[ActionClient] = []
+        self._action_servers: list[ActionServer] = []
+        self._servers: dict[str, Any] = {}
+        self.create_timer(0.5, self._watch_servers, clock=Clock(clock_type=ClockType.STEADY_TIME))
+        # Transitions wait for the logic, which waits for what the executor brings.
+        self._transitions = Worker('transitions')
+        self.add_on_set_parameters_callback(self._check_parameters)
+        self._change_state = self._service_change_state.callback
+        self._service_change_state.callback = self._change_state_aside
+
+    def _read_config(self) -> Any:
+        """Return the current parameters."""
+        raise NotImplementedError
+
+    def _connect_senders(self) -> None:
+        """Create publishers and clients, then the logic."""
+        raise NotImplementedError
+
+    def _connect_receivers(self) -> None:
+        """Create subscriptions and servers."""
+        raise NotImplementedError
+
+    @property
+    def state(self) -> str:
+        """Return the state of the lifecycle."""
+        return self._state_machine.current_state[1]
+
+    def start(self) -> None:
+        """Configure and activate the node if autostart is true; do not wait for it."""
+        if self.get_parameter('autostart').value:
+            self._transitions.submit(self._start)
+
+    def end(self) -> bool:
+        """Deactivate, clean up and finalize; return whether the logic has returned."""
+        self._logic.end()
+        self._transitions.submit(self._shut_down).result()
+        return not self._still_running()
+
+    def destroy_node(self) -> None:
+        """Shut down, then destroy the node."""
+        self.end()
+        self._logic.close()
+        self._transitions.close()
+        for thread in self._threads.values():
+            thread.close()
+        self._time.close()
+        super().destroy_node()
+
+    def fail(self, error: BaseException) -> None:
+        """Log an exception of the logic and take the node through error processing."""
+        lines = traceback.format_exception(type(error), error, error.__traceback__)
+        self.get_logger().error(''.join(lines))
+        self.has_error = True
+        self._transitions.submit(self._leave)
+
+    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Create publishers and clients, then configure the logic."""
+        result = self._begin('configure', self._connect_and_configure)
+        if result == TransitionCallbackReturn.FAILURE:
+            self._clean_up()
+        return result
+
+    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Activate the logic, create subscriptions and servers, and start the loop."""
+        result = self._begin('activate', self._impl.activate)
+        if result == TransitionCallbackReturn.SUCCESS:
+            try:
+                self._connect_receivers()
+            except Exception as error:  # such as an invalid QoS override
+                self.fail(error)
+                self._deactivate()
+                return self._result()
+            if self.loop:
+                self._logic.loop('update', self.loop.run, self.stop)
+        return result
+
+    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Stop the loop and the callbacks, deactivate the logic, and cancel its goals."""
+        self._deactivate()
+        return self._result()
+
+    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Clean up the logic, then destroy publishers and clients."""
+        self._clean_up()
+        return self._result()
+
+    def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Deactivate and clean up, whatever the state."""
+        if state.label == 'active':
+            self._deactivate()
+        self._clean_up()
+        return TransitionCallbackReturn.SUCCESS if self._logic.is_ending else self._result()
+
+    def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Clean up after an exception of the logic."""
+        self._clean_up()
+        return TransitionCallbackReturn.SUCCESS
+
+    def _callback(self, name: str, method: str) -> CallbackThread:
+        """Return the thread of a callback of the logic; it serves every activation."""
+        if method not in self._threads:
+            self._threads[method] = CallbackThread(self, name, method)
+        return self._threads[method]
+
+    def _check_parameters(self, parameters: list[Parameter[Any]]) -> SetParametersResult:
+        """Refuse to change what configure has read."""
+        names = [item.name for item in parameters if item.name in self.fixed_parameters]
+        if not names or self.state == 'unconfigured':
+            return SetParametersResult(successful=True)
+        reason = f'{", ".join(names)} can be changed only while the node is unconfigured.'
+        return SetParametersResult(successful=False, reason=reason)
+
+    def _apply_parameters(self, _parameters: list[Parameter[Any]]) -> None:
+        """Update the configuration with the changed parameters."""
+        self._config = self._read_config()
+
+    def _advertise(self, message_type: Any, topic: str, qos: Any = 10) -> Publisher[Any]:
+        """Create a publisher; its QoS, a profile or a depth, can be overridden."""
+        publisher = self.create_publisher(
+            message_type,
+            topic,
+            qos,
+            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
+        )
+        self._configured.callback(self._drop_publisher, publisher)
+        return publisher
+
+    def _drop_publisher(self, publisher: Publisher[Any]) -> None:
+        """Destroy a publisher when its messages have arrived."""
+        publisher.wait_for_all_acked(Duration(seconds=max(0.0, self._farewell - monotonic())))
+        self.destroy_publisher(publisher)
+
+    def _subscribe(
+        self,
+        message_type: Any,
+        topic: str,
+        callback: Callable[[Any], Any],
+        qos: Any = 10,
+    ) -> None:
+        """Create a subscription; its QoS, a profile or a depth, can be overridden."""
+        subscription = self.create_subscription(
+            message_type,
+            topic,
+            callback,
+            qos,
+            callback_group=MutuallyExclusiveCallbackGroup(),
+            qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
+        )
+        self._active.callback(self.destroy_subscription, subscription)
+
+    def _service_client(self, service_type: Any, name: str) -> ServiceClient:
+        """Create a client of a service."""
+        client: Client[Any, Any] = self.create_client(
+            service_type,
+            name,
+            callback_group=ReentrantCallbackGroup(),
+        )
+        self._configured.callback(self.destroy_client, client)
+        service_client = ServiceClient(client, self.stop)
+        self._servers['service ' + name] = service_client
+        return service_client
+
+    def _serve(self, service_type: Any, name: str, method: str) -> None:
+        """Create a server of a service that a method of the logic serves."""
+        service = self.create_service(
+            service_type,
+            name,
+            self._callback(name, method).serve,
+            callback_group=MutuallyExclusiveCallbackGroup(),
+        )
+        self._active.callback(self.destroy_service, service)
+
+    def _action_client(self, action_type: Any, name: str) -> ActionClient:
+        """Create a client of an action; it stays until the node is destroyed."""
+        client = ActionClient(self, action_type, name)
+        self._action_clients.append(client)
+        self._servers['action ' + name] = client
+        return client
+
+    def _action_server(
+        self,
+        action_type: Any,
+        name: str,
+        method: str,
+        new_goal: str,
+    ) -> ActionServer:
+        """Create a server of an action that a method of the logic executes; it stays as well."""
+        callback = self._callback(name, method)
+        server = ActionServer(self, action_type, name, callback, self.stop, new_goal)
+        self._action_servers.append(server)
+        return server
+
+    def _watch_servers(self) -> None:
+        """Warn about servers that are not available, and give up the goals of a dead one."""
+        for client in self._action_clients:
+            client.watch()
+        if self.state != 'active':
+            return
+        missing = [name for name, client in self._servers.items() if not client.is_ready()]
+        if missing:
+            self.get_logger().warning(
+                'Waiting for ' + ', '.join(missing) + '.',
+                throttle_duration_sec=10.0,
+            )
+
+    def call(self, method: str, *arguments: Any) -> Any:
+        """Call a method of the logic."""
+        return getattr(self._impl, method)(*arguments)
+
+    async def _change_state_aside(self, request: Any, response: Any) -> Any:
+        call = self._transitions.submit(self._change_state, request, response)
+        await first(self, [call])
+        return call.result()
+
+    def _start(self) -> None:
+        if self.trigger_configure() == TransitionCallbackReturn.SUCCESS:
+            if self.trigger_activate() == TransitionCallbackReturn.SUCCESS:
+                return
+        if not self.has_error and not self._logic.is_ending:
+            self._leave()
+
+    def _shut_down(self) -> None:
+        if self.state != 'finalized':
+            self.trigger_shutdown()
+
+    def _leave(self) -> None:
+        """Go to error processing, if no transition has gone there, and tell of the failure."""
+        if self.state == 'active':
+            self.trigger_deactivate()
+        self.failed = True
+        self.on_failure()
+
+    def _result(self) -> TransitionCallbackReturn:
+        if self.has_error:
+            return TransitionCallbackReturn.ERROR
+        return TransitionCallbackReturn.SUCCESS
+
+    def _begin(self, name: str, method: Callable[[], bool]) -> TransitionCallbackReturn:
+        """Call configure or activate, unless an earlier call is still running."""
+        running = self._still_running()
+        if running:
+            self.get_logger().error(f'Cannot {name}: {running} has not returned.')
+            return TransitionCallbackReturn.FAILURE
+        self.has_error = False
+        accepted = self._logic.begin(name, method)
+        if self.has_error:
+            return TransitionCallbackReturn.ERROR
+        if not accepted:
+            if not self._logic.is_ending:
+                self.get_logger().error(f'The logic refused to {name}.')
+            return TransitionCallbackReturn.FAILURE
+        return TransitionCallbackReturn.SUCCESS
+
+    def _connect_and_configure(self) -> bool:
+        self._connect_senders()
+        self._config = self._read_config()
+        if not self._logic.is_ending:
+            self._is_configured = bool(self._impl.configure(self._config))
+        return self._is_configured
+
+    def _deactivate(self) -> None:
+        self.stop.request()
+        for server in self._action_servers:
+            server.accept_goals(False)
+        under_way = self._logic.running()
+        for callback in self._threads.values():
+            under_way.update(callback.pending)
+        self._logic.have_returned(under_way)
+        for server in self._action_servers:
+            server.give_up()
+        self._active.close()
+        self._logic.finish('deactivate', self._impl.deactivate)
+        for client in self._action_clients:
+            client.cancel()
+        unanswered = [goal for client in self._action_clients for goal in client.unanswered()]
+        wait(unanswered, self._stop_timeout())  # a goal can be canceled when it is accepted
+
+    def _clean_up(self) -> None:
+        if self._is_configured:
+            self._is_configured = False
+            self._logic.finish('cleanup', self._impl.cleanup)
+        self._logic.finish('cleanup', self._disconnect_senders)
+
+    def _disconnect_senders(self) -> None:
+        self._farewell = monotonic() + FAREWELL
+        self._configured.close()
+        self._impl = None
+
+    def _still_running(self) -> str:
+        names = [*self._logic.running().values()]
+        names += [callback.name for callback in self._threads.values() if callback.is_running()]
+        return ', '.join(names)
+
+    def _stop_timeout(self) -> float:
+        return float(self.get_parameter('stop_timeout').value)

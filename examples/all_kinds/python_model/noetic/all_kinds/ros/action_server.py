@@ -1,0 +1,193 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""An action server that executes one goal at a time."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from io import BytesIO
+from threading import Event, RLock, Thread
+from typing import Any, List
+
+import actionlib
+from actionlib import GoalStatus, ServerGoalHandle
+from actionlib_msgs.msg import GoalID, GoalStatusArray
+from all_kinds.ros.callbacks import CallbackThread
+from all_kinds.ros.stop import Stop
+import rospy
+
+QUEUE = 50  # messages kept for a slow client
+STATUS_LIST_TIMEOUT = 5.0  # seconds for which a goal that has ended is in the status
+STATUS_PERIOD = 0.2  # seconds
+
+
+class Goal:
+    """
+    An action goal that the logic executes.
+
+    request: the goal message; feedback and result: messages to fill in.
+    """
+
+    def __init__(self, handle: ServerGoalHandle, action_type: Any, stop: Stop) -> None:
+        """Wrap an actionlib goal handle."""
+        self.request = handle.get_goal()
+        self.feedback = type(action_type().action_feedback.feedback)()
+        self.result = type(action_type().action_result.result)()
+        self._handle = handle
+        self._stop = stop
+        self._lock = RLock()
+        self._replaced = False
+        self._has_ended = False
+        self._outcome = 'canceled'
+
+    @property
+    def cancel_requested(self) -> bool:
+        """Whether to stop: canceled, replaced by another goal, or the node stops."""
+        return self._replaced or self._stop.requested or self._is_canceled()
+
+    def publish_feedback(self) -> None:
+        """Publish the current feedback."""
+        with self._lock:
+            if not self._has_ended:
+                self._handle.publish_feedback(self.feedback)
+
+    def succeed(self) -> None:
+        """Mark the goal as succeeded."""
+        self._outcome = 'succeeded'
+
+    def abort(self) -> None:
+        """Mark the goal as aborted."""
+        self._outcome = 'aborted'
+
+    def canceled(self) -> None:
+        """Mark the goal as canceled, after `cancel_requested` was true."""
+        self._outcome = 'canceled'
+
+    def replace(self) -> None:
+        """Ask the logic to end the goal in favour of a new one."""
+        self._replaced = True
+
+    def start(self) -> bool:
+        """Return whether the logic is to execute the goal: False if it is to end already."""
+        with self._lock:
+            if self._has_ended or self.cancel_requested:
+                return False
+            self._outcome = 'none'  # until the logic tells it
+            return True
+
+    def lacks_outcome(self) -> bool:
+        """Return whether the logic has told none, though nothing asked for the end of the goal."""
+        return self._outcome == 'none' and not self.cancel_requested
+
+    def end(self) -> None:
+        """Tell the client the outcome; abort the goal if its result cannot be sent."""
+        with self._lock:
+            if self._has_ended:
+                return
+            self._has_ended = True
+            try:
+                self.result.serialize(BytesIO())
+            except Exception:
+                self._handle.set_aborted()
+                raise
+            if self._outcome == 'succeeded':
+                self._handle.set_succeeded(self.result)
+            elif self._outcome == 'canceled' and (self._replaced or self._is_canceled()):
+                self._handle.set_canceled(self.result)
+            else:
+                self._handle.set_aborted(self.result)
+
+    def give_up(self) -> None:
+        """End the goal without the logic."""
+        with self._lock:
+            self._outcome = 'aborted'
+            with suppress(Exception):  # of the result of a logic that has not returned
+                self.end()
+
+    def _is_canceled(self) -> bool:
+        return bool(self._handle.get_goal_status().status == GoalStatus.PREEMPTING)
+
+
+class ActionServer:
+    """
+    An action server with one goal at a time.
+
+    new_goal: what becomes of a goal that comes while another is executed: it is to `replace` that
+    one, is put into a `queue`, or the server is to `reject` it.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        action_type: Any,
+        thread: CallbackThread,
+        stop: Stop,
+        new_goal: str,
+    ) -> None:
+        """Advertise the action, whose goals the thread executes."""
+        self._action_type = action_type
+        self._thread = thread
+        self._stop = stop
+        self._new_goal = new_goal
+        self._goals: List[Goal] = []  # the first is being executed
+        self._server = RosActionServer(name, action_type, self._accept, auto_start=False)
+        self._server.start()
+
+    def close(self) -> None:
+        """Publish the status no more."""
+        self._server.ended.set()
+
+    def give_up(self) -> None:
+        """End the goals that the logic does not end."""
+        for goal in self._goals.copy():
+            goal.give_up()
+
+    def _accept(self, handle: ServerGoalHandle) -> None:
+        if self._stop.requested or (self._goals and self._new_goal == 'reject'):
+            handle.set_rejected()
+            return
+        if self._new_goal == 'replace':
+            for goal in self._goals.copy():  # the first may end meanwhile
+                goal.replace()
+        handle.set_accepted()
+        goal = Goal(handle, self._action_type, self._stop)
+        self._goals.append(goal)
+        self._thread.execute(goal, self._end)
+
+    def _end(self, goal: Goal) -> None:
+        self._goals.remove(goal)
+        goal.end()
+
+
+class RosActionServer(actionlib.ActionServer):
+    """
+    The action server of actionlib, with a status that wall time publishes.
+
+    A timer of ROS time, which actionlib would take, ends for good when that time jumps back.
+    """
+
+    def initialize(self) -> None:
+        """Advertise and subscribe, and start to publish the status."""
+        self.ended = Event()
+        self.status_list_timeout = rospy.Duration(STATUS_LIST_TIMEOUT)
+        name = rospy.remap_name(self.ns)
+        self.status_pub = rospy.Publisher(
+            name + '/status',
+            GoalStatusArray,
+            latch=True,
+            queue_size=QUEUE,
+        )
+        self.result_pub = rospy.Publisher(name + '/result', self.ActionResult, queue_size=QUEUE)
+        self.feedback_pub = rospy.Publisher(
+            name + '/feedback',
+            self.ActionFeedback,
+            queue_size=QUEUE,
+        )
+        rospy.Subscriber(name + '/goal', self.ActionGoal, self.internal_goal_callback)
+        rospy.Subscriber(name + '/cancel', GoalID, self.internal_cancel_callback)
+        Thread(target=self._publish_status, name=self.ns + ' status', daemon=True).start()
+
+    def _publish_status(self) -> None:
+        while not self.ended.wait(STATUS_PERIOD):
+            self.publish_status_async(None)

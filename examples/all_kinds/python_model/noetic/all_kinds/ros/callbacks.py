@@ -1,0 +1,74 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""Threads for the callbacks of the logic, so that none delays another."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+from typing import Any, Callable, Dict, TYPE_CHECKING
+
+from all_kinds.ros.worker import Worker
+import rospy
+
+if TYPE_CHECKING:
+    from all_kinds.ros.managed_node import ManagedNode
+
+
+class CallbackThread:
+    """A thread that runs one callback of the logic, one call at a time."""
+
+    def __init__(self, node: ManagedNode, name: str, method: str) -> None:
+        """Start the thread, named after a topic, service or action."""
+        self._node = node
+        self._method = method
+        self._name = name
+        self._worker = Worker(name)
+
+    def run(self, *arguments: Any) -> Any:
+        """Run the callback; return None if it fails or the node stops."""
+        call = self._node.stop.admit(
+            lambda: self._worker.submit(self._call, *arguments, name=self._name)
+        )
+        return None if call is None else call.result()
+
+    def receive(self, message: Any) -> None:
+        """Run the callback of a subscription; ROS keeps the messages that come meanwhile."""
+        self.run(message)
+
+    def serve(self, request: Any, response: Any) -> Any:
+        """Run the callback of a service."""
+        answer = self.run(request, response)
+        if answer is not None:
+            return answer
+        if not (self._node.has_error or self._node.stop.requested):
+            self._node.fail(TypeError(f'{self._method} returned no response'))
+        raise rospy.ServiceException(f'{self._method} gives no response')
+
+    def execute(self, goal: Any, end: Callable[[Any], object]) -> None:
+        """Run the callback of an action, unless the goal is to end already, then end(goal)."""
+
+        def execute() -> None:
+            if goal.start():
+                self._call(goal)
+                if goal.lacks_outcome() and not self._node.has_error:
+                    rospy.logwarn(
+                        f'{self._method} returned without an outcome: the goal is aborted.'
+                    )
+            try:
+                end(goal)
+            except BaseException as error:  # of a result with a field of a wrong type
+                self._node.fail(error)
+
+        self._worker.submit(execute, name=self._name)
+
+    def running(self) -> Dict[Future[Any], str]:
+        """Return the calls that have not returned, with the name."""
+        return self._worker.pending()
+
+    def _call(self, *arguments: Any) -> Any:
+        try:
+            return self._node.call(self._method, *arguments)
+        except BaseException as error:
+            self._node.fail(error)
+            return None

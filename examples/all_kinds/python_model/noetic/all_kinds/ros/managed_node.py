@@ -1,0 +1,206 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""A node whose logic runs in threads of its own."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future, wait
+import logging
+from time import sleep
+import traceback
+from typing import Any, Callable, Optional
+
+from all_kinds.ros.action_client import ActionClient
+from all_kinds.ros.action_server import ActionServer
+from all_kinds.ros.callbacks import CallbackThread
+from all_kinds.ros.logic_thread import LogicThread
+from all_kinds.ros.loop import Loop
+from all_kinds.ros.ros_time import RosTime
+from all_kinds.ros.stop import Stop
+from all_kinds.ros.worker import Worker
+import rospy
+
+SPARE = 3.0  # seconds for the end of a node, beside those that the logic has
+PERIOD = 0.5  # seconds between two looks for the servers
+
+
+class ManagedNode:
+    """
+    A node that calls its logic in other threads, and does not wait for it forever.
+
+    A node derives from it and connects its logic to ROS.
+
+    state: as in the lifecycle of ROS 2.
+    loop: calls update while the node is active, if there is one.
+    failed: whether the logic refused to start or raised an exception.
+    has_error: whether the logic has raised an exception.
+    on_failure: called when the node has failed, to have it end.
+    """
+
+    def __init__(self) -> None:
+        """Prepare the threads."""
+        self.state = 'unconfigured'
+        self.failed = False
+        self.on_failure: Callable[[], object] = lambda: None
+        self.stop = Stop()
+        self._time = RosTime(self.stop)
+        self.loop: Optional[Loop] = None
+        self._config: Any = None
+        self._impl: Any = None
+        self._log = logging.getLogger('rosout')
+        self.has_error = False
+        self._callbacks: dict[str, CallbackThread] = {}
+        self._action_clients: list[ActionClient] = []
+        self._action_servers: list[ActionServer] = []
+        self._servers: dict[str, Any] = {}
+        self._watcher = Worker('watch')
+        # Asked for now, as the master may go first.
+        self._timeout = float(rospy.get_param('~stop_timeout', 2.0))
+        self._logic = LogicThread(self.stop, lambda: self._timeout, self._log.error, self.fail)
+        self._transitions = Worker('transitions')
+
+    def _connect_senders(self) -> None:
+        """Create publishers and clients, then the logic."""
+        raise NotImplementedError
+
+    def _connect_receivers(self) -> None:
+        """Create subscriptions and servers."""
+        raise NotImplementedError
+
+    def start(self) -> None:
+        """Configure and activate the logic; do not wait for it."""
+        self._starting = self._transitions.submit(self._start)
+        self._watcher.submit(self._watch_servers)
+
+    def end(self) -> bool:
+        """Deactivate and clean up; return whether the logic has returned."""
+        self._logic.end()
+        wait([self._starting], self._timeout + SPARE)
+        has_started = self._starting.done()
+        # A start that waits for the master holds a lock of rospy, which logging comes to need.
+        ending = (self._transitions if has_started else Worker('end')).submit(self._end)
+        wait([ending], 3.0 * self._timeout + SPARE)
+        return has_started and ending.done() and ending.result()
+
+    def _end(self) -> bool:
+        self._shut_down()
+        for server in self._action_servers:
+            server.close()
+        running = self._running()
+        return self._logic.have_returned({self._starting: 'start'}, 0.0) and not running
+
+    def fail(self, error: BaseException) -> None:
+        """End the life of the logic and log its exception."""
+        self.has_error = True
+        self.failed = True
+        self._transitions.submit(self._leave)
+        self.on_failure()
+        lines = traceback.format_exception(type(error), error, error.__traceback__)
+        self._log.error(''.join(lines))  # last, as it may wait for the master
+
+    def call(self, method: str, *arguments: Any) -> Any:
+        """Call a method of the logic."""
+        return getattr(self._impl, method)(*arguments)
+
+    def _running(self) -> dict[Future[Any], str]:
+        """Return the calls of the logic that have not returned, with their names."""
+        running = self._logic.running()
+        for callback in list(self._callbacks.values()):  # a start may be late and add some
+            running.update(callback.running())
+        return running
+
+    def _callback(self, name: str, method: str) -> CallbackThread:
+        """Return the thread of a callback of the logic."""
+        if method not in self._callbacks:
+            self._callbacks[method] = CallbackThread(self, name, method)
+        return self._callbacks[method]
+
+    def _client(self, name: str, client: Any) -> Any:
+        """Watch whether the server of a client is there."""
+        self._servers[name] = client
+        return client
+
+    def _action_client(self, name: str, action_type: Any) -> ActionClient:
+        """Create a client of an action."""
+        client = ActionClient(name, action_type)
+        self._action_clients.append(client)
+        return client
+
+    def _action_server(self, name: str, action_type: Any, method: str, new_goal: str) -> None:
+        """Create a server of an action that a method of the logic executes."""
+        thread = self._callback(name, method)
+        self._action_servers.append(ActionServer(name, action_type, thread, self.stop, new_goal))
+
+    def _start(self) -> None:
+        if not self._begin('configure', self._connect_and_configure):
+            return
+        self.state = 'inactive'
+        if not self._begin('activate', self._impl.activate):
+            return
+        self.state = 'active'
+        try:
+            self._connect_receivers()
+        except BaseException as error:
+            self.fail(error)
+            return
+        if self.loop and not self._logic.is_ending:  # else the logic may be cleaned up already
+            self._logic.loop('update', self.loop.run, self.stop)
+
+    def _begin(self, name: str, method: Callable[[], bool]) -> bool:
+        """Call configure or activate; leave if the logic refuses."""
+        accepted = self._logic.begin(name, method)
+        if not accepted and not self.has_error and not self._logic.is_ending:
+            self._log.fatal(f'The logic refused to {name}.')
+            self._leave()
+        return bool(accepted) and not self.has_error
+
+    def _connect_and_configure(self) -> bool:
+        self._connect_senders()
+        return not self._logic.is_ending and bool(self._impl.configure(self._config))
+
+    def _leave(self) -> None:
+        self._shut_down()
+        self.failed = True
+        self.on_failure()
+
+    def _shut_down(self) -> None:
+        if self.state == 'active':
+            self._deactivate()
+            self.state = 'inactive'
+        if self.state == 'inactive':
+            self._logic.finish('cleanup', self._impl.cleanup)
+            self.state = 'finalized'
+
+    def _deactivate(self) -> None:
+        self.stop.request()
+        self._logic.have_returned(self._running())
+        for server in self._action_servers:
+            server.give_up()
+        self._logic.finish('deactivate', self._impl.deactivate)
+        for client in self._action_clients:
+            client.cancel()
+
+    def _watch_servers(self) -> None:
+        """Warn about servers that are not available, and give up the goals of a dead one."""
+        while not rospy.is_shutdown():
+            for client in self._action_clients:
+                client.watch()
+            servers = list(self._servers.items())  # the logic may be about to be connected
+            missing = [name for name, client in servers if not client.is_ready()]
+            if missing and self.state == 'active':
+                rospy.logwarn_throttle(10.0, 'Waiting for ' + ', '.join(missing) + '.')
+            sleep(PERIOD)
+
+
+def read_parameter(name: str, default: Any) -> Any:
+    """Return a private parameter; raise if its type is not that of the default."""
+    value = rospy.get_param('~' + name, default)
+    if isinstance(value, list):
+        value = tuple(value)
+    if isinstance(default, float) and type(value) is int:
+        value = float(value)
+    if type(value) is not type(default):
+        wanted = type(default).__name__
+        raise rospy.ROSInitException(f'Parameter {name} must be of type {wanted}, not {value!r}.')
+    return value

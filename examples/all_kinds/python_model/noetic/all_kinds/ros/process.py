@@ -1,0 +1,99 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""The process of a node: from its start to its exit code."""
+
+from __future__ import annotations
+
+import logging
+import os
+from queue import Empty, SimpleQueue
+import signal
+import sys
+from threading import Event, Thread
+from time import sleep
+from typing import Any, Callable
+
+from all_kinds.ros.managed_node import ManagedNode
+from all_kinds.ros.worker import Worker
+import rospy
+
+LAST_WORDS = 0.2  # seconds for the last messages and results to leave
+SIGNALS = 0.5  # seconds between two looks for signals
+UNREGISTERING = 5.0  # seconds for the master to take the node off its lists
+
+
+def run(name: str, node_type: Callable[[], ManagedNode]) -> int:
+    """
+    Run a node until SIGINT, SIGTERM, `rosnode kill` or its failure; return the exit code.
+
+    The node stops while communication works. A second signal ends the process at once.
+    """
+    ends: SimpleQueue[Any] = SimpleQueue()
+    is_up = Event()
+    ended = Event()
+    unregistered = Event()
+
+    def end(number: int, _frame: Any) -> None:
+        for each in signal.SIGINT, signal.SIGTERM:
+            signal.signal(each, signal.SIG_DFL)
+        ends.put(number)
+
+    def end_before_shutdown() -> None:
+        ends.put('shutdown')
+        if is_up.is_set():  # rospy holds a lock meanwhile, which init_node needs
+            ended.wait()
+
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # while the master may not be there
+    rospy.on_shutdown(end_before_shutdown)
+    rospy.init_node(name, disable_signals=True)
+    signal.signal(signal.SIGINT, end)
+    signal.signal(signal.SIGTERM, end)
+    rospy.core.add_shutdown_hook(lambda _: unregistered.set())
+    is_up.set()
+    try:
+        ended_well = not ends.empty() or live(node_type, ends)
+    finally:
+        ended.set()
+    exit_code = 0 if ended_well else 1
+    farewell = Thread(target=rospy.signal_shutdown, args=['the node has ended'], daemon=True)
+    farewell.start()
+    farewell.join(UNREGISTERING)
+    if farewell.is_alive() or not unregistered.wait(UNREGISTERING):
+        # The master does not answer. Python would wait for threads of rospy, which wait for it.
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(exit_code)
+    return exit_code
+
+
+def live(node_type: Callable[[], ManagedNode], ends: SimpleQueue[Any]) -> bool:
+    """Run the node until one of the ends; return whether it ended well."""
+    creator = Worker('creator')  # it may wait for a master that does not answer
+    creation = creator.submit(create, node_type)
+    creation.add_done_callback(ends.put)
+    creator.close()
+    if wait_for(ends) is not creation:
+        return True
+    node: ManagedNode = creation.result()
+    node.on_failure = lambda: ends.put('failure')
+    node.start()
+    wait_for(ends)
+    has_returned = node.end()
+    sleep(LAST_WORDS)
+    return has_returned and not node.failed
+
+
+def create(node_type: Callable[[], ManagedNode]) -> ManagedNode:
+    """Create the node and set the level of its log, as the parameters say."""
+    logging.getLogger('rosout').setLevel(rospy.get_param('~log_level', 'info').upper())
+    return node_type()
+
+
+def wait_for(ends: SimpleQueue[Any]) -> Any:
+    """Return the next end; a signal that another thread has taken does not wake this one."""
+    while True:
+        try:
+            return ends.get(timeout=SIGNALS)
+        except Empty:
+            pass
