@@ -1,6 +1,6 @@
 """Files that a version of a model has renamed: its `moved_files.yaml`.
 
-"{package}/callbacks.py": "{package}/worker.py"     # new: old
+"{package}/ros/loop.py": "{package}/loop.py"     # new: old
 "src/{node}_node.cpp": "src/{node}_ros.cpp"
 """
 

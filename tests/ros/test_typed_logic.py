@@ -30,7 +30,7 @@ def check(ros_, package, *workspace):
         mypy = f"{sys.executable} -m mypy --strict --python-executable $(command -v {ros_.python})"
         printed = ros_.run(mypy, package, *workspace, check=False).stdout
         assert "source files" in printed, printed
-        found = re.findall(r"^all_kinds/(\w+)\.py:(\d+): error: (.*)", printed, re.M)
+        found = re.findall(r"^all_kinds/([\w/]+)\.py:(\d+): error: (.*)", printed, re.M)
         return {(file, int(line)): text for file, line, text in found}
 
     assert (found := errors()) == {}, found
