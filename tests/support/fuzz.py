@@ -430,9 +430,11 @@ def check_own_files(files, package):
             for own in re.findall(r'^#include "(\w+\.hpp)"', text, re.MULTILINE):
                 assert str(PurePosixPath(name).with_name(own)) in files, f"{name} includes {own}"
         elif name.endswith(".py"):
-            for own in re.findall(rf"^from {package}\.([\w.]+) import", text, re.MULTILINE):
-                file = f"{package}/{own.replace('.', '/')}.py"
-                assert own in {"cfg", "msg"} or file in files, f"{name}: {own}"
+            own_imports = rf"^from {package}\.([\w.]+) import (\w*)"
+            for own, first in re.findall(own_imports, text, re.MULTILINE):
+                path = f"{package}/{own.replace('.', '/')}"
+                found = {f"{path}.py", f"{path}/{first}.py"} & files.keys()
+                assert own in {"cfg", "msg"} or found, f"{name}: {own}"
 
 
 def check(files, harmless, spec):
