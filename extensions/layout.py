@@ -1,0 +1,226 @@
+"""Lines of Python that long names make too long, folded as ruff folds them."""
+
+from __future__ import annotations
+
+import io
+import re
+import textwrap
+import tokenize
+from collections import deque
+from collections.abc import Iterator
+
+from jinja2 import Environment
+from jinja2.ext import Extension
+
+_WIDTH = 99
+_STEP = 4
+_NO_LIMIT = "  # noqa: E501"
+_SIGN = re.compile(r"""'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|#.*|\S""")
+_OPENING, _CLOSING = tuple("([{"), tuple(")]}")
+
+
+class LayoutExtension(Extension):
+    """Fold what templates of Python files give, whatever they include."""
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        environment.filters["fold_python"] = fold_python
+
+    def preprocess(self, source: str, name: str | None, filename: str | None = None) -> str:
+        """Put a template of a Python file into the filter, unless another has its frame."""
+        if not (name or "").endswith(".py.jinja") or "{% extends" in source:
+            return source
+        return "{% filter fold_python %}" + source + "{% endfilter %}"
+
+
+def fold_python(text: str) -> str:
+    """Return Python whose lines have at most 99 columns; what cannot be folded says so to linters.
+
+    Lines that fit stay as they are.
+    """
+    if all(len(line) <= _WIDTH for line in text.split("\n")):
+        return text
+    try:
+        tokens = list(tokenize.generate_tokens(io.StringIO(text).readline))
+    except (tokenize.TokenError, SyntaxError):
+        return text
+    rows = text.split("\n")
+    found: list[str] = []
+    done = 0
+    for token in tokens:
+        (first, _), (last, _) = token.start, token.end
+        if token.type != tokenize.STRING or not token.line.lstrip().startswith('"""'):
+            continue
+        found += _code(rows[done : first - 1])
+        found += _docstring(rows[first - 1 : last])
+        done = last
+    return "\n".join(found + _code(rows[done:]))
+
+
+def _docstring(rows: list[str]) -> list[str]:
+    """Shorten the sentence that sums up, which must stand on one line, and wrap the others."""
+    summary = 0 if rows[0].strip() != '"""' else 1
+    found: list[str] = []
+    for number, row in enumerate(rows):
+        if number == summary:
+            while len(row) > _WIDTH and (match := re.fullmatch(r"(.*\w)[,:;] .*?\.?(\"*)", row)):
+                row = f"{match[1]}.{match[2]}"
+            found.append(row)
+        else:
+            found += _wrapped(row)
+    if any(len(row) > _WIDTH for row in found) and not found[-1].endswith(_NO_LIMIT):
+        found[-1] += _NO_LIMIT
+    return found
+
+
+def _wrapped(row: str, mark: str = "") -> list[str]:
+    if len(row) <= _WIDTH:
+        return [row]
+    margin = " " * _indent(row) + mark
+    wrapper = textwrap.TextWrapper(_WIDTH, break_long_words=False, break_on_hyphens=False)
+    wrapper.initial_indent = wrapper.subsequent_indent = margin
+    return wrapper.wrap(row[len(margin) :])
+
+
+def _code(rows: list[str]) -> list[str]:
+    """Fold the lines between docstrings."""
+    found: list[str] = []
+    rest = deque(rows)
+    depth = 0
+    while rest:
+        row = rest.popleft()
+        code, indent = row.strip(), _indent(row)
+        change = _balance(code)
+        if len(row) <= _WIDTH or code.endswith(_NO_LIMIT):
+            found.append(row)
+        elif code.startswith("#"):
+            found += map(_marked, _wrapped(row, "# "))
+        elif change > 0 and (wrapped := _in_parentheses(code, indent, rest)):
+            rest.extendleft(reversed(wrapped))
+            continue
+        elif change:
+            found.append(_marked(row))
+        else:
+            found += [_marked(line) for line in _folded(code, indent, depth > 0)]
+        depth += change
+    return found
+
+
+def _in_parentheses(code: str, indent: int, rest: deque[str]) -> list[str]:
+    """Return the lines of an assignment whose value begins a line of its own.
+
+    The lines after the first are taken from the `rest`. Nothing where it is no assignment.
+    """
+    target, sign, value = _assignment(code)
+    if not sign:
+        return []
+    inside = [" " * (indent + _STEP) + value]
+    depth = _balance(code)
+    while depth > 0:
+        row = rest.popleft()
+        depth += _balance(row)
+        inside.append(" " * _STEP + row if row else row)
+    comma = "," if inside[-1].endswith(",") else ""
+    inside[-1] = inside[-1].removesuffix(",")
+    margin = " " * indent
+    return [f"{margin}{target}{sign}(", *inside, f"{margin}){comma}"]
+
+
+def _folded(code: str, indent: int, is_inside: bool) -> list[str]:
+    """Return the lines of code that begins and ends at the same depth, after an indent."""
+    margin = " " * indent
+    if len(margin + code) <= _WIDTH:
+        return [margin + code]
+    if match := re.fullmatch(r"(from .* import )([^(]*)", code):
+        names = [f"{margin}    {name}," for name in match[2].split(", ")]
+        return [f"{margin}{match[1]}(", *names, f"{margin})"]
+    target, sign, value = _assignment(code)
+    comma = "," if is_inside and value.endswith(",") else ""
+    value = value.removesuffix(comma)
+    pair = _pair(code, first=code.startswith("def "))
+    fits = indent + _STEP + len(value) <= _WIDTH
+    begins = indent + len(f"{target}{sign}(") <= _WIDTH
+    if sign and begins and (pair is None or pair[0] < len(target) or indent + pair[0] >= _WIDTH):
+        if fits or pair:
+            inside = _folded(value, indent + _STEP, False)
+            return [f"{margin}{target}{sign}(", *inside, f"{margin}){comma}"]
+    if pair is None:
+        return [margin + code]
+    start, end = pair
+    body = code[start + 1 : end].strip()
+    is_display = not re.search(r"[\w)\]]$", code[:start])
+    inside = _body(body, indent + _STEP, is_display)
+    return [margin + code[: start + 1], *inside, margin + code[end:]]
+
+
+def _body(body: str, indent: int, is_display: bool) -> list[str]:
+    """Return the lines of what stands in brackets: of a list, tuple or dictionary one an item."""
+    margin = " " * indent
+    if len(margin + body) <= _WIDTH and not is_display:
+        return [margin + body]
+    items = _split(body, ",")
+    if len(items) > 1 or is_display:
+        return [line for item in items for line in _folded(f"{item.strip()},", indent, True)]
+    terms = _split(body, "+")
+    if len(terms) > 1:
+        return [margin + terms[0].strip(), *(f"{margin}+ {term.strip()}" for term in terms[1:])]
+    return _folded(body, indent, True)
+
+
+def _signs(code: str) -> Iterator[tuple[str, int, int]]:
+    """Yield each sign outside of texts and comments, its place and the depth it stands at."""
+    depth = 0
+    for match in _SIGN.finditer(code):
+        depth -= match[0] in _CLOSING
+        yield match[0], match.start(), depth
+        depth += match[0] in _OPENING
+
+
+def _balance(code: str) -> int:
+    """Return how many brackets code opens more than it closes."""
+    signs = [sign for sign, _, _ in _signs(code)]
+    return sum((sign in _OPENING) - (sign in _CLOSING) for sign in signs)
+
+
+def _pair(code: str, first: bool) -> tuple[int, int] | None:
+    """Return the places of the last outer brackets with something in them, or of the first."""
+    pairs: list[tuple[int, int]] = []
+    start = 0
+    for sign, place, depth in _signs(code):
+        if depth == 0 and sign in _OPENING:
+            start = place
+        elif depth == 0 and sign in _CLOSING and place > start + 1:
+            pairs.append((start, place))
+    return (pairs[0] if first else pairs[-1]) if pairs else None
+
+
+def _split(code: str, separator: str) -> list[str]:
+    """Return the parts of code between separators that stand in no brackets."""
+    places = [place for sign, place, depth in _signs(code) if depth == 0 and sign == separator]
+    ends = [*places, len(code)]
+    starts = [0, *(code.index(separator, place) + 1 for place in places)]
+    parts = [code[start:end] for start, end in zip(starts, ends, strict=True)]
+    return parts if parts[-1].strip() else parts[:-1]
+
+
+def _assignment(code: str) -> tuple[str, str, str]:
+    """Return the target, the sign and the value of an assignment or of a named argument."""
+    for sign, place, depth in _signs(code):
+        if (
+            sign == "="
+            and depth == 0
+            and code[place - 1] not in "=!<>+-"
+            and code[place + 1] != "="
+        ):
+            spaced = code[place - 1] == " "
+            target = code[: place - spaced]
+            return target, " = " if spaced else "=", code[place + 1 + spaced :]
+    return code, "", ""
+
+
+def _marked(row: str) -> str:
+    return row if len(row) <= _WIDTH else row + _NO_LIMIT
+
+
+def _indent(row: str) -> int:
+    return len(row) - len(row.lstrip())
