@@ -16,6 +16,7 @@ _WIDTH = 99
 _STEP = 4
 _NO_LIMIT = "  # noqa: E501"
 _SIGN = re.compile(r"""'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|#.*|\S""")
+_EMPTY = re.compile(r"([(\[{])\n *([)\]}])")
 _OPENING, _CLOSING = tuple("([{"), tuple(")]}")
 
 
@@ -36,8 +37,9 @@ class LayoutExtension(Extension):
 def fold_python(text: str) -> str:
     """Return Python whose lines have at most 99 columns; what cannot be folded says so to linters.
 
-    Lines that fit stay as they are.
+    Lines that fit stay as they are, but for brackets that a loop of the template has left empty.
     """
+    text = _EMPTY.sub(r"\1\2", text)
     if all(len(line) <= _WIDTH for line in text.split("\n")):
         return text
     try:
@@ -109,17 +111,21 @@ def _code(rows: list[str]) -> list[str]:
 def _in_parentheses(code: str, indent: int, rest: deque[str]) -> list[str]:
     """Return the lines of an assignment whose value begins a line of its own.
 
-    The lines after the first are taken from the `rest`. Nothing where it is no assignment.
+    The lines after the first are taken from the `rest`. Nothing where it is no assignment, or
+    where it would be too long even then.
     """
     target, sign, value = _assignment(code)
-    if not sign:
-        return []
     inside = [" " * (indent + _STEP) + value]
     depth = _balance(code)
-    while depth > 0:
-        row = rest.popleft()
+    for row in rest:
         depth += _balance(row)
         inside.append(" " * _STEP + row if row else row)
+        if depth == 0:
+            break
+    if not sign or any(line.endswith(_NO_LIMIT) for line in _code(inside)):
+        return []
+    for _ in inside[1:]:
+        rest.popleft()
     comma = "," if inside[-1].endswith(",") else ""
     inside[-1] = inside[-1].removesuffix(",")
     margin = " " * indent
@@ -134,16 +140,9 @@ def _folded(code: str, indent: int, is_inside: bool) -> list[str]:
     if match := re.fullmatch(r"(from .* import )([^(]*)", code):
         names = [f"{margin}    {name}," for name in match[2].split(", ")]
         return [f"{margin}{match[1]}(", *names, f"{margin})"]
-    target, sign, value = _assignment(code)
-    comma = "," if is_inside and value.endswith(",") else ""
-    value = value.removesuffix(comma)
     pair = _pair(code, first=code.startswith("def "))
-    fits = indent + _STEP + len(value) <= _WIDTH
-    begins = indent + len(f"{target}{sign}(") <= _WIDTH
-    if sign and begins and (pair is None or pair[0] < len(target) or indent + pair[0] >= _WIDTH):
-        if fits or pair:
-            inside = _folded(value, indent + _STEP, False)
-            return [f"{margin}{target}{sign}(", *inside, f"{margin}){comma}"]
+    if value := _value_in_parentheses(code, indent, is_inside, pair):
+        return value
     if pair is None:
         return [margin + code]
     start, end = pair
@@ -151,6 +150,22 @@ def _folded(code: str, indent: int, is_inside: bool) -> list[str]:
     is_display = not re.search(r"[\w)\]]$", code[:start])
     inside = _body(body, indent + _STEP, is_display)
     return [margin + code[: start + 1], *inside, margin + code[end:]]
+
+
+def _value_in_parentheses(
+    code: str, indent: int, is_inside: bool, pair: tuple[int, int] | None
+) -> list[str]:
+    """Return the lines of an assignment that no brackets of its value can fold."""
+    target, sign, value = _assignment(code)
+    comma = "," if is_inside and value.endswith(",") else ""
+    value = value.removesuffix(comma)
+    margin = " " * indent
+    begin = f"{margin}{target}{sign}("
+    can_fold = pair is not None and len(target) < pair[0] < _WIDTH - indent
+    fits = pair is not None or indent + _STEP + len(value) <= _WIDTH
+    if not sign or can_fold or not fits or len(begin) > _WIDTH:
+        return []
+    return [begin, *_folded(value, indent + _STEP, False), f"{margin}){comma}"]
 
 
 def _body(body: str, indent: int, is_display: bool) -> list[str]:

@@ -93,7 +93,7 @@ def python_text(text: str, indent: int, used: int = 0) -> str:
 
     """
     if indent + used + _columns(text) <= WIDTH:
-        return repr(text)
+        return _literal(text)
     room = WIDTH - indent - 4
     lines = [""]
     for word in re.findall(r"\s*\S+|\s+$", text):
@@ -102,12 +102,19 @@ def python_text(text: str, indent: int, used: int = 0) -> str:
                 lines.append("")
             lines[-1] += piece
     margin = "\n" + " " * (indent + 4)
-    return "(" + "".join(margin + repr(line) for line in lines) + "\n" + " " * indent + ")"
+    return "(" + "".join(margin + _literal(line) for line in lines) + "\n" + " " * indent + ")"
+
+
+def _literal(text: str) -> str:
+    """Return a text in the quotes that escape less of it, as ruff has them."""
+    if '"' not in text or text.count("'") <= text.count('"'):
+        return repr(text)
+    return '"' + repr(text)[1:-1].replace(r"\'", "'").replace('"', r"\"") + '"'
 
 
 def _columns(text: str) -> int:
     """Return how wide a literal is, with wide characters as ruff counts them."""
-    return sum(1 + (east_asian_width(letter) in "WF") for letter in repr(text))
+    return sum(1 + (east_asian_width(letter) in "WF") for letter in _literal(text))
 
 
 def is_builtin(name: str) -> bool:
