@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import itertools
 import re
+import textwrap
 from typing import Any
 from unicodedata import east_asian_width
 
 WIDTH = 99
+_LIMIT = 100  # of cpplint and uncrustify
+_NO_LIMIT = "  // NOLINT(whitespace/line_length)"
 
 # Words that the header made by dynamic_reconfigure needs for itself.
 _RESERVED = ("config", "groups", "name", "params", "state", "val")
@@ -194,12 +198,13 @@ def cpp_value(value: Any, indent: int, used: int = 0) -> str:
     if not isinstance(value, list):
         # The number itself would be one too large, before the sign is applied.
         return "-9223372036854775807 - 1" if value == -(2**63) else repr(value)
-    items = [cpp_value(item, indent + 2, 1) for item in value]
+    items = [cpp_value(item, indent, 3) for item in value]
     line = "{" + ", ".join(items) + "}"
     if "\n" not in line and indent + used + len(line) <= WIDTH:
         return line
     margin = "\n" + " " * (indent + 2)
-    return "{" + ",".join(margin + item for item in items) + "\n" + " " * indent + "}"
+    lines = (item if item.startswith("\n") else margin + item for item in items)
+    return "{" + ",".join(lines) + "\n" + " " * indent + "}"
 
 
 def cpp_text(text: str, indent: int, used: int = 0) -> str:
@@ -269,26 +274,93 @@ def cfg_value(value: Any) -> str:
 
 
 def fit(text: str) -> str:
-    """Return code whose lines too long for long names are broken as uncrustify breaks them."""
-    return "\n".join(_fit_line(line) for line in text.split("\n"))
+    """Return code whose lines too long for long names are broken as uncrustify breaks them.
+
+    It would break guards and includes, too, which cpplint wants whole: comments keep it away.
+    """
+    written = text.split("\n")
+    lines = [
+        part
+        for line, before in zip(written, ["", *written], strict=False)
+        for part in _broken(line, before.endswith(" ="))
+    ]
+    found: list[str] = []
+    for is_directive, group in itertools.groupby(lines, lambda line: line.startswith("#")):
+        run = list(group)
+        if not is_directive:
+            found += [line if len(line) <= _LIMIT else line + _NO_LIMIT for line in run]
+        elif all(len(line) <= _LIMIT for line in run):
+            found += run
+        else:
+            found += ["// *INDENT-OFF*", *run, "// *INDENT-ON*"]
+    return "\n".join(found)
 
 
-def _fit_line(line: str) -> str:
-    if len(line) <= WIDTH + 1:
-        return line
-    indent = " " * (len(line) - len(line.lstrip()))
-    if match := re.fullmatch(r" *(\[\[maybe_unused\]\]) (.+)", line):
-        return f"{indent}{match[1]}\n{indent}{match[2]}"
-    if match := re.fullmatch(r" *([\w:<>]+) (\w+(;| =.*))", line):
-        margin = indent if match[1].endswith(">") else indent + "  "
-        return f"{indent}{match[1]}\n{margin}{match[2]}"
-    if match := re.fullmatch(r" *([^=\"]+ =) (.+)", line):
-        rest = _fit_line(f"{indent}  {match[2]}").replace("\n  ", "\n")
-        return f"{indent}{match[1]}\n{rest}"
-    if match := re.fullmatch(r" *([^\"(]+\()(.+\);)", line):
-        items = match[2].replace(", ", f",\n{indent}  ")
-        return f"{indent}{match[1]}\n{indent}  {items}"
-    return line
+def _broken(line: str, is_value: bool = False) -> list[str]:
+    """Return the lines that a line is broken into; `is_value`: it follows a sign of equality."""
+    code = line.lstrip()
+    if len(line) <= _LIMIT or code.startswith("#"):
+        return [line]
+    indent = len(line) - len(code)
+    if match := re.match("//+ ", code):
+        return textwrap.wrap(
+            code[match.end() :],
+            _LIMIT,
+            initial_indent=" " * indent + match[0],
+            subsequent_indent=" " * indent + match[0],
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
+    if match := re.fullmatch(r"((?!using|return|const|explicit)[\w:<>]+) (\w+(;| =.*))", code):
+        parts = [(0, match[1]), (0 if match[1].endswith(">") else 2, match[2])]
+    elif match := re.fullmatch(r"([^=\"(]+ =) (.+)", code):
+        value = " " * (indent + 2) + match[2]
+        return [line[: indent + match.end(1)], *_broken(value, is_value=True)]
+    else:
+        parts = _parts(code, is_value)
+    if len(parts) == 1:
+        return [line]
+    first, *rest = [" " * (indent + more) + text for more, text in parts]
+    return [*_broken(first, is_value), *(part for text in rest for part in _broken(text))]
+
+
+def _parts(code: str, is_value: bool) -> list[tuple[int, str]]:
+    """Return what a line is broken into, each with the columns that it is indented further."""
+    if match := re.fullmatch(r"(\[\[maybe_unused\]\]) (.+)", code):
+        return [(0, match[1]), (0, match[2])]
+    if match := re.fullmatch(r"(if \()(.+ [!=]=) (.+\)) \{", code):
+        return [(0, match[1]), (2, match[2]), (2, match[3]), (0, "{")]
+    if match := re.fullmatch(r"(.+ &) (\w+\()", code):
+        return [(0, match[1]), (0, match[2])]
+    if arguments := _arguments(code):
+        return [(0, arguments[0]), *((0 if is_value else 2, each) for each in arguments[1:])]
+    if match := re.fullmatch(r"([^()]*<)([\w:]+>.*)", code):
+        is_nested = match[1].count("<") > 1
+        further = 0 if is_value else 2
+        if is_nested and (is_value or not code.endswith("(")):
+            further = 4
+        return [(0, match[1]), (further, match[2])]
+    if match := re.fullmatch(r"(.+::)(\w.*)", code):
+        # Uncrustify counts one column less than cpplint, and would join the name of a function.
+        is_joined = len(code) == _LIMIT + 1 and re.fullmatch(r"(\w+ )?\w+::\w+\(", code)
+        return [(0, match[1] + (_NO_LIMIT if is_joined else "")), (0, match[2])]
+    return [(0, code)]
+
+
+def _arguments(code: str) -> list[str]:
+    """Return code up to its arguments, and each of them; nothing if it has none."""
+    ends: list[int] = []
+    depth = 0
+    for match in re.finditer(r'"(?:[^"\\]|\\.)*"|[^\s"]', code):
+        depth -= match[0] in tuple(")]}")
+        begins = (match[0], depth) == ("(", 0) and not ends and code[match.end() :][:1] != ")"
+        if begins or (ends and (match[0], depth) == (",", 1)):
+            ends.append(match.end())
+        elif ends and (match[0], depth) == (")", 0):
+            parts = zip([0, *ends], [*ends, len(code)], strict=True)
+            return [code[start:end].strip() for start, end in parts]
+        depth += match[0] in tuple("([{")
+    return []
 
 
 def sort_includes(text: str) -> str:
