@@ -297,7 +297,7 @@ def fit(text: str) -> str:
 
 
 def _marked(line: str) -> str:
-    """Return a line that cpplint accepts: a long one needs a mark, unless it ends in an address."""
+    """Return a line that cpplint accepts: a long one has a mark, or ends in an address."""
     fits = len(line) <= _LIMIT or re.fullmatch(r" *//.*https?://\S*", line)
     return line if fits else line + _NO_LIMIT
 

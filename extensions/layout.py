@@ -234,7 +234,7 @@ def _assignment(code: str) -> tuple[str, str, str]:
 
 
 def _marked(row: str) -> str:
-    """Return a line that linters accept: a long one that is no comment of one word needs a mark."""
+    """Return a line that linters accept: a long one has a mark, or is a comment of one word."""
     return row if len(row) <= _WIDTH or re.fullmatch(r" *# \S+", row) else row + _NO_LIMIT
 
 

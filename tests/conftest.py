@@ -16,6 +16,8 @@ import pytest
 from hypothesis import settings
 
 from support import ros
+from support.direct_render import Renderer, variants
+from support.model_checks import template
 from support.packages import DATA
 from support.processes import Scheduling
 from support.repository import EXAMPLES, GIT, commit, copy_collection, git, publish
@@ -115,6 +117,18 @@ def collection(once):
 def own_collection(collection, tmp_path):
     """A collection that the test may change and tag."""
     return shutil.copytree(collection, tmp_path / "own_collection", symlinks=True)
+
+
+@pytest.fixture(scope="session")
+def uncloned(tmp_path_factory):
+    """The collection without its history, which Copier would clone each time."""
+    return template(tmp_path_factory.mktemp("uncloned") / "collection")
+
+
+@pytest.fixture(scope="session")
+def renderers(uncloned):
+    """Every model, ready to render contexts without Copier."""
+    return {model: Renderer(uncloned, model) for model, _ in variants()}
 
 
 @pytest.fixture(scope="session")

@@ -17,9 +17,8 @@ from hypothesis import HealthCheck, given, seed, settings
 
 from hooks.faults import SpecError
 from hooks.model import Model
-from support.direct_render import Renderer, variants
+from support.direct_render import variants
 from support.fuzz import check, inputs, plain, specs
-from support.model_checks import template
 from support.repository import ROOT
 
 INPUTS = int(os.environ.get("FUZZ_INPUTS", "150"))
@@ -48,17 +47,6 @@ def many(count):
         suppress_health_check=list(HealthCheck),
     )
     return lambda test: chosen(seed(SEED)(test) if SEED.isdigit() else test)
-
-
-@pytest.fixture(scope="module")
-def source(tmp_path_factory):
-    """The collection without its history, which Copier would clone each time."""
-    return template(tmp_path_factory.mktemp("source") / "collection")
-
-
-@pytest.fixture(scope="module")
-def renderers(source):
-    return {model: Renderer(source, model) for model, _ in variants()}
 
 
 @pytest.fixture(scope="module")
@@ -112,7 +100,7 @@ def test_inputs_are_refused_or_give_sound_packages(renderers, progress, models):
 
 
 @pytest.mark.parametrize(("model", "distro"), variants())
-def test_copier_gives_the_same_files(source, renderers, tmp_path, model, distro):
+def test_copier_gives_the_same_files(uncloned, renderers, tmp_path, model, distro):
     numbers = itertools.count()
 
     @many(max(1, INPUTS // 1000))
@@ -123,7 +111,9 @@ def test_copier_gives_the_same_files(source, renderers, tmp_path, model, distro)
         file.write_bytes(xml)
         data = {"model": model, "ros_distro": distro, "spec_file": str(file)}
         try:
-            copier.run_copy(str(source), folder, data=data, defaults=True, unsafe=True, quiet=True)
+            copier.run_copy(
+                str(uncloned), folder, data=data, defaults=True, unsafe=True, quiet=True
+            )
         except UserMessageError:
             assert context(model, xml, distro) is None
             assert not folder.exists()

@@ -283,6 +283,28 @@ class Author(Random):
         return self.mutation(spec) if self.seldom(3) else spec
 
 
+class LongNames(Author):
+    """Writes names of 3 to 60 letters."""
+
+    def word(self):
+        letters = self.choices("abcdefghijklmnopqrstuvwxyz", k=self.randint(3, 60))
+        for place in range(self.randint(3, 12), len(letters) - 1, self.randint(2, 12)):
+            letters[place] = "_"
+        return "".join(letters)
+
+    def ros_name(self):
+        name = self.word()
+        inside = name.replace("_", "/", self.randint(1, 3)) if self.seldom(3) else name
+        return self.choice(["", "", "", "/", "~/", "~"]) + inside
+
+    def attribute(self, given, made, others):
+        if given.format == "package_name":
+            return self.word()
+        if given.format in TYPES and self.seldom(6):
+            return f"{self.word()}/{self.word().title().replace('_', '')}"
+        return super().attribute(given, made, others)
+
+
 def authors():
     """Return a strategy for authors, as unlike each other as their numbers."""
     return st.randoms(use_true_random=True).map(lambda random: Author(random.getrandbits(64)))
