@@ -300,8 +300,9 @@ class LongNames(Author):
     def attribute(self, given, made, others):
         if given.format == "package_name":
             return self.word()
-        if given.format in TYPES and self.seldom(6):
-            return f"{self.word()}/{self.word().title().replace('_', '')}"
+        if given.format in TYPES:
+            long_one = f"{self.word()}/{self.word().title().replace('_', '')}"
+            return self.choice([*TYPES[given.format] * 2, long_one])
         return super().attribute(given, made, others)
 
 
