@@ -8,8 +8,6 @@ import os
 import random
 import shutil
 
-import pytest
-
 from hooks.faults import SpecError
 from hooks.model import Model
 from support import ros

@@ -1,0 +1,78 @@
+"""Packages pass their own linters whatever their spec: each interface kind alone, long names."""
+
+import itertools
+import string
+
+import pytest
+
+from support.linters import cpp_faults, python_faults, ruff_faults, write
+from support.model_checks import Model
+from support.repository import ROOT
+
+MODELS = {name: Model(ROOT / name) for name in ("cpp_model", "mixed_model", "python_model")}
+ROS = ("noetic", "kilted")
+MORE = ({}, {"frequency": "10"}, {"diagnostics": "true"})
+WORD = "long_name_of_a_part_that_has_many_words_and_still_goes_on_and_on"
+
+
+def put(renderers, folder, model, elements, distro):
+    """Write the package of a spec into a folder; say whether the dictionary allows the spec."""
+    spec = model.context(model.spec(elements), distro)
+    if spec:
+        write(folder, renderers[model.name].render(spec, distro))
+    return bool(spec)
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_interface_kinds_alone(renderers, tmp_path, name):
+    """Nothing is imported for another kind, or missing without it."""
+    model = MODELS[name]
+    node = next(owner for owner in model.owners if owner.path == ("node",))
+    made = {
+        owner.kind
+        for owner, (number, more), distro in itertools.product(model.owners, enumerate(MORE), ROS)
+        if owner.path[:1] == ("node",)
+        and put(
+            renderers,
+            tmp_path / f"{owner.kind}_{number}_{distro}",
+            model,
+            [
+                (node, model.base(node, more)),
+                *([(owner, model.base(owner))] if owner.kind else []),
+            ],
+            distro,
+        )
+    }
+    assert made == {owner.kind for owner in model.owners if owner.component == "node"}
+    faults = ruff_faults(tmp_path)
+    assert not faults, faults
+
+
+def long_names(model, size):
+    """Return the elements of a spec with one of each interface, with names of so many letters."""
+    package = model.owners[0]
+    elements = [(package, model.base(package))]
+    elements += [item for item in model.small() if item[0].component == "node"]
+    for number, (owner, values) in enumerate(elements):
+        name = (string.ascii_lowercase[number] + WORD)[:size].rstrip("_").ljust(size, "x")
+        is_private = owner.attributes["name"].format == "ros_name" and number % 3 == 0
+        values["name"] = f"~/{name}" if is_private else name
+    return elements
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_names_of_any_length(renderers, tmp_path, name):
+    for size, distro in itertools.product((3, 12, 19, 27, 30, 36, 40, 47, 54, 60), ROS):
+        elements = long_names(MODELS[name], size)
+        assert put(renderers, tmp_path / f"{size}_{distro}", MODELS[name], elements, distro)
+    faults = ruff_faults(tmp_path)
+    assert not faults, faults
+
+
+def test_linters_accept_long_names(renderers, tmp_path, ros2):
+    variants = itertools.product(MODELS.items(), ROS, (19, 60))
+    for number, ((name, model), distro, size) in enumerate(variants):
+        elements = long_names(model, size)
+        assert put(renderers, tmp_path / f"{number}_{name}", model, elements, distro)
+    faults = python_faults(ros2, tmp_path) + cpp_faults(ros2, tmp_path)
+    assert not faults, faults
