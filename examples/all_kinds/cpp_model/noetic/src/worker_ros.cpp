@@ -135,11 +135,12 @@ private:
       std::make_shared<RosServiceClient<worker_types::ClientPermit>>(
         "permit",
         supervisor_.waits()));
-    passthrough.action_delegate = action_delegate_ = watch(
+    action_delegate_ = watch(
       "action delegate",
       std::make_shared<RosActionClient<worker_types::ActionDelegate>>(
         node_,
         "delegate"));
+    passthrough.action_delegate = action_delegate_;
     const auto listener = std::make_shared<RosTransformListener>(supervisor_.waits());
     passthrough.listener_frames = listener;
     const auto broadcaster = std::make_shared<RosTransformBroadcaster>();

@@ -2,7 +2,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Tests of observer: what its spec says, tried from outside."""
+"""Tests of observer from outside: its interfaces and its lifecycle."""
 
 import signal
 from time import sleep
@@ -36,12 +36,8 @@ class TestInterfaces(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        """Stop the node, which still runs."""
+        """Stop the node, which must still run."""
         assert cls.node.stop() == 0
-
-    def publishes(self, topic, *expected):
-        """Check that the node publishes to a topic, with type and latching."""
-        self.assertEqual(set(expected) - set(self.peer.publisher(topic)), set(), topic)
 
     def subscribes(self, topic, *expected):
         """Check that the node subscribes to a topic, with type."""
@@ -55,7 +51,7 @@ class TestInterfaces(unittest.TestCase):
         )
 
     def test_messages_in(self):
-        """A message reaches the logic, and is new once."""
+        """Every message reaches the logic, and is new only once."""
         self.receives(
             std_msgs.msg.String(),
             '/status',
@@ -64,7 +60,7 @@ class TestInterfaces(unittest.TestCase):
         )
 
     def receives(self, message, topic, call, once):
-        """Check that each message published makes one call, unless others publish as well."""
+        """Check that a message makes a call; with `once`, that none makes a second one."""
         sent = self.peer.publish(message, topic, lambda: self.node.is_called(call, timeout=0.1))
         self.assertTrue(self.node.is_called(call), topic)
         sleep(3 * PERIOD)
@@ -109,7 +105,7 @@ class TestLifeCycle(unittest.TestCase):
         self.assertEqual(node.calls(), [])
 
     def test_rosnode_kill(self):
-        """The node ends as well when it is told to by `rosnode kill`."""
+        """The node deactivates, cleans up and ends at `rosnode kill`."""
         node, peer = self.start(RECORDER)
         self.assertTrue(node.is_called('activate'))
         peer.kill()
@@ -117,7 +113,7 @@ class TestLifeCycle(unittest.TestCase):
         self.assertEqual(node.calls('deactivate', 'cleanup'), ['deactivate', 'cleanup'])
 
     def test_logic(self):
-        """The node runs with its own logic, and ends well at SIGTERM."""
+        """The node runs with its own logic, and ends with exit code 0 at SIGTERM."""
         node, peer = self.start(LOGIC)
         self.assertTrue(eventually(peer.is_connected))
         self.assertEqual(node.stop(signal.SIGTERM), 0)

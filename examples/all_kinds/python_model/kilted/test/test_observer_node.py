@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Tests of observer: what its spec says, tried from outside."""
+"""Tests of observer from outside: its interfaces and its lifecycle."""
 
 import os
 import signal
@@ -45,12 +45,8 @@ class TestInterfaces(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        """Stop the node, which still runs."""
+        """Stop the node, which must still run."""
         assert cls.node.stop() == 0
-
-    def publishes(self, topic, *expected):
-        """Check that the node publishes to a topic, with type and QoS."""
-        self.assertEqual(set(expected) - set(self.peer.publisher(topic)), set(), topic)
 
     def subscribes(self, topic, *expected):
         """Check that the node subscribes to a topic, with type and QoS."""
@@ -66,7 +62,7 @@ class TestInterfaces(unittest.TestCase):
         )
 
     def test_messages_in(self):
-        """A message reaches the logic, and is new once."""
+        """Every message reaches the logic, and is new only once."""
         self.receives(
             std_msgs.msg.String(),
             '/status',
@@ -75,7 +71,7 @@ class TestInterfaces(unittest.TestCase):
         )
 
     def receives(self, message, topic, call, once):
-        """Check that each message published makes one call, unless others publish as well."""
+        """Check that a message makes a call; with `once`, that none makes a second one."""
         sent = self.peer.publish(message, topic, lambda: self.node.is_called(call, timeout=0.1))
         self.assertTrue(self.node.is_called(call), topic)
         sleep(3 * PERIOD)
@@ -108,7 +104,7 @@ class TestLifeCycle(unittest.TestCase):
         return node, peer
 
     def test_every_edge(self):
-        """The node activates itself, obeys every transition, and ends well at SIGINT."""
+        """The node activates itself, obeys every transition, and ends with code 0 at SIGINT."""
         node, peer = self.start(RECORDER)
         calls = LIFE[:2]
         self.assertTrue(node.is_called('activate'))
@@ -149,7 +145,7 @@ class TestLifeCycle(unittest.TestCase):
         self.assertEqual(peer.state(), 'finalized')
 
     def test_logic(self):
-        """The node runs with its own logic, and ends well at SIGTERM."""
+        """The node runs with its own logic, and ends with exit code 0 at SIGTERM."""
         node, peer = self.start(LOGIC)
         self.assertTrue(eventually(lambda: peer.state() == 'active'))
         self.assertEqual(node.stop(signal.SIGTERM), 0)

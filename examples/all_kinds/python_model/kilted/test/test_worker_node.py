@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Tests of worker: what its spec says, tried from outside."""
+"""Tests of worker from outside: its interfaces and its lifecycle."""
 
 import os
 import signal
@@ -48,7 +48,7 @@ class TestInterfaces(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        """Stop the node, which still runs."""
+        """Stop the node, which must still run."""
         assert cls.node.stop() == 0
 
     def publishes(self, topic, *expected):
@@ -107,7 +107,7 @@ class TestInterfaces(unittest.TestCase):
         self.subscribes('/tf', 'tf2_msgs/msg/TFMessage')
 
     def test_messages_in(self):
-        """A message reaches the logic, and is new once."""
+        """Every message reaches the logic, and is new only once."""
         self.receives(
             geometry_msgs.msg.Twist(),
             '/speed',
@@ -128,7 +128,7 @@ class TestInterfaces(unittest.TestCase):
         )
 
     def receives(self, message, topic, call, once):
-        """Check that each message published makes one call, unless others publish as well."""
+        """Check that a message makes a call; with `once`, that none makes a second one."""
         sent = self.peer.publish(message, topic, lambda: self.node.is_called(call, timeout=0.1))
         self.assertTrue(self.node.is_called(call), topic)
         sleep(3 * PERIOD)
@@ -136,7 +136,7 @@ class TestInterfaces(unittest.TestCase):
             self.assertLessEqual(len(self.node.calls(call)), sent, topic)
 
     def test_messages_out(self):
-        """Every output leaves."""
+        """Every output is published."""
         self.sends(
             std_msgs.msg.Int64,
             '/counter',
@@ -271,7 +271,7 @@ class TestLifeCycle(unittest.TestCase):
         return node, peer
 
     def test_every_edge(self):
-        """The node activates itself, obeys every transition, and ends well at SIGINT."""
+        """The node activates itself, obeys every transition, and ends with code 0 at SIGINT."""
         node, peer = self.start(RECORDER)
         calls = LIFE[:2]
         self.assertTrue(node.is_called('activate'))
@@ -322,7 +322,7 @@ class TestLifeCycle(unittest.TestCase):
         self.assertEqual(peer.state(), 'finalized')
 
     def test_logic(self):
-        """The node runs with its own logic, and ends well at SIGTERM."""
+        """The node runs with its own logic, and ends with exit code 0 at SIGTERM."""
         node, peer = self.start(LOGIC)
         self.assertTrue(eventually(lambda: peer.state() == 'active'))
         self.assertEqual(node.stop(signal.SIGTERM), 0)

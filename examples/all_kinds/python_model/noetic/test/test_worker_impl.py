@@ -29,7 +29,7 @@ class TestWorkerImpl(unittest.TestCase):
         self.impl.cleanup()
 
     def test_update(self):
-        """A cycle works; with messages it is run_cycle(self.impl, in_name=message).out_name."""
+        """A cycle runs; run_cycle(self.impl, in_NAME=message) returns data with data.out_NAME."""
         data = run_cycle(self.impl)
         run_cycle(self.impl, data)
 

@@ -25,7 +25,7 @@ import test_msgs.action
 
 class ClerkNode(ManagedNode):
     """
-    A managed node that calls its logic back while it is active.
+    A managed node that runs the callbacks of its logic while it is active.
 
     Service servers exist while it is active. Action servers exist as long as the node; while
     inactive, a server rejects goals.

@@ -21,7 +21,7 @@ from serving.ros.process import run
 
 
 class IdlerNode(ManagedNode):
-    """A managed node that calls its logic back while it is active."""
+    """A managed node that runs the callbacks of its logic while it is active."""
 
     def __init__(self, **options: Any) -> None:
         """Declare the parameters."""
@@ -44,7 +44,7 @@ class IdlerNode(ManagedNode):
 
     def _connect_receivers(self) -> None:
         """Create subscriptions and servers."""
-        # Nothing of this node receives.
+        # This node has none.
 
 
 def main(args: Optional[list[str]] = None) -> int:

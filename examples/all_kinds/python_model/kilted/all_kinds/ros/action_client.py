@@ -10,13 +10,13 @@ from time import monotonic
 from typing import Any, Callable, Optional
 
 from action_msgs.msg import GoalStatus
+from all_kinds.ros import timeouts
 from all_kinds.ros.goal_sender import GoalSender
 from all_kinds.ros.protocols import GoalState
 from rclpy.action.client import ClientGoalHandle
 from rclpy.node import Node
 from rclpy.task import Future
 
-PATIENCE = 2.0  # seconds without a server until its goals are lost
 OUTCOMES: dict[int, GoalState] = {
     GoalStatus.STATUS_SUCCEEDED: 'succeeded',
     GoalStatus.STATUS_ABORTED: 'aborted',
@@ -78,7 +78,7 @@ class ActionClient:
         self._goal.cancel()
 
     def unanswered(self) -> list[concurrent.futures.Future[None]]:
-        """Return what completes when the server has accepted or rejected the goals sent."""
+        """Return futures of the goals that the server has yet to accept or reject."""
         return [sent.answered for sent in self._under_way if not sent.answered.done()]
 
     def reset(self) -> None:
@@ -87,19 +87,19 @@ class ActionClient:
         self._goal = SentGoal(self._client, 'idle')
 
     def watch(self) -> None:
-        """Give the goals up as lost if the server has been away for too long."""
+        """Give up the goals if the server has been lost for too long."""
         if self.is_ready():
             self._last_seen = monotonic()
-        elif monotonic() - self._last_seen >= PATIENCE:
+        elif monotonic() - self._last_seen >= timeouts.SERVER_LOST_TIMEOUT:
             for sent in self._under_way:
                 sent.lose()
 
 
 class SentGoal:
-    """A goal on its way to its end; its attributes are those of the client."""
+    """A goal and what becomes of it; its attributes are those of ActionClient."""
 
     def __init__(self, client: GoalSender, state: GoalState) -> None:
-        """Prepare a goal that is pending, or stand for none."""
+        """Prepare a pending goal, or one that is never sent: idle or lost."""
         self.state: GoalState = state
         self.feedback: Optional[Any] = None
         self.result: Optional[Any] = None
@@ -122,12 +122,12 @@ class SentGoal:
     def cancel(self) -> None:
         """Ask the server to cancel the goal as soon as it has accepted it."""
         self._cancel = True
-        handle = self._handle  # the goal may end at any time
+        handle = self._handle  # another thread may remove it
         if handle is not None and self.is_under_way():
             self._futures.append(handle.cancel_goal_async())
 
     def lose(self) -> None:
-        """Give the goal up."""
+        """Give up the goal, unless it has ended."""
         if self.is_under_way():
             for future in self._futures:
                 future.cancel()  # no answer will come

@@ -66,7 +66,7 @@ class Goal:
         self._replaced = True
 
     def give_up(self) -> None:
-        """End the goal without the logic."""
+        """End the goal without waiting for the logic."""
         if not self._given_up.done():
             self._given_up.set_result(None)
 
@@ -75,9 +75,9 @@ class Goal:
         self._handle.execute()
 
     async def execute(self, thread: CallbackThread) -> None:
-        """Let the logic execute the goal, unless it is to end already, and tell its outcome."""
+        """Have the logic execute the goal, unless it is canceled already; send its outcome."""
         if not self.cancel_requested:
-            self._outcome = 'none'  # until the logic tells it
+            self._outcome = 'none'  # until the logic sets one
             await thread.run(self, until=self._given_up)
             if self._outcome == 'none' and not self.cancel_requested:
                 thread.warn('returned without an outcome: the goal is aborted.')
@@ -93,8 +93,8 @@ class ActionServer:
     """
     An action server with one goal at a time.
 
-    new_goal: what becomes of a goal that comes while another is executed: it is to `replace` that
-    one, is put into a `queue`, or the server is to `reject` it.
+    new_goal: how to treat a goal that comes while another is executed: let it `replace` the other,
+    put it into a `queue`, or `reject` it.
     """
 
     def __init__(
@@ -129,7 +129,7 @@ class ActionServer:
         self._open = whether
 
     def give_up(self) -> None:
-        """End the goals that the logic does not end."""
+        """End the goals without waiting for the logic."""
         for goal in self._goals.copy():
             goal.give_up()
 

@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Waiting for other threads in a coroutine of the executor."""
+"""Awaiting calls in other threads."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import rclpy.task
 
 
 def executor_of(node: Node) -> Executor:
-    """Return the executor that calls the node back."""
+    """Return the executor that the node was added to."""
     assert node.executor is not None
     return node.executor
 
@@ -26,7 +26,7 @@ async def first(node: Node, calls: list[Future[Any]]) -> None:
 
     def complete(_: Future[Any]) -> None:
         completed.set_result(None)
-        executor.wake()  # it may be asleep
+        executor.wake()  # a future of rclpy 9.1.2 does not wake it
 
     for call in calls:
         call.add_done_callback(complete)

@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 
 class NoResponse(Exception):
-    """The logic gives no response to a request."""
+    """A callback of the logic has returned no response."""
 
 
 class CallbackThread:
     """
     A thread that runs one callback of the logic, one call at a time, while the executor goes on.
 
-    pending: the calls that have not been answered, with the name.
+    pending: futures of the calls not yet answered, with the name of the thread.
     """
 
     def __init__(self, node: ManagedNode, name: str, method: str) -> None:
@@ -35,7 +35,7 @@ class CallbackThread:
         self._worker = Worker(name)
 
     async def run(self, *arguments: Any, until: Optional[Future[None]] = None) -> Any:
-        """Await the callback, or `until`; return None if it fails or the node stops."""
+        """Run the callback; return None if it fails, the node stops or `until` comes first."""
         answered: Future[None] = Future()
         call = self._node.stop.admit(lambda: self._submit(answered, *arguments))
         if call is None:
@@ -44,15 +44,15 @@ class CallbackThread:
             await first(self._node, [call, until] if until else [call])
             return call.result() if call.done() else None
         finally:
-            # The executor comes to this after it has sent the response of a service.
+            # In a task, which the executor runs after it has sent the response of a service.
             executor_of(self._node).create_task(self._forget, answered)
 
     async def receive(self, message: Any) -> None:
-        """Await the callback of a subscription."""
+        """Run the callback of a subscription."""
         await self.run(message)
 
     async def serve(self, request: Any, response: Any) -> Any:
-        """Await the callback of a service."""
+        """Run the callback of a service."""
         answer = await self.run(request, response)
         if answer is not None:
             return answer

@@ -18,10 +18,10 @@ from unique_identifier_msgs.msg import UUID
 
 class GoalSender(ActionClient):  # type: ignore[type-arg] # generic in newer ROS 2 only
     """
-    The action client of rclpy, which keeps nothing of a goal that has ended.
+    The action client of rclpy, with two defects of rclpy 9.1.2 worked around.
 
-    rclpy makes two futures for a goal and replaces the first by the second: no answer may come in
-    between, and the first must be removed. It also keeps the callbacks of goals that are rejected.
+    Its send_goal_async() replaces the future of a goal by a second one: a response in between is
+    lost, and the first future is kept for ever, as are the feedback callbacks of rejected goals.
     """
 
     def __init__(self, node: Node, action_type: Any, name: str) -> None:
@@ -44,13 +44,13 @@ class GoalSender(ActionClient):  # type: ignore[type-arg] # generic in newer ROS
         with self._sending:
             before = list(self._futures)
             future = self.send_goal_async(goal, receive_feedback, goal_id)
-            for other in list(self._futures):  # from which the executor removes those answered
+            for other in list(self._futures):  # a copy, as the executor removes some
                 if other not in before and other is not future:
                     self.remove_future(other)
         return future
 
     def take_data(self) -> Any:
-        """Take what has arrived, but not while a goal is being sent."""
+        """Take received data, but not while a goal is being sent."""
         with self._sending:
             return super().take_data()
 

@@ -8,15 +8,14 @@ from __future__ import annotations
 from time import monotonic
 from typing import Callable
 
+from all_kinds.ros import timeouts
 from all_kinds.ros.ros_time import RosTime
 from all_kinds.ros.stop import Stop
-
-PATIENCE = 10.0  # seconds between two warnings
 
 
 class Loop:
     """
-    Calls update at a fixed frequency; cycles that there is no time for are skipped.
+    Calls update at a fixed frequency; skips the cycles that begin while update still runs.
 
     cycles: how many were run; missed: how many were skipped.
     """
@@ -44,14 +43,14 @@ class Loop:
         due = self._now()
         while not stop.requested:
             if self._time.simulated:
-                due += self._periods_since(due) * period  # no sample of /clock was for them
+                due += self._periods_since(due) * period  # /clock may step by several periods
             begin = monotonic()
             self._update()
             self.cycles += 1
             due = min(due, self._now()) + period  # the clock may have been set back
             missed = self._periods_since(due)
             due += missed * period
-            if self._time.simulated:  # a step of it is no time that update takes
+            if self._time.simulated:  # only a slow update misses cycles, not a step of /clock
                 missed = min(missed, int((monotonic() - begin) / period))
             if missed and not stop.requested:
                 self._report(missed)
@@ -69,4 +68,4 @@ class Loop:
             count = self.missed - self._reported
             self._warn(f'Missed {count} cycles of {self._frequency:g} Hz: update takes too long.')
             self._reported = self.missed
-            self._report_due = monotonic() + PATIENCE
+            self._report_due = monotonic() + timeouts.WARNING_PERIOD

@@ -11,6 +11,7 @@ from time import monotonic
 import traceback
 from typing import Any, Callable, Optional, Sequence
 
+from all_kinds.ros import timeouts
 from all_kinds.ros.action_client import ActionClient
 from all_kinds.ros.action_server import ActionServer
 from all_kinds.ros.awaiting import first
@@ -32,7 +33,6 @@ from rclpy.publisher import Publisher
 from rclpy.qos import QoSPolicyKind
 from rclpy.qos_overriding_options import QoSOverridingOptions
 
-FAREWELL = 0.5  # seconds for the last messages to arrive
 OVERRIDABLE_QOS = (
     QoSPolicyKind.DEPTH,
     QoSPolicyKind.DURABILITY,
@@ -43,15 +43,13 @@ OVERRIDABLE_QOS = (
 
 class ManagedNode(LifecycleNode):
     """
-    A managed node that calls its logic in other threads, and does not wait for it forever.
-
-    A node derives from it and connects its logic to ROS.
+    The base of the nodes; calls their logic in other threads, and limits the time to wait.
 
     fixed_parameters: parameters that only change while the node is unconfigured.
     loop: calls update while the node is active, if there is one.
-    failed: whether the logic raised an exception, or refused to start by itself.
+    failed: whether the logic raised an exception or refused to autostart.
     has_error: whether the logic has raised an exception since it was configured.
-    on_failure: called when the node has failed and does nothing any more.
+    on_failure: called when the node has failed and deactivated.
     """
 
     fixed_parameters: Sequence[str] = ()
@@ -69,7 +67,7 @@ class ManagedNode(LifecycleNode):
         )
         self.declare_parameter(
             'stop_timeout',
-            2.0,
+            timeouts.STOP_TIMEOUT,
             ParameterDescriptor(
                 description='Time that the logic has to return when the node stops, s',
                 floating_point_range=[FloatingPointRange(from_value=0.0, to_value=3600.0)],
@@ -84,7 +82,7 @@ class ManagedNode(LifecycleNode):
         self._config: Any = None
         self._impl: Any = None
         self._is_configured = False
-        self._farewell = 0.0
+        self._ack_deadline = 0.0
         self._configured = ExitStack()
         self._active = ExitStack()
         self._logic = LogicThread(
@@ -97,12 +95,14 @@ class ManagedNode(LifecycleNode):
         self._action_clients: list[ActionClient] = []
         self._action_servers: list[ActionServer] = []
         self._servers: dict[str, Any] = {}
-        self.create_timer(0.5, self._watch_servers, clock=Clock(clock_type=ClockType.STEADY_TIME))
-        # Transitions wait for the logic, which waits for what the executor brings.
+        steady_clock = Clock(clock_type=ClockType.STEADY_TIME)
+        self.create_timer(timeouts.SERVER_CHECK_PERIOD, self._watch_servers, clock=steady_clock)
+        # rclpy 9.1.2 runs transitions in the executor; they would block it while they wait for the
+        # logic, which may wait for a response that the executor receives.
         self._transitions = Worker('transitions')
         self.add_on_set_parameters_callback(self._check_parameters)
         self._change_state = self._service_change_state.callback
-        self._service_change_state.callback = self._change_state_aside
+        self._service_change_state.callback = self._change_state_in_thread
 
     def _read_config(self) -> Any:
         """Return the current parameters."""
@@ -193,7 +193,7 @@ class ManagedNode(LifecycleNode):
         return TransitionCallbackReturn.SUCCESS
 
     def _callback(self, name: str, method: str) -> CallbackThread:
-        """Return the thread of a callback of the logic; it serves every activation."""
+        """Return the thread of a callback of the logic, the same in every activation."""
         if method not in self._threads:
             self._threads[method] = CallbackThread(self, name, method)
         return self._threads[method]
@@ -222,8 +222,8 @@ class ManagedNode(LifecycleNode):
         return publisher
 
     def _drop_publisher(self, publisher: Publisher[Any]) -> None:
-        """Destroy a publisher when its messages have arrived."""
-        publisher.wait_for_all_acked(Duration(seconds=max(0.0, self._farewell - monotonic())))
+        """Destroy a publisher when its last messages have been acknowledged."""
+        publisher.wait_for_all_acked(Duration(seconds=max(0.0, self._ack_deadline - monotonic())))
         self.destroy_publisher(publisher)
 
     def _subscribe(
@@ -280,14 +280,14 @@ class ManagedNode(LifecycleNode):
         method: str,
         new_goal: str,
     ) -> ActionServer:
-        """Create a server of an action that a method of the logic executes; it stays as well."""
+        """Create a server of an action; it stays until the node is destroyed."""
         callback = self._callback(name, method)
         server = ActionServer(self, action_type, name, callback, self.stop, new_goal)
         self._action_servers.append(server)
         return server
 
     def _watch_servers(self) -> None:
-        """Warn about servers that are not available, and give up the goals of a dead one."""
+        """Warn about servers that are not available; give up the goals of a lost one."""
         for client in self._action_clients:
             client.watch()
         if self.state != 'active':
@@ -296,14 +296,14 @@ class ManagedNode(LifecycleNode):
         if missing:
             self.get_logger().warning(
                 'Waiting for ' + ', '.join(missing) + '.',
-                throttle_duration_sec=10.0,
+                throttle_duration_sec=timeouts.WARNING_PERIOD,
             )
 
     def call(self, method: str, *arguments: Any) -> Any:
         """Call a method of the logic."""
         return getattr(self._impl, method)(*arguments)
 
-    async def _change_state_aside(self, request: Any, response: Any) -> Any:
+    async def _change_state_in_thread(self, request: Any, response: Any) -> Any:
         call = self._transitions.submit(self._change_state, request, response)
         await first(self, [call])
         return call.result()
@@ -320,7 +320,7 @@ class ManagedNode(LifecycleNode):
             self.trigger_shutdown()
 
     def _leave(self) -> None:
-        """Go to error processing, if no transition has gone there, and tell of the failure."""
+        """Go to error processing, unless a transition has done so, and report the failure."""
         if self.state == 'active':
             self.trigger_deactivate()
         self.failed = True
@@ -369,7 +369,7 @@ class ManagedNode(LifecycleNode):
         for client in self._action_clients:
             client.cancel()
         unanswered = [goal for client in self._action_clients for goal in client.unanswered()]
-        wait(unanswered, self._stop_timeout())  # a goal can be canceled when it is accepted
+        wait(unanswered, self._stop_timeout())  # canceled once they are accepted
 
     def _clean_up(self) -> None:
         if self._is_configured:
@@ -378,7 +378,7 @@ class ManagedNode(LifecycleNode):
         self._logic.finish('cleanup', self._disconnect_senders)
 
     def _disconnect_senders(self) -> None:
-        self._farewell = monotonic() + FAREWELL
+        self._ack_deadline = monotonic() + timeouts.ACKNOWLEDGE_TIMEOUT
         self._configured.close()
         self._impl = None
 

@@ -11,6 +11,7 @@ from threading import Event, Thread
 from time import sleep
 from typing import Any, Callable, Optional
 
+from all_kinds.ros import timeouts
 from all_kinds.ros.callbacks import NoResponse
 from all_kinds.ros.managed_node import ManagedNode
 from all_kinds.ros.worker import show_name
@@ -19,15 +20,12 @@ from rclpy.exceptions import InvalidHandle
 from rclpy.executors import Executor, ExternalShutdownException, SingleThreadedExecutor
 from rclpy.signals import SignalHandlerOptions
 
-LAST_WORDS = 0.2  # seconds for the last responses and results to leave
-SIGNALS = 0.5  # seconds between two looks for signals
-
 
 def run(node_type: Callable[[], ManagedNode], args: Optional[list[str]] = None) -> int:
     """
     Run a node until SIGINT, SIGTERM or its failure; return the exit code.
 
-    The node stops while communication works. A second signal ends the process at once.
+    The node deactivates and cleans up before ROS shuts down; a second signal ends it at once.
     """
     ends: SimpleQueue[Any] = SimpleQueue()
 
@@ -47,12 +45,12 @@ def run(node_type: Callable[[], ManagedNode], args: Optional[list[str]] = None) 
     done = Event()
     spinning = Thread(target=spin, args=(executor, node, done), name='spin', daemon=True)
     spinning.start()
-    if ends.empty():  # nobody has told the node to stop while it was created
+    if ends.empty():  # no signal has come yet
         node.start()
     wait_for(ends)
     has_returned = node.end()
-    sleep(LAST_WORDS)
-    executor.create_task(done.set)  # being woken alone does not end spin_once
+    sleep(timeouts.SHUTDOWN_DELAY)
+    executor.create_task(done.set)  # spin_once() returns only after it has executed something
     spinning.join()
     executor.shutdown()
     node.destroy_node()
@@ -61,10 +59,10 @@ def run(node_type: Callable[[], ManagedNode], args: Optional[list[str]] = None) 
 
 
 def wait_for(ends: SimpleQueue[Any]) -> None:
-    """Wait for an end; a signal that another thread has taken does not wake this one."""
+    """Wait for a reason to end; wake up regularly to let Python run signal handlers."""
     while True:
         try:
-            ends.get(timeout=SIGNALS)
+            ends.get(timeout=timeouts.SIGNAL_CHECK_PERIOD)
             return
         except Empty:
             pass
@@ -79,6 +77,6 @@ def spin(executor: Executor, node: ManagedNode, done: Event) -> None:
         except ExternalShutdownException:
             return
         except (InvalidHandle, NoResponse):
-            pass  # of a connection that was just destroyed; of a callback that failed
+            pass  # InvalidHandle: destroyed meanwhile; NoResponse: in the log already
         except Exception as error:
             node.fail(error)

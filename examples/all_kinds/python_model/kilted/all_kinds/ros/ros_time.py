@@ -19,7 +19,7 @@ class RosTime:
     """The clock of a node, and sleeps that end when the node stops."""
 
     def __init__(self, node: Node, stop: Stop) -> None:
-        """Wake the sleepers whenever simulated time advances or jumps."""
+        """Wake sleeps whenever simulated time changes."""
         self._clock = cast(ROSClock, node.get_clock())
         self._stop = stop
         self._jumps = self._clock.create_jump_callback(
@@ -45,7 +45,7 @@ class RosTime:
         return self._clock.now().to_msg()
 
     def sleep(self, seconds: float) -> bool:
-        """Wait that long, anew if simulated time jumps back; return False if the node stops."""
+        """Wait, again if simulated time jumps back; return False at once when the node stops."""
         start = self.now()
 
         def is_over() -> bool:

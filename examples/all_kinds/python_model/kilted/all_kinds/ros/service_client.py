@@ -8,10 +8,9 @@ from __future__ import annotations
 from time import monotonic
 from typing import Any, Optional
 
+from all_kinds.ros import timeouts
 from all_kinds.ros.stop import Stop
 from rclpy.client import Client
-
-DISCOVERY = 0.02  # seconds between two looks for a server
 
 
 class ServiceClient:
@@ -30,7 +29,7 @@ class ServiceClient:
         """Return the response, or None after `timeout` seconds or when the node stops."""
         end = monotonic() + timeout
         while not self.is_ready():
-            self._stop.wait_for(lambda: False, min(DISCOVERY, end - monotonic()))
+            self._stop.wait_for(lambda: False, min(timeouts.DISCOVERY_PERIOD, end - monotonic()))
             if self._stop.requested or monotonic() >= end:
                 return None
         future = self._client.call_async(request)

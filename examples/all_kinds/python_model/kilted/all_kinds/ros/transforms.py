@@ -23,7 +23,7 @@ class Buffer(tf2_ros.Buffer):
     """A buffer that wakes lookups when a transform arrives."""
 
     def __init__(self, stop: Stop) -> None:
-        """Create an empty buffer, without a service."""
+        """Create an empty buffer."""
         super().__init__()
         self._stop = stop
 
@@ -119,7 +119,7 @@ class TransformBroadcaster:
         self.send(self._transform(parent, child, translation, rotation))
 
     def broadcast_static(self, parent: str, child: str, translation: Any, rotation: Any) -> None:
-        """Publish a pose that stays; the arguments are those of `broadcast`."""
+        """Publish a static pose; the arguments are those of `broadcast`."""
         self.send_static(self._transform(parent, child, translation, rotation))
 
     def send(self, transform: TransformStamped) -> None:
@@ -127,7 +127,7 @@ class TransformBroadcaster:
         self._publisher.publish(TFMessage(transforms=[transform]))
 
     def send_static(self, transform: TransformStamped) -> None:
-        """Publish a transform that stays, with those of before."""
+        """Publish a static transform with all earlier ones, as /tf_static keeps one message."""
         self._static[transform.child_frame_id] = transform
         self._static_publisher.publish(TFMessage(transforms=list(self._static.values())))
 

@@ -14,11 +14,7 @@ from typing import Any, Callable, Optional
 
 
 class Worker:
-    """
-    A thread that runs the calls submitted to it, in their order.
-
-    thread: the thread; it does not keep the process alive.
-    """
+    """A daemon thread that runs the calls submitted to it, in their order."""
 
     def __init__(self, name: str) -> None:
         """Start the thread."""
@@ -28,7 +24,7 @@ class Worker:
         self.thread.start()
 
     def submit(self, call: Callable[..., Any], *arguments: Any, name: str = '') -> Future[Any]:
-        """Have call(*arguments) run; the future gives what it returns or raises."""
+        """Run call(*arguments) in the thread; the future has what it returns or raises."""
         future: Future[Any] = Future()
         self._pending[future] = name or getattr(call, '__name__', str(call))
         future.add_done_callback(self._pending.pop)
@@ -52,10 +48,10 @@ class Worker:
                 future.set_exception(error)
             else:
                 future.set_result(result)
-            del future, call  # do not keep them until the next call
+            del future, call  # release them before waiting for the next call
 
 
 def show_name(name: str) -> None:
-    """Name this thread in tools such as top, where the system is Linux."""
+    """Show a name for this thread in tools such as top, on Linux."""
     with suppress(OSError):
         Path(f'/proc/self/task/{get_native_id()}/comm').write_text(name[:15])

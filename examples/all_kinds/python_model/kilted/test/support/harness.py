@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-A harness for tests of the logic without ROS: fakes that record, and a clock that one sets.
+Tests of the logic without ROS: fakes that record, and a clock that the test sets.
 
     ros = fake(DriverPassthrough)
     ros.clock.time = 12.0  # seconds
@@ -42,7 +42,7 @@ class Clock:
         return protocols.Stamp(sec=int(seconds), nanosec=int(fraction * 1e9))
 
     def sleep(self, seconds):
-        """Let the time pass at once, unless the node stops."""
+        """Advance the clock without waiting, unless the node stops."""
         if not self.stopped:
             self.time += seconds
         return not self.stopped
@@ -127,7 +127,7 @@ class FakeActionClient:
         return self.ready
 
     def send_goal(self, goal):
-        """Record a goal, which is pending then."""
+        """Record a goal and make it pending."""
         self.goals.append(deepcopy(goal))
         self.feedback = None
         self.result = None
@@ -228,7 +228,7 @@ FAKES = {
 
 
 def fake(passthrough_type):
-    """Return a passthrough of fakes, with the `clock` that they go by."""
+    """Return a passthrough of fakes; its `clock` gives the time."""
     clock = Clock()
     members = {'now': clock.now, 'stamp': clock.stamp, 'sleep': clock.sleep}
     for name, type_ in get_type_hints(passthrough_type).items():
@@ -243,8 +243,8 @@ def run_cycle(impl, data=None, config=None, **messages):
     """
     Run one cycle as the node does and return its data.
 
-    messages: those received, as in in_speed=Twist(); names that the node lacks are refused.
-    data: that of the cycle before, to go on from there. config: by default, that of the spec.
+    messages: the messages received, such as in_speed=Twist(); unknown names are refused.
+    data: that of the cycle before, or new data. config: by default, that of the spec.
     """
     types = get_type_hints(impl.update)
     data = types['data']() if data is None else data

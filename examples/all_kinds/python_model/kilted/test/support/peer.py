@@ -14,18 +14,15 @@ from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState, GetState
 from rcl_interfaces.srv import GetParameters, SetParameters
 import rclpy
-from rclpy.action import (
-    ActionClient,
-    get_action_client_names_and_types_by_node,
-    get_action_server_names_and_types_by_node,
-)
+from rclpy.action import ActionClient, get_action_server_names_and_types_by_node
+from rclpy.action import get_action_client_names_and_types_by_node
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from support.running import eventually, TIMEOUT
 
 
 def free_domain():
-    """Return a domain that nobody on this machine has joined, by the first port of DDS in it."""
+    """Return a ROS domain that is unused on this machine: its first DDS port is free."""
     for domain in (1 + (os.getpid() + number) % 100 for number in range(100)):
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as port:
             try:
@@ -87,7 +84,7 @@ class Peer:
         return info.topic_type, qos.reliability.name.lower(), qos.durability.name.lower()
 
     def has(self, kind, name, type_):
-        """Return whether the node gets a service or action, as a server or client."""
+        """Return whether the node has a service or action, as a server or client."""
         find = {
             'service server': self._node.get_service_names_and_types_by_node,
             'action server': partial(get_action_server_names_and_types_by_node, self._node),
@@ -110,9 +107,9 @@ class Peer:
 
     def _be_discovered(self):
         """
-        Wait until the node knows the clients created so far: it responds to a newer one.
+        Wait until the node has discovered all clients: until it responds to a newer one.
 
-        Fast DDS discovers clients in this order, and drops a response to one it does not know.
+        Fast DDS discovers clients in their order, and drops responses to those it does not know.
         """
         client = self._node.create_client(GetParameters, self.name + '/get_parameters')
 
@@ -129,7 +126,7 @@ class Peer:
 
     def execute(self, action_type, name):
         """Send a goal and return whether it succeeds."""
-        # By the executor, which must not see a client that is not complete.
+        # In the executor, as rclpy 9.1.2 adds the client to the node before it is complete.
         created = self._executor.create_task(ActionClient, self._node, action_type, name)
         if not eventually(created.done) or not created.result().wait_for_server(TIMEOUT):
             return False

@@ -12,8 +12,8 @@ from typing import Any, List, Optional
 import actionlib
 from actionlib import CommState, GoalStatus
 from actionlib_msgs.msg import GoalID
+from all_kinds.ros import timeouts
 
-PATIENCE = 1.0  # seconds without a server until its goals are lost
 OUTCOMES = {
     GoalStatus.REJECTED: 'rejected',
     GoalStatus.SUCCEEDED: 'succeeded',
@@ -56,16 +56,16 @@ class ActionClient:
         return self._goal.result
 
     def is_ready(self) -> bool:
-        """Return whether a server is available: connected by all topics, and heard."""
+        """Return whether a server has sent its status and is connected by all topics."""
         status = self._client.last_status_msg
         if status is None:
             return False
         server = status._connection_header['callerid']
-        heard = (self._client.status_sub, self._client.result_sub, self._client.feedback_sub)
-        told = (self._client.pub_goal, self._client.pub_cancel)
-        return all(publisher.impl.has_connection(server) for publisher in told) and all(
-            any(connection.callerid_pub == server for connection in topic.impl.connections)
-            for topic in heard
+        subscribers = (self._client.status_sub, self._client.result_sub, self._client.feedback_sub)
+        publishers = (self._client.pub_goal, self._client.pub_cancel)
+        return all(publisher.impl.has_connection(server) for publisher in publishers) and all(
+            any(connection.callerid_pub == server for connection in subscriber.impl.connections)
+            for subscriber in subscribers
         )
 
     def send_goal(self, goal: Any) -> bool:
@@ -86,25 +86,25 @@ class ActionClient:
         self._goal.cancel()
 
     def watch(self) -> None:
-        """Give the goals up as lost if the server has been away for too long."""
+        """Give up the goals if the server has been lost for too long."""
         if self.is_ready():
             self._last_seen = monotonic()
-        elif monotonic() - self._last_seen >= PATIENCE:
+        elif monotonic() - self._last_seen >= timeouts.SERVER_LOST_TIMEOUT:
             for sent in self._under_way:
                 sent.lose()
 
 
 class SentGoal:
-    """A goal on its way to its end; its attributes are those of the client."""
+    """A goal and what becomes of it; its attributes are those of ActionClient."""
 
     def __init__(self, client: actionlib.ActionClient, state: str) -> None:
-        """Prepare a goal that is pending, or stand for none."""
+        """Prepare a pending goal, or one that is never sent: idle or lost."""
         self.state = state
         self.feedback: Optional[Any] = None
         self.result: Optional[Any] = None
         self._client = client
         self._handle: Optional[actionlib.ClientGoalHandle] = None
-        self._lock = Lock()  # goals end in the threads of topics and in the one that watches
+        self._lock = Lock()  # results and `watch` come from different threads
 
     def is_under_way(self) -> bool:
         """Return whether the goal has not ended."""
@@ -118,12 +118,12 @@ class SentGoal:
         """Ask the server to cancel the goal."""
         handle = self._handle
         if handle is not None and self.is_under_way():
-            # handle.cancel() would take a goal for lost that the server has yet to list.
+            # In actionlib 1.14.0 handle.cancel() loses a goal that no status message lists yet.
             machine = handle.comm_state_machine
             machine.send_cancel_fn(GoalID(id=machine.action_goal.goal_id.id))
 
     def lose(self) -> None:
-        """Give the goal up, unless it has ended."""
+        """Give up the goal, unless it has ended."""
         self._end('lost')
 
     def _receive_state(self, handle: actionlib.ClientGoalHandle) -> None:
@@ -148,6 +148,7 @@ class SentGoal:
             self.result = result
             self.state = state
         self._handle = None
-        manager = self._client.manager  # of actionlib, which keeps the goals that have ended
+        # actionlib 1.14.0 forgets ended goals only when a status message arrives.
+        manager = self._client.manager
         with manager.list_mutex:
             manager.statuses = [goal for goal in manager.statuses if goal() is not None]

@@ -13,13 +13,10 @@ from typing import Any, List
 import actionlib
 from actionlib import GoalStatus, ServerGoalHandle
 from actionlib_msgs.msg import GoalID, GoalStatusArray
+from all_kinds.ros import timeouts
 from all_kinds.ros.callbacks import CallbackThread
 from all_kinds.ros.stop import Stop
 import rospy
-
-QUEUE = 50  # messages kept for a slow client
-STATUS_LIST_TIMEOUT = 5.0  # seconds for which a goal that has ended is in the status
-STATUS_PERIOD = 0.2  # seconds
 
 
 class Goal:
@@ -69,19 +66,19 @@ class Goal:
         self._replaced = True
 
     def start(self) -> bool:
-        """Return whether the logic is to execute the goal: False if it is to end already."""
+        """Return whether the logic is to execute the goal: False if it is canceled already."""
         with self._lock:
             if self._has_ended or self.cancel_requested:
                 return False
-            self._outcome = 'none'  # until the logic tells it
+            self._outcome = 'none'  # until the logic sets one
             return True
 
     def lacks_outcome(self) -> bool:
-        """Return whether the logic has told none, though nothing asked for the end of the goal."""
+        """Return whether the logic has set none, though no cancel was requested."""
         return self._outcome == 'none' and not self.cancel_requested
 
     def end(self) -> None:
-        """Tell the client the outcome; abort the goal if its result cannot be sent."""
+        """Send the outcome; abort the goal if its result cannot be sent."""
         with self._lock:
             if self._has_ended:
                 return
@@ -99,10 +96,10 @@ class Goal:
                 self._handle.set_aborted(self.result)
 
     def give_up(self) -> None:
-        """End the goal without the logic."""
+        """End the goal without waiting for the logic."""
         with self._lock:
             self._outcome = 'aborted'
-            with suppress(Exception):  # of the result of a logic that has not returned
+            with suppress(Exception):  # the logic may be changing the result
                 self.end()
 
     def _is_canceled(self) -> bool:
@@ -113,8 +110,8 @@ class ActionServer:
     """
     An action server with one goal at a time.
 
-    new_goal: what becomes of a goal that comes while another is executed: it is to `replace` that
-    one, is put into a `queue`, or the server is to `reject` it.
+    new_goal: how to treat a goal that comes while another is executed: let it `replace` the other,
+    put it into a `queue`, or `reject` it.
     """
 
     def __init__(
@@ -139,7 +136,7 @@ class ActionServer:
         self._server.ended.set()
 
     def give_up(self) -> None:
-        """End the goals that the logic does not end."""
+        """End the goals without waiting for the logic."""
         for goal in self._goals.copy():
             goal.give_up()
 
@@ -162,32 +159,28 @@ class ActionServer:
 
 class RosActionServer(actionlib.ActionServer):
     """
-    The action server of actionlib, with a status that wall time publishes.
+    The action server of actionlib, with its status published by wall time.
 
-    A timer of ROS time, which actionlib would take, ends for good when that time jumps back.
+    The rospy.Timer that actionlib 1.14.0 uses ends with an exception when ROS time jumps back.
     """
 
     def initialize(self) -> None:
-        """Advertise and subscribe, and start to publish the status."""
+        """Advertise and subscribe, with actionlib's queue sizes; start to publish the status."""
         self.ended = Event()
-        self.status_list_timeout = rospy.Duration(STATUS_LIST_TIMEOUT)
+        self.status_list_timeout = rospy.Duration(timeouts.STATUS_TIMEOUT)
         name = rospy.remap_name(self.ns)
         self.status_pub = rospy.Publisher(
             name + '/status',
             GoalStatusArray,
             latch=True,
-            queue_size=QUEUE,
+            queue_size=50,
         )
-        self.result_pub = rospy.Publisher(name + '/result', self.ActionResult, queue_size=QUEUE)
-        self.feedback_pub = rospy.Publisher(
-            name + '/feedback',
-            self.ActionFeedback,
-            queue_size=QUEUE,
-        )
+        self.result_pub = rospy.Publisher(name + '/result', self.ActionResult, queue_size=50)
+        self.feedback_pub = rospy.Publisher(name + '/feedback', self.ActionFeedback, queue_size=50)
         rospy.Subscriber(name + '/goal', self.ActionGoal, self.internal_goal_callback)
         rospy.Subscriber(name + '/cancel', GoalID, self.internal_cancel_callback)
         Thread(target=self._publish_status, name=self.ns + ' status', daemon=True).start()
 
     def _publish_status(self) -> None:
-        while not self.ended.wait(STATUS_PERIOD):
+        while not self.ended.wait(timeouts.STATUS_PERIOD):
             self.publish_status_async(None)

@@ -33,7 +33,7 @@ class CallbackThread:
         return None if call is None else call.result()
 
     def receive(self, message: Any) -> None:
-        """Run the callback of a subscription; ROS keeps the messages that come meanwhile."""
+        """Run the callback of a subscription; rospy queues the messages that come meanwhile."""
         self.run(message)
 
     def serve(self, request: Any, response: Any) -> Any:
@@ -46,7 +46,7 @@ class CallbackThread:
         raise rospy.ServiceException(f'{self._method} gives no response')
 
     def execute(self, goal: Any, end: Callable[[Any], object]) -> None:
-        """Run the callback of an action, unless the goal is to end already, then end(goal)."""
+        """Run the callback of an action, unless the goal is canceled already, then end(goal)."""
 
         def execute() -> None:
             if goal.start():
@@ -57,13 +57,13 @@ class CallbackThread:
                     )
             try:
                 end(goal)
-            except BaseException as error:  # of a result with a field of a wrong type
+            except BaseException as error:  # such as a field of a wrong type in the result
                 self._node.fail(error)
 
         self._worker.submit(execute, name=self._name)
 
     def running(self) -> Dict[Future[Any], str]:
-        """Return the calls that have not returned, with the name."""
+        """Return the calls that have not returned, with the name of the thread."""
         return self._worker.pending()
 
     def _call(self, *arguments: Any) -> Any:

@@ -8,19 +8,18 @@ from __future__ import annotations
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from typing import Any, Callable, Optional
 
+from all_kinds.ros import timeouts
 from all_kinds.ros.stop import Stop
 from all_kinds.ros.worker import Worker
-
-GRACE = 0.2  # seconds for a method to return once its waits have ended
 
 
 class LogicThread:
     """
-    Runs the methods of the logic one after another, and waits for them no longer than it may.
+    Runs the methods of the logic one after another, and limits the time to wait for them.
 
-    timeout: gives the time that methods have to return when the node stops, in seconds.
-    log: writes what still runs to the log as an error.
-    fail: is told of the exceptions of the logic.
+    timeout: returns the parameter stop_timeout, in seconds.
+    log: logs an error about methods that still run.
+    fail: is called with every exception of the logic.
     """
 
     def __init__(
@@ -35,48 +34,48 @@ class LogicThread:
         self._timeout = timeout
         self._log = log
         self._fail = fail
-        self._told_to_end: Future[None] = Future()
+        self._end_requested: Future[None] = Future()
         self._worker = Worker('logic')
 
     @property
     def is_ending(self) -> bool:
-        """Whether the node is to end."""
-        return self._told_to_end.done()
+        """Whether `end` was called."""
+        return self._end_requested.done()
 
     def begin(self, name: str, method: Callable[[], Any]) -> Any:
         """
-        Call a first method, unless the node is to end; it has its time until then.
+        Call configure or activate, and wait; after `end` for stop_timeout at most.
 
-        Return what it returns, or None if it raises an exception or does not return.
+        Return its result, or None if it fails, has not returned or the node ends already.
         """
         if self.is_ending:
             return None
         self._stop.clear()
         call = self._worker.submit(self._call, method, name=name)
-        wait([call, self._told_to_end], return_when=FIRST_COMPLETED)
+        wait([call, self._end_requested], return_when=FIRST_COMPLETED)
         return call.result() if self.have_returned({call: name}) else None
 
     def loop(self, name: str, method: Callable[..., None], *arguments: Any) -> None:
-        """Call a method that goes on until the node stops."""
+        """Start a method that runs until the node stops."""
         self._worker.submit(self._call, method, *arguments, name=name)
 
     def finish(self, name: str, method: Callable[[], Any]) -> None:
-        """Call a last method, whose waits work again until its time is over."""
+        """Call deactivate or cleanup, whose own waits work until stop_timeout is over."""
         is_free = not self._worker.pending()
         call = self._worker.submit(self._call_last, method, name=name)
-        if is_free:  # else it comes late, after what has been told to be running still
+        if is_free:  # otherwise the method that blocks the thread is in the log already
             wait([call], self._timeout())
             self._stop.request()
-            self.have_returned({call: name}, GRACE)
+            self.have_returned({call: name}, timeouts.RETURN_TIMEOUT)
 
     def end(self) -> None:
-        """Give a first method no more time than a last one."""
+        """Let configure and activate take no longer than stop_timeout from now on."""
         self._stop.finish()
-        if not self._told_to_end.done():
-            self._told_to_end.set_result(None)
+        if not self.is_ending:
+            self._end_requested.set_result(None)
 
     def close(self) -> None:
-        """End the thread after what it does."""
+        """End the thread after the calls submitted so far."""
         self._worker.close()
 
     def running(self) -> dict[Future[Any], str]:
@@ -88,7 +87,7 @@ class LogicThread:
         calls: dict[Future[Any], str],
         timeout: Optional[float] = None,
     ) -> bool:
-        """Wait until calls have returned; say which have not in time."""
+        """Return whether calls return in time, by default stop_timeout; log those that do not."""
         wait(calls, self._timeout() if timeout is None else timeout)
         names = sorted({name for call, name in calls.items() if not call.done()})
         if names:
@@ -96,7 +95,7 @@ class LogicThread:
         return not names
 
     def _call_last(self, method: Callable[[], Any]) -> None:
-        self._stop.request(spare=self._worker.thread)
+        self._stop.request(exempt=self._worker.thread)
         self._call(method)
 
     def _call(self, method: Callable[..., Any], *arguments: Any) -> Any:

@@ -11,6 +11,7 @@ from time import sleep
 import traceback
 from typing import Any, Callable, Optional
 
+from all_kinds.ros import timeouts
 from all_kinds.ros.action_client import ActionClient
 from all_kinds.ros.action_server import ActionServer
 from all_kinds.ros.callbacks import CallbackThread
@@ -21,21 +22,16 @@ from all_kinds.ros.stop import Stop
 from all_kinds.ros.worker import Worker
 import rospy
 
-SPARE = 3.0  # seconds for the end of a node, beside those that the logic has
-PERIOD = 0.5  # seconds between two looks for the servers
-
 
 class ManagedNode:
     """
-    A node that calls its logic in other threads, and does not wait for it forever.
-
-    A node derives from it and connects its logic to ROS.
+    The base of the nodes; calls their logic in other threads, and limits the time to wait.
 
     state: as in the lifecycle of ROS 2.
     loop: calls update while the node is active, if there is one.
     failed: whether the logic refused to start or raised an exception.
     has_error: whether the logic has raised an exception.
-    on_failure: called when the node has failed, to have it end.
+    on_failure: called when the node has failed and is to end.
     """
 
     def __init__(self) -> None:
@@ -55,8 +51,8 @@ class ManagedNode:
         self._action_servers: list[ActionServer] = []
         self._servers: dict[str, Any] = {}
         self._watcher = Worker('watch')
-        # Asked for now, as the master may go first.
-        self._timeout = float(rospy.get_param('~stop_timeout', 2.0))
+        # Read now, as the master may be gone when the node stops.
+        self._timeout = float(rospy.get_param('~stop_timeout', timeouts.STOP_TIMEOUT))
         self._logic = LogicThread(self.stop, lambda: self._timeout, self._log.error, self.fail)
         self._transitions = Worker('transitions')
 
@@ -76,11 +72,11 @@ class ManagedNode:
     def end(self) -> bool:
         """Deactivate and clean up; return whether the logic has returned."""
         self._logic.end()
-        wait([self._starting], self._timeout + SPARE)
+        wait([self._starting], self._timeout + timeouts.STOP_MARGIN)
         has_started = self._starting.done()
-        # A start that waits for the master holds a lock of rospy, which logging comes to need.
+        # The start may wait for a master that does not answer, as may logging (rospy 1.15.15).
         ending = (self._transitions if has_started else Worker('end')).submit(self._end)
-        wait([ending], 3.0 * self._timeout + SPARE)
+        wait([ending], 3.0 * self._timeout + timeouts.STOP_MARGIN)
         return has_started and ending.done() and ending.result()
 
     def _end(self) -> bool:
@@ -91,13 +87,13 @@ class ManagedNode:
         return self._logic.have_returned({self._starting: 'start'}, 0.0) and not running
 
     def fail(self, error: BaseException) -> None:
-        """End the life of the logic and log its exception."""
+        """Log an exception of the logic and end the node."""
         self.has_error = True
         self.failed = True
         self._transitions.submit(self._leave)
         self.on_failure()
         lines = traceback.format_exception(type(error), error, error.__traceback__)
-        self._log.error(''.join(lines))  # last, as it may wait for the master
+        self._log.error(''.join(lines))  # last, as rospy may wait for the master
 
     def call(self, method: str, *arguments: Any) -> Any:
         """Call a method of the logic."""
@@ -106,7 +102,7 @@ class ManagedNode:
     def _running(self) -> dict[Future[Any], str]:
         """Return the calls of the logic that have not returned, with their names."""
         running = self._logic.running()
-        for callback in list(self._callbacks.values()):  # a start may be late and add some
+        for callback in list(self._callbacks.values()):  # a copy, as a late start adds some
             running.update(callback.running())
         return running
 
@@ -117,7 +113,7 @@ class ManagedNode:
         return self._callbacks[method]
 
     def _client(self, name: str, client: Any) -> Any:
-        """Watch whether the server of a client is there."""
+        """Add a client to those whose servers are watched."""
         self._servers[name] = client
         return client
 
@@ -144,7 +140,7 @@ class ManagedNode:
         except BaseException as error:
             self.fail(error)
             return
-        if self.loop and not self._logic.is_ending:  # else the logic may be cleaned up already
+        if self.loop and not self._logic.is_ending:  # otherwise the logic may be cleaned up
             self._logic.loop('update', self.loop.run, self.stop)
 
     def _begin(self, name: str, method: Callable[[], bool]) -> bool:
@@ -182,15 +178,15 @@ class ManagedNode:
             client.cancel()
 
     def _watch_servers(self) -> None:
-        """Warn about servers that are not available, and give up the goals of a dead one."""
+        """Warn about servers that are not available; give up the goals of a lost one."""
         while not rospy.is_shutdown():
             for client in self._action_clients:
                 client.watch()
-            servers = list(self._servers.items())  # the logic may be about to be connected
-            missing = [name for name, client in servers if not client.is_ready()]
+            servers = list(self._servers.items())  # a copy, as configure adds some
+            missing = ', '.join(name for name, client in servers if not client.is_ready())
             if missing and self.state == 'active':
-                rospy.logwarn_throttle(10.0, 'Waiting for ' + ', '.join(missing) + '.')
-            sleep(PERIOD)
+                rospy.logwarn_throttle(timeouts.WARNING_PERIOD, f'Waiting for {missing}.')
+            sleep(timeouts.SERVER_CHECK_PERIOD)
 
 
 def read_parameter(name: str, default: Any) -> Any:

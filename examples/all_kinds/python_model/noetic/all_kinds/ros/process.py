@@ -14,20 +14,17 @@ from threading import Event, Thread
 from time import sleep
 from typing import Any, Callable
 
+from all_kinds.ros import timeouts
 from all_kinds.ros.managed_node import ManagedNode
 from all_kinds.ros.worker import Worker
 import rospy
-
-LAST_WORDS = 0.2  # seconds for the last messages and results to leave
-SIGNALS = 0.5  # seconds between two looks for signals
-UNREGISTERING = 5.0  # seconds for the master to take the node off its lists
 
 
 def run(name: str, node_type: Callable[[], ManagedNode]) -> int:
     """
     Run a node until SIGINT, SIGTERM, `rosnode kill` or its failure; return the exit code.
 
-    The node stops while communication works. A second signal ends the process at once.
+    The node deactivates and cleans up before ROS shuts down; a second signal ends it at once.
     """
     ends: SimpleQueue[Any] = SimpleQueue()
     is_up = Event()
@@ -41,10 +38,10 @@ def run(name: str, node_type: Callable[[], ManagedNode]) -> int:
 
     def end_before_shutdown() -> None:
         ends.put('shutdown')
-        if is_up.is_set():  # rospy holds a lock meanwhile, which init_node needs
+        if is_up.is_set():  # rospy 1.15.15 now holds a lock that init_node() needs
             ended.wait()
 
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # while the master may not be there
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # init_node() waits for the master
     rospy.on_shutdown(end_before_shutdown)
     rospy.init_node(name, disable_signals=True)
     signal.signal(signal.SIGINT, end)
@@ -56,11 +53,11 @@ def run(name: str, node_type: Callable[[], ManagedNode]) -> int:
     finally:
         ended.set()
     exit_code = 0 if ended_well else 1
-    farewell = Thread(target=rospy.signal_shutdown, args=['the node has ended'], daemon=True)
-    farewell.start()
-    farewell.join(UNREGISTERING)
-    if farewell.is_alive() or not unregistered.wait(UNREGISTERING):
-        # The master does not answer. Python would wait for threads of rospy, which wait for it.
+    shutdown = Thread(target=rospy.signal_shutdown, args=['the node has ended'], daemon=True)
+    shutdown.start()
+    shutdown.join(timeouts.UNREGISTER_TIMEOUT)
+    if shutdown.is_alive() or not unregistered.wait(timeouts.UNREGISTER_TIMEOUT):
+        # The master does not answer: Python would wait for non-daemon threads of rospy 1.15.15.
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(exit_code)
@@ -68,7 +65,7 @@ def run(name: str, node_type: Callable[[], ManagedNode]) -> int:
 
 
 def live(node_type: Callable[[], ManagedNode], ends: SimpleQueue[Any]) -> bool:
-    """Run the node until one of the ends; return whether it ended well."""
+    """Run the node until there is a reason to end; return whether it ended well."""
     creator = Worker('creator')  # it may wait for a master that does not answer
     creation = creator.submit(create, node_type)
     creation.add_done_callback(ends.put)
@@ -80,7 +77,7 @@ def live(node_type: Callable[[], ManagedNode], ends: SimpleQueue[Any]) -> bool:
     node.start()
     wait_for(ends)
     has_returned = node.end()
-    sleep(LAST_WORDS)
+    sleep(timeouts.SHUTDOWN_DELAY)
     return has_returned and not node.failed
 
 
@@ -91,9 +88,9 @@ def create(node_type: Callable[[], ManagedNode]) -> ManagedNode:
 
 
 def wait_for(ends: SimpleQueue[Any]) -> Any:
-    """Return the next end; a signal that another thread has taken does not wake this one."""
+    """Return the next reason to end; wake up regularly to let Python run signal handlers."""
     while True:
         try:
-            return ends.get(timeout=SIGNALS)
+            return ends.get(timeout=timeouts.SIGNAL_CHECK_PERIOD)
         except Empty:
             pass

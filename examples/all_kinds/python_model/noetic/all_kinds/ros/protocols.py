@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-What the logic uses of ROS, as types: the same in ROS 1 and ROS 2.
+Types of what the logic uses of ROS, the same for ROS 1 and ROS 2.
 
-The nodes give the logic objects that talk to ROS, its tests give it those of test/harness.py.
+The node passes objects that talk to ROS, tests pass the fakes of test/support/harness.py.
 """
 
 from typing import Literal, Optional, Protocol, Tuple, TypeVar
@@ -46,16 +46,16 @@ class Log(Protocol):
     """Writes to the ROS log."""
 
     def debug(self, text: str, /) -> object:
-        """Write a text for debugging."""
+        """Write a debug message."""
 
     def info(self, text: str, /) -> object:
-        """Write a text."""
+        """Write a message."""
 
     def warning(self, text: str, /) -> object:
-        """Write a text about something that may go wrong."""
+        """Write a warning."""
 
     def error(self, text: str, /) -> object:
-        """Write a text about something that went wrong."""
+        """Write an error."""
 
 
 class Publisher(Protocol[Message]):

@@ -20,7 +20,7 @@ class RosTime:
     """
 
     def __init__(self, stop: Stop) -> None:
-        """Wake the sleepers whenever simulated time advances or jumps."""
+        """Wake sleeps whenever simulated time changes."""
         self.simulated = not rospy.rostime.is_wallclock()
         self._stop = stop
         if self.simulated:
@@ -38,7 +38,7 @@ class RosTime:
         return time
 
     def sleep(self, seconds: float) -> bool:
-        """Wait that long, anew if simulated time jumps back; return False if the node stops."""
+        """Wait, again if simulated time jumps back; return False at once when the node stops."""
         start = self.now()
 
         def is_over() -> bool:

@@ -11,13 +11,11 @@ from threading import Thread
 from time import monotonic
 from typing import Any, Optional
 
+from all_kinds.ros import timeouts
 from all_kinds.ros.stop import Stop
 import rosgraph
 import rospy
 from rospy.impl.tcpros_base import TCPROSTransport
-
-DISCOVERY = 0.1  # seconds between two looks for a server
-CONNECTION = 1.0  # seconds in which a server has to accept a connection
 
 
 class ServiceClient:
@@ -31,18 +29,18 @@ class ServiceClient:
 
     def is_ready(self) -> bool:
         """Return whether a server is available."""
-        return self._has_server(CONNECTION)
+        return self._has_server(timeouts.CONNECT_TIMEOUT)
 
     def call(self, request: Any, timeout: float = 1.0) -> Optional[Any]:
         """Return the response, or None after `timeout` seconds or when the node stops."""
         end = monotonic() + timeout
-        while not self._has_server(min(CONNECTION, max(end - monotonic(), 0.0))):
-            self._stop.wait_for(lambda: False, min(DISCOVERY, end - monotonic()))
+        while not self._has_server(min(timeouts.CONNECT_TIMEOUT, max(end - monotonic(), 0.0))):
+            self._stop.wait_for(lambda: False, min(timeouts.DISCOVERY_PERIOD, end - monotonic()))
             if self._stop.requested or monotonic() >= end:
                 return None
-        # Persistent, so that closing it ends a call that waits for the response.
+        # Calls of rospy 1.15.15 have no time-out, but end when a persistent connection is closed.
         proxy = rospy.ServiceProxy(self._name, self._service_type, persistent=True)
-        proxy.transport = TCPROSTransport(proxy.protocol, self._name)  # to close it at any time
+        proxy.transport = TCPROSTransport(proxy.protocol, self._name)  # may be closed at any time
         answer: Future[Any] = Future()
         answer.add_done_callback(lambda _: self._stop.wake())
         arguments = (proxy, request, answer)
@@ -54,9 +52,9 @@ class ServiceClient:
         return None
 
     def _has_server(self, timeout: float) -> bool:
-        """Return whether the server that the master knows, which may be dead, can be reached."""
+        """Return whether the server accepts connections; a dead one may still be registered."""
         name = rospy.get_name()
-        master = rosgraph.Master(name)  # of its own, as threads cannot share one
+        master = rosgraph.Master(name)  # a new one, as it is not thread-safe
         probe = {'probe': '1', 'md5sum': '*', 'callerid': name, 'service': self._name}
         try:
             address = rospy.core.parse_rosrpc_uri(master.lookupService(self._name))
@@ -75,7 +73,7 @@ class ServiceClient:
                 response = proxy(request)
         except Exception as error:  # of rospy, or of the socket that was closed
             if not answer.cancelled():
-                rospy.logwarn_throttle(10.0, f'Service {self._name}: {error}')
+                rospy.logwarn_throttle(timeouts.WARNING_PERIOD, f'Service {self._name}: {error}')
         proxy.close()
         if answer.set_running_or_notify_cancel():
             answer.set_result(response)

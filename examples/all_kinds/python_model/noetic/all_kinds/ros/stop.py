@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""One stop for every wait of the logic."""
+"""A request to stop that ends every wait of the logic."""
 
 from __future__ import annotations
 
@@ -12,62 +12,54 @@ T = TypeVar('T')
 
 
 class Stop:
-    """
-    Ends the waits of the logic when the node stops: calls, lookups, sleeps and goals.
-
-    Whoever brings what a wait is for, such as a response, calls `wake`.
-    """
+    """Ends the waits of the logic when the node stops: calls, lookups, sleeps and goals."""
 
     def __init__(self) -> None:
-        """Let waits wait."""
+        """Start without a request."""
         self._changed = Condition()
         self._requested = False
         self._final = False
-        self._spared: Optional[Thread] = None
+        self._exempt: Optional[Thread] = None
 
     @property
     def requested(self) -> bool:
-        """Whether waits of this thread end at once."""
-        return self._requested and current_thread() is not self._spared
+        """Whether the waits of the calling thread end at once."""
+        return self._requested and current_thread() is not self._exempt
 
-    def request(self, spare: Optional[Thread] = None) -> None:
-        """End every wait but those of the thread `spare`."""
+    def request(self, exempt: Optional[Thread] = None) -> None:
+        """End the waits of every thread except `exempt`."""
         with self._changed:
             self._requested = True
-            self._spared = spare
+            self._exempt = exempt
             self._changed.notify_all()
 
     def finish(self) -> None:
-        """End every wait for good, but those of the thread that is spared."""
+        """Request the stop for good: `clear` does not withdraw it any more."""
         with self._changed:
             self._requested = self._final = True
             self._changed.notify_all()
 
     def clear(self) -> None:
-        """Let waits wait again, unless `finish` was called."""
+        """Withdraw the request, unless `finish` was called."""
         with self._changed:
             self._requested = self._final
-            self._spared = None
+            self._exempt = None
 
     def admit(self, begin: Callable[[], T]) -> Optional[T]:
-        """
-        Begin what is to be waited for after `request`, unless that has come before.
-
-        Return what `begin` returns, which must not wait.
-        """
+        """Return begin(), which must not wait, or None if the stop has been requested."""
         with self._changed:
             return None if self.requested else begin()
 
     def wake(self) -> None:
-        """Let every wait look again whether it has come to its end."""
+        """Have every wait check its condition again, as after a response has arrived."""
         with self._changed:
             self._changed.notify_all()
 
     def wait_for(self, condition: Callable[[], bool], timeout: float) -> bool:
         """
-        Wait until the condition holds, `timeout` seconds of wall time at most, which may be inf.
+        Wait until the condition holds or the node stops; return whether the condition holds.
 
-        Return whether it holds; at once when the node stops.
+        timeout: the longest wait, in seconds of wall time; may be inf.
         """
         with self._changed:
             self._changed.wait_for(

@@ -93,7 +93,7 @@ class TransformBroadcaster:
         self.send(self._transform(parent, child, translation, rotation))
 
     def broadcast_static(self, parent: str, child: str, translation: Any, rotation: Any) -> None:
-        """Publish a pose that stays; the arguments are those of `broadcast`."""
+        """Publish a static pose; the arguments are those of `broadcast`."""
         self.send_static(self._transform(parent, child, translation, rotation))
 
     def send(self, transform: TransformStamped) -> None:
@@ -101,7 +101,7 @@ class TransformBroadcaster:
         self._broadcaster.sendTransform(transform)
 
     def send_static(self, transform: TransformStamped) -> None:
-        """Publish a transform that stays, with those of before."""
+        """Publish a static transform with all earlier ones, as /tf_static keeps one message."""
         self._static[transform.child_frame_id] = transform
         self._static_broadcaster.sendTransform(list(self._static.values()))
 

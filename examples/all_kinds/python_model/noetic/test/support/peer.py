@@ -13,7 +13,7 @@ import rosgraph
 import rospy
 from support.running import eventually, TIMEOUT
 
-PUBLISHERS, SUBSCRIBERS, SERVICES = range(3)  # in the answers of the master
+PUBLISHERS, SUBSCRIBERS, SERVICES = range(3)  # indices of the master's system state
 EVERY_NODE_HAS = ('/rosout', '/get_loggers', '/set_logger_level')
 
 
@@ -21,7 +21,7 @@ class Peer:
     """Publishers, subscriptions and clients for the node of a given full name."""
 
     def __init__(self, node):
-        """Join the graph, and forget the parameters of a node before."""
+        """Join the graph, and delete the parameters of earlier nodes of that name."""
         self.name = node
         self._master = rosgraph.Master('/peer')
         self._endpoints = []
@@ -59,8 +59,8 @@ class Peer:
         return (dict(self._master.getTopicTypes())[topic],)
 
     def has(self, kind, name, type_):
-        """Return whether the node gets a service or action, as a server or client."""
-        if kind == 'service server':  # whose type a call checks
+        """Return whether the node has a service or action, as a server or client."""
+        if kind == 'service server':  # a call checks its type
             return eventually(lambda: self._has(SERVICES, name))
         goals, results = self.subscription, self.publisher
         if kind == 'action client':
@@ -69,13 +69,13 @@ class Peer:
         return is_sent and type_ + 'ActionResult' in results(name + '/result')
 
     def is_connected(self):
-        """Return whether the node has any topic or service that not every node has."""
+        """Return whether the node has a topic or service beside those of every node."""
         state = self._master.getSystemState()
         names = {name for kind in state for name, nodes in kind if self.name in nodes}
         return any(not name.endswith(EVERY_NODE_HAS) for name in names)
 
     def kill(self):
-        """Tell the node to end, as `rosnode kill` does; the node ends before it answers."""
+        """Tell the node to end, as `rosnode kill` does; it may end before it answers."""
         with suppress(OSError):
             ServerProxy(self._master.lookupNode(self.name)).shutdown('/peer', 'killed')
 
@@ -101,7 +101,7 @@ class Peer:
         return client.get_state() == actionlib.GoalStatus.SUCCEEDED
 
     def set_parameter(self, name, value):
-        """Set a dynamic parameter; return what it is then."""
+        """Set a dynamic parameter; return its value afterwards."""
         client = dynamic_reconfigure.client.Client(self.name, TIMEOUT)
         try:
             return client.update_configuration({name: value})[name]

@@ -11,16 +11,16 @@ from typing import get_args, get_type_hints
 
 
 def record(name, words=''):
-    """Write a line that the test reads, as a whole, for other threads write as well."""
+    """Write a line for the test, in one call, as other threads write too."""
     sys.stdout.write(f'called {name} {words}\n')
     sys.stdout.flush()
 
 
 def recorder(impl_type):
-    """Return the class of a logic that records its calls in place of those of `impl_type`."""
+    """Return a class that records the calls of the logic, to use instead of `impl_type`."""
 
     class Recorder(impl_type):
-        """Refuses nothing, publishes every output, and fulfils every request at once."""
+        """Refuses nothing, publishes every output, and serves every request at once."""
 
         def __init__(self, passthrough):
             self.passthrough = passthrough

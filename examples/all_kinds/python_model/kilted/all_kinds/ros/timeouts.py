@@ -1,0 +1,14 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""Time-outs and periods of the node, in seconds."""
+
+ACKNOWLEDGE_TIMEOUT = 0.5  # for subscribers to acknowledge the last messages of a publisher
+DISCOVERY_PERIOD = 0.02  # between two checks whether the server of a call is available
+RETURN_TIMEOUT = 0.2  # for deactivate and cleanup to return once their waits have ended
+SERVER_CHECK_PERIOD = 0.5  # between two checks whether the servers of all clients are available
+SERVER_LOST_TIMEOUT = 2.0  # for an action server to come back before its goals are lost
+SHUTDOWN_DELAY = 0.2  # for the last responses and results to be sent before ROS shuts down
+SIGNAL_CHECK_PERIOD = 0.5  # between two chances for Python to call signal handlers
+STOP_TIMEOUT = 2.0  # default of the parameter stop_timeout
+WARNING_PERIOD = 10.0  # between two warnings about the same thing
