@@ -107,7 +107,7 @@ def test_node_includes_what_it_uses(render, spec, distro):
 
 
 # Types and functions at the level of the namespace, which is not indented.
-DEFINED = r"^(?:(?:class|struct|enum class) (?=\w+)|[a-z][^(]* (?=\w+\())(\w+)"
+DEFINED = r"^(?:(?:class|struct|enum class) (?=\w+)|[a-z][^(\n]* (?=\w+\())(\w+)"
 
 
 def test_launch_file_composes_what_it_starts_alone(render):
@@ -217,7 +217,7 @@ def test_callback_of_an_earlier_activation_is_too_late(render, tmp_path):
 SHOP = """
 <package name="shop" author="Ada" author_email="ada@example.org" description="Sells"
          license="Apache-2.0" copyright="2026 Ada">
-  <node name="clerk" diagnostics="true">
+  <node name="clerk" frequency="10" diagnostics="true">
     <serviceServer name="serve" type="std_srvs::Trigger"/>
     <serviceClient name="order" type="std_srvs::Trigger"/>
   </node>
@@ -226,15 +226,38 @@ SHOP = """
 
 SERVING = """
 #include "ros/diagnostics.hpp"
+#include "ros/managed_node.hpp"
 #include "ros/ros_service_client.hpp"
-#include "ros/run_node.hpp"
 #include "ros/service_server.hpp"
+#include "ros/timing.hpp"
 
 struct Trigger
 {
   struct Request {};
   struct Response {};
 };
+
+class Clerk : public shop::ManagedNode
+{
+public:
+  explicit Clerk(const rclcpp::NodeOptions & options)
+  : ManagedNode("clerk", options)
+  {
+  }
+
+private:
+  std::shared_ptr<shop::Session> make_session() override {return nullptr;}
+};
+
+int main(int argc, char ** argv)
+{
+  return shop::run_node<Clerk>(argc, argv);
+}
+
+void run(const rclcpp::Clock::SharedPtr & clock, const std::shared_ptr<shop::Stop> & stop)
+{
+  shop::Loop(shop::Sleeper(clock, stop), 10.0, rclcpp::get_logger("clerk")).run([] {});
+}
 
 void serve(shop::ManagedNode & node)
 {

@@ -13,7 +13,26 @@
 #include <vector>
 
 #define RCLCPP_ERROR(logger, ...) static_cast<void>(logger)
-#define RCLCPP_FATAL(logger, ...) static_cast<void>(logger)
+#define RCLCPP_WARN(logger, ...) static_cast<void>(logger)
+
+enum RCUTILS_LOG_SEVERITY
+{
+  RCUTILS_LOG_SEVERITY_DEBUG = 10,
+  RCUTILS_LOG_SEVERITY_INFO = 20,
+  RCUTILS_LOG_SEVERITY_WARN = 30,
+  RCUTILS_LOG_SEVERITY_ERROR = 40
+};
+struct rcutils_log_location_t {const char * function_name, * file_name; std::size_t line_number;};
+void rcutils_log(
+  const rcutils_log_location_t * location, int severity, const char * name,
+  const char * format, ...);
+
+struct rcl_time_jump_t {};
+struct rcl_jump_threshold_t
+{
+  bool on_clock_change;
+  struct {std::int64_t nanoseconds;} min_forward, min_backward;
+};
 
 struct rmw_qos_profile_t {};
 extern const rmw_qos_profile_t rmw_qos_profile_services_default;
@@ -68,12 +87,42 @@ struct DiagnosticArray
 
 namespace rclcpp
 {
-class Logger {};
+class Logger
+{
+public:
+  const char * get_name() const;
+};
 Logger get_logger(const std::string & name);
 class NodeOptions {};
-struct Time
+class Duration
 {
+public:
+  static Duration from_seconds(double seconds);
+  static Duration from_nanoseconds(std::int64_t nanoseconds);
+  std::int64_t nanoseconds() const;
+  template<typename Chrono>
+  Chrono to_chrono() const {return {};}
+};
+class Time
+{
+public:
   operator diagnostic_msgs::msg::Time() const;
+  Time & operator+=(const Duration & duration);
+  Time operator+(const Duration & duration) const;
+  Duration operator-(const Time & time) const;
+  bool operator<(const Time & time) const;
+  bool operator>=(const Time & time) const;
+};
+struct JumpHandler {using SharedPtr = std::shared_ptr<JumpHandler>;};
+class Clock
+{
+public:
+  using SharedPtr = std::shared_ptr<Clock>;
+  Time now() const;
+  bool ros_time_is_active();
+  JumpHandler::SharedPtr create_jump_callback(
+    std::function<void()> before, std::function<void(const rcl_time_jump_t &)> after,
+    const rcl_jump_threshold_t & threshold);
 };
 
 class PreShutdownCallbackHandle {};
