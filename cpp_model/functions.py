@@ -134,12 +134,6 @@ def exported_packages(spec: dict[str, Any]) -> list[str]:
     return sorted(shown | added)
 
 
-def private_packages(spec: dict[str, Any]) -> list[str]:
-    """Return the dependencies that CMake must find and no header of the package shows."""
-    shown = exported_packages(spec)
-    return [package for package in required_packages(spec) if package not in shown]
-
-
 def message_packages(node: dict[str, Any]) -> list[str]:
     """Return the packages whose messages the interface of a node shows, sorted."""
     packages = {

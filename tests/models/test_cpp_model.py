@@ -237,6 +237,11 @@ struct Trigger
   struct Response {};
 };
 
+struct Logic
+{
+  void serve(const Trigger::Request &, Trigger::Response &) {}
+};
+
 class Clerk : public shop::ManagedNode
 {
 public:
@@ -264,7 +269,7 @@ void serve(shop::ManagedNode & node)
   shop::Diagnostics(node, nullptr);
   shop::RosServiceClient<Trigger>(node, "trigger");
   shop::create_service_server<Trigger>(
-    node, "trigger", "service trigger", [](const auto &, auto &) {});
+    node, "trigger", std::make_shared<Logic>(), &Logic::serve);
 }
 """
 
