@@ -13,7 +13,7 @@ from hooks.model import Model
 from support import ros
 from support.direct_render import variants
 from support.fuzz import LongNames
-from support.linters import cpp_faults, python_faults, ruff_faults, type_faults, write
+from support.linters import cpp_faults, leave_news, python_faults, ruff_faults, type_faults, write
 from support.packages import DISTROS, without_tf
 from support.repository import ROOT
 
@@ -54,7 +54,9 @@ def test_packages_have_the_layout_of_ruff(renderers, tmp_path):
 
 
 def test_packages_pass_their_linters(renderers, tmp_path, ros2):
+    longest = {}
     for _ in samples(renderers, tmp_path / "packages", LINTED):
+        leave_news(tmp_path / "packages", longest)
         faults = python_faults(ros2, tmp_path / "packages")
         faults += cpp_faults(ros2, tmp_path / "packages")
         assert not faults, faults

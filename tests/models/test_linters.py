@@ -5,7 +5,7 @@ import string
 
 import pytest
 
-from support.linters import cpp_faults, python_faults, ruff_faults, write
+from support.linters import cpp_faults, leave_news, python_faults, ruff_faults, write
 from support.model_checks import Model
 from support.repository import ROOT
 
@@ -74,5 +74,6 @@ def test_linters_accept_long_names(renderers, tmp_path, ros2):
     for number, ((name, model), distro, size) in enumerate(variants):
         elements = long_names(model, size)
         assert put(renderers, tmp_path / f"{number}_{name}", model, elements, distro)
+    leave_news(tmp_path, {})
     faults = python_faults(ros2, tmp_path) + cpp_faults(ros2, tmp_path)
     assert not faults, faults

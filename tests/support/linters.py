@@ -41,7 +41,6 @@ def python_faults(ros2, folder):
 
 def cpp_faults(ros2, folder):
     """Return what those of packages in C++ find, but cppcheck, to which names do not matter."""
-    _leave_one_of_each(folder)
     cpplint = ros2.run("ament_cpplint .", folder, check=False).stdout
     uncrustify = ros2.run("ament_uncrustify --language C++ .", folder, check=False).stdout
     quiet = ("Done", "DEBUG", "INFO: No files", "No code style", "No problems", "No files found")
@@ -49,17 +48,19 @@ def cpp_faults(ros2, folder):
     return "\n".join(line for line in lines if line and not line.startswith(quiet))
 
 
-def _leave_one_of_each(folder):
-    """Delete the headers of the runtime that differ from others by a shorter name alone."""
-    longest = {}
-    for file in folder.rglob("ros/*.hpp"):
-        package = next(parent for parent in file.parents if (parent / "package.xml").exists())
-        name = re.search("<name>(.*)</name>", (package / "package.xml").read_text())[1]
-        text = re.sub(name, "", file.read_text(), flags=re.IGNORECASE)
-        longest.setdefault((file.name, text), []).append((len(name), file))
-    for files in longest.values():
-        for _, file in sorted(files)[:-1]:
-            file.unlink()
+def leave_news(folder, longest):
+    """Delete files that are like others but for a shorter name of the package: the runtime's.
+
+    Its first letter decides on the order of imports. `longest` has the names that were there.
+    """
+    for package in sorted(folder.glob("*/package.xml")):
+        name = re.search("<name>(.*)</name>", package.read_text())[1]
+        for file in [*package.parent.rglob("*.py"), *package.parent.rglob("*.[ch]pp")]:
+            text = re.sub(name, "", file.read_text(), flags=re.IGNORECASE)
+            key = (file.name, name[0], hash(text))
+            if len(name) <= longest.get(key, 0):
+                file.unlink()
+            longest[key] = max(len(name), longest.get(key, 0))
 
 
 def type_faults(ros, folder, contexts):
