@@ -6,25 +6,18 @@
 // The logic is in observer_impl.cpp.
 
 #include <memory>
-#include <stdexcept>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "all_kinds/observer_impl.hpp"
 #include "all_kinds/observer_interface.hpp"
+#include "rcl_interfaces/msg/parameter_descriptor.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_components/register_node_macro.hpp"
 #include "ros/calls.hpp"
-#include "ros/cycle_counts.hpp"
 #include "ros/inbox.hpp"
-#include "ros/loop.hpp"
 #include "ros/managed_node.hpp"
-#include "ros/parameters.hpp"
-#include "ros/ros_log.hpp"
-#include "ros/session.hpp"
-#include "ros/sleeper.hpp"
-#include "ros/snapshot.hpp"
+#include "ros/timing.hpp"
+#include "ros/topics.hpp"
 
 namespace all_kinds
 {
@@ -37,46 +30,37 @@ constexpr double FREQUENCY = 12.5;  // Hz
 class ObserverSession : public Session
 {
 public:
-  using SharedConfig = std::shared_ptr<Snapshot<ObserverConfig>>;
+  /// The parameters, replaced as a whole: to be read by atomic_load.
+  using SharedConfig = std::shared_ptr<std::shared_ptr<const ObserverConfig>>;
 
   /// Create publishers and clients, then the logic.
   ObserverSession(
     ManagedNode & node,
-    const SharedConfig & config,
-    const std::shared_ptr<CycleCounts> & cycles)
+    const SharedConfig & config)
   : config_(config),
     calls_(node.calls()),
     sleeper_(node.get_clock(), node.stop()),
-    logger_(node.get_logger()),
-    cycles_(cycles)
+    loop_(sleeper_, FREQUENCY, node.get_logger())
   {
     ObserverPassthrough passthrough;
     passthrough.log = make_logger(node.get_logger());
-    passthrough.now = [clock = node.get_clock()] {
-        return Time(clock->now().nanoseconds());
-      };
-    passthrough.sleep = [sleeper = sleeper_](double seconds) {
-        return sleeper.sleep_for(seconds);
-      };
+    passthrough.now = [clock = node.get_clock()] {return Time(clock->now().nanoseconds());};
+    passthrough.sleep = [sleeper = sleeper_](double seconds) {return sleeper.sleep_for(seconds);};
     impl_ = std::make_shared<ObserverImpl>(passthrough);
   }
 
-  bool configure() override {return impl_->configure(*config_->get());}
+  bool configure() override {return impl_->configure(*std::atomic_load(config_.get()));}
   bool activate() override {return impl_->activate();}
   void deactivate() override {impl_->deactivate();}
   void cleanup() override {impl_->cleanup();}
 
   /// Run the update loop until the node stops.
-  void work() override
-  {
-    Loop loop(sleeper_, FREQUENCY, logger_, *cycles_);
-    loop.run([this] {update();});
-  }
+  void work() override {loop_.run([this] {update();});}
 
   /// Create subscriptions and servers.
   void connect([[maybe_unused]] ManagedNode & node) override
   {
-    subscribe(
+    topics_.subscribe(
       node,
       "/status",
       in_status_);
@@ -85,7 +69,7 @@ public:
   /// Destroy subscriptions and servers.
   void disconnect() override
   {
-    subscriptions_.clear();
+    topics_.unsubscribe();
   }
 
 private:
@@ -93,56 +77,17 @@ private:
   void update()
   {
     data_.in_status_updated = in_status_.take(data_.in_status);
-    impl_->update(data_, *config_->get());
-  }
-
-  /// Create a publisher or subscription whose QoS can be overridden by parameters.
-  template<typename Options, typename Create>
-  static auto create_overridable(Options options, const Create & create)
-  {
-    options.qos_overriding_options = {
-      rclcpp::QosPolicyKind::Depth,
-      rclcpp::QosPolicyKind::Durability,
-      rclcpp::QosPolicyKind::History,
-      rclcpp::QosPolicyKind::Reliability};
-    try {
-      return create(options);
-    } catch (const std::invalid_argument &) {
-      // Within a process rclcpp lacks some policies, which the middleware has.
-      options.use_intra_process_comm = rclcpp::IntraProcessSetting::Disable;
-      return create(options);
-    }
-  }
-
-  /// Subscribe to a topic whose latest message is an input of the next cycle.
-  template<typename Message>
-  void subscribe(
-    ManagedNode & node,
-    const std::string & topic,
-    Inbox<Message> & inbox,
-    const rclcpp::QoS & qos = rclcpp::QoS(10))
-  {
-    inbox = Inbox<Message>();  // Nothing of before is new.
-    const auto receive = [inbox](std::unique_ptr<Message> message) {
-        inbox.put(std::move(message));
-      };
-    subscriptions_.push_back(
-      create_overridable(
-        rclcpp::SubscriptionOptions(),
-        [&](const rclcpp::SubscriptionOptions & options) {
-          return node.create_subscription<Message>(topic, qos, receive, options);
-        }));
+    impl_->update(data_, *std::atomic_load(config_.get()));
   }
 
   SharedConfig config_;
   std::shared_ptr<Calls> calls_;
   Sleeper sleeper_;
-  rclcpp::Logger logger_;
-  std::shared_ptr<CycleCounts> cycles_;
+  Loop loop_;
   ObserverData data_;
   Inbox<observer_types::InStatus> in_status_;
+  Topics topics_;
   std::shared_ptr<ObserverImpl> impl_;
-  std::vector<std::shared_ptr<void>> subscriptions_;
 };
 
 /// A managed node that runs its logic at a fixed frequency while it is active.
@@ -154,10 +99,10 @@ public:
   : ManagedNode("observer", options)
   {
     declare_parameters();
-    config_->set(read_config());
+    std::atomic_store(config_.get(), read_config());
     parameters_callback_ = add_post_set_parameters_callback(
       [this](const std::vector<rclcpp::Parameter> &) {
-        config_->set(read_config());
+        std::atomic_store(config_.get(), read_config());
       });
     fix_while_configured(
       {
@@ -167,43 +112,40 @@ public:
 
   ~ObserverNode() override {end();}
 
-  ObserverNode(const ObserverNode &) = delete;
-  ObserverNode & operator=(const ObserverNode &) = delete;
-
 private:
   std::shared_ptr<Session> make_session() override
   {
-    return std::make_shared<ObserverSession>(*this, config_, cycles_);
+    return std::make_shared<ObserverSession>(*this, config_);
   }
 
   void declare_parameters()
   {
+    using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
     const ObserverConfig config;
     declare_parameter(
       "limit",
       config.limit,
-      described("How many to keep"));
+      Descriptor().set__description("How many to keep"));
   }
 
   /// Return the current parameters.
-  ObserverConfig read_config() const
+  std::shared_ptr<const ObserverConfig> read_config() const
   {
-    ObserverConfig config;
-    get_parameter("limit", config.limit);
+    const auto config = std::make_shared<ObserverConfig>();
+    get_parameter("limit", config->limit);
     return config;
   }
 
   ObserverSession::SharedConfig config_ =
-    std::make_shared<Snapshot<ObserverConfig>>();
+    std::make_shared<std::shared_ptr<const ObserverConfig>>(
+    std::make_shared<const ObserverConfig>());
   std::shared_ptr<void> parameters_callback_;
-  std::shared_ptr<CycleCounts> cycles_ = std::make_shared<CycleCounts>();
 };
 
-/// Create the node for its own executable.
-std::shared_ptr<ManagedNode> make_observer_node(
-  const rclcpp::NodeOptions & options)
+/// Run the node in a process of its own.
+int run_observer(int argc, char ** argv)
 {
-  return std::make_shared<ObserverNode>(options);
+  return run_node<ObserverNode>(argc, argv);
 }
 
 }  // namespace all_kinds

@@ -3,19 +3,14 @@
 
 // The executable of the node worker.
 
-#include <memory>
-
-#include "ros/run_node.hpp"
-
 namespace all_kinds
 {
 
-std::shared_ptr<ManagedNode> make_worker_node(
-  const rclcpp::NodeOptions & options);
+int run_worker(int argc, char ** argv);
 
 }  // namespace all_kinds
 
 int main(int argc, char ** argv)
 {
-  return all_kinds::run_node(argc, argv, all_kinds::make_worker_node);
+  return all_kinds::run_worker(argc, argv);
 }

@@ -12,14 +12,13 @@
 
 #include "all_kinds/observer_impl.hpp"
 #include "all_kinds/observer_interface.hpp"
-#include "ros/clock.hpp"
 #include "ros/inbox.hpp"
-#include "ros/loop.hpp"
 #include "ros/parameters.hpp"
 #include "ros/process.hpp"
 #include "ros/ros.h"
 #include "ros/ros_log.hpp"
 #include "ros/supervisor.hpp"
+#include "ros/timing.hpp"
 
 namespace all_kinds
 {
@@ -54,18 +53,14 @@ public:
       supervisor_.refuse("The logic refused to configure.");
       return;
     }
-    supervisor_.set_state("inactive");
     const auto activate = [this] {return impl_->activate();};
     if (!supervisor_.stopping() && supervisor_.step("activate", activate)) {
-      supervisor_.set_state("active");
       work();
-      supervisor_.set_state("deactivating");
       supervisor_.waits().clear();
       supervisor_.step("deactivate", [this] {impl_->deactivate(); return true;});
     } else {
       supervisor_.refuse("The logic refused to activate.");
     }
-    supervisor_.set_state("cleaning up");
     supervisor_.waits().clear();
     supervisor_.step("cleanup", [this] {impl_->cleanup(); return true;});
   }

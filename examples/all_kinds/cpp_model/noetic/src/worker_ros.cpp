@@ -19,9 +19,7 @@
 #include "dynamic_reconfigure/server.h"
 #include "ros/action_server.hpp"
 #include "ros/callback_thread.hpp"
-#include "ros/clock.hpp"
 #include "ros/inbox.hpp"
-#include "ros/loop.hpp"
 #include "ros/parameters.hpp"
 #include "ros/process.hpp"
 #include "ros/receiver.hpp"
@@ -31,8 +29,8 @@
 #include "ros/ros_publisher.hpp"
 #include "ros/ros_service_client.hpp"
 #include "ros/ros_transforms.hpp"
-#include "ros/sending.hpp"
 #include "ros/supervisor.hpp"
+#include "ros/timing.hpp"
 
 namespace all_kinds
 {
@@ -67,19 +65,15 @@ public:
       supervisor_.refuse("The logic refused to configure.");
       return;
     }
-    supervisor_.set_state("inactive");
     const auto activate = [this] {return impl_->activate();};
     if (!supervisor_.stopping() && supervisor_.step("activate", activate)) {
-      supervisor_.set_state("active");
       work();
-      supervisor_.set_state("deactivating");
       supervisor_.waits().clear();
       supervisor_.step("deactivate", [this] {impl_->deactivate(); return true;});
     } else {
       supervisor_.refuse("The logic refused to activate.");
     }
     action_delegate_->cancel();
-    supervisor_.set_state("cleaning up");
     supervisor_.waits().clear();
     supervisor_.step("cleanup", [this] {impl_->cleanup(); return true;});
   }
@@ -152,7 +146,7 @@ private:
         reconfigure(values);
       });
     timer_ = watch_.node().createWallTimer(
-      ros::WallDuration(2.0),
+      ros::WallDuration(Stop::Seconds(timeouts::MISSING).count()),
       [this](const ros::WallTimerEvent &) {
         report_missing_servers();
       });
@@ -280,7 +274,7 @@ private:
       }
     }
     if (!missing.empty()) {
-      log_.warning_throttle(10.0, "Waiting for " + missing + ".");
+      log_.warning_throttle(Stop::Seconds(timeouts::QUIET).count(), "Waiting for " + missing + ".");
     }
   }
 

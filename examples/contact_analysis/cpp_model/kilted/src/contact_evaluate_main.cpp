@@ -3,19 +3,14 @@
 
 // The executable of the node contact_evaluate.
 
-#include <memory>
-
-#include "ros/run_node.hpp"
-
 namespace contact_analysis
 {
 
-std::shared_ptr<ManagedNode> make_contact_evaluate_node(
-  const rclcpp::NodeOptions & options);
+int run_contact_evaluate(int argc, char ** argv);
 
 }  // namespace contact_analysis
 
 int main(int argc, char ** argv)
 {
-  return contact_analysis::run_node(argc, argv, contact_analysis::make_contact_evaluate_node);
+  return contact_analysis::run_contact_evaluate(argc, argv);
 }

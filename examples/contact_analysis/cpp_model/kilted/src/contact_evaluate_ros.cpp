@@ -6,28 +6,23 @@
 // The logic is in contact_evaluate_impl.cpp.
 
 #include <memory>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "contact_analysis/contact_evaluate_impl.hpp"
 #include "contact_analysis/contact_evaluate_interface.hpp"
+#include "rcl_interfaces/msg/parameter_descriptor.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_components/register_node_macro.hpp"
 #include "ros/action_server.hpp"
 #include "ros/calls.hpp"
-#include "ros/cycle_counts.hpp"
 #include "ros/inbox.hpp"
-#include "ros/loop.hpp"
 #include "ros/managed_node.hpp"
-#include "ros/parameters.hpp"
-#include "ros/ros_log.hpp"
 #include "ros/ros_publisher.hpp"
 #include "ros/service_server.hpp"
-#include "ros/session.hpp"
-#include "ros/sleeper.hpp"
-#include "ros/snapshot.hpp"
+#include "ros/stop.hpp"
+#include "ros/timing.hpp"
+#include "ros/topics.hpp"
 
 namespace contact_analysis
 {
@@ -41,77 +36,74 @@ constexpr double FREQUENCY = 1000.0;  // Hz
 class ContactEvaluateSession : public Session
 {
 public:
-  using SharedConfig = std::shared_ptr<Snapshot<ContactEvaluateConfig>>;
+  /// The parameters, replaced as a whole: to be read by atomic_load.
+  using SharedConfig = std::shared_ptr<std::shared_ptr<const ContactEvaluateConfig>>;
 
   /// Create publishers and clients, then the logic.
   ContactEvaluateSession(
     ManagedNode & node,
-    const SharedConfig & config,
-    const std::shared_ptr<CycleCounts> & cycles)
+    const SharedConfig & config)
   : config_(config),
     calls_(node.calls()),
     sleeper_(node.get_clock(), node.stop()),
-    logger_(node.get_logger()),
-    cycles_(cycles)
+    loop_(sleeper_, FREQUENCY, node.get_logger())
   {
     ContactEvaluatePassthrough passthrough;
     passthrough.log = make_logger(node.get_logger());
-    passthrough.now = [clock = node.get_clock()] {
-        return Time(clock->now().nanoseconds());
-      };
-    passthrough.sleep = [sleeper = sleeper_](double seconds) {
-        return sleeper.sleep_for(seconds);
-      };
-    passthrough.pub_plot_learn_cop = advertise<contact_evaluate_types::PubPlotLearnCop>(
-      node,
-      "plot_learn_cop");
+    passthrough.now = [clock = node.get_clock()] {return Time(clock->now().nanoseconds());};
+    passthrough.sleep = [sleeper = sleeper_](double seconds) {return sleeper.sleep_for(seconds);};
+    passthrough.pub_plot_learn_cop =
+      std::make_shared<RosPublisher<contact_evaluate_types::PubPlotLearnCop>>(
+      topics_.advertise<contact_evaluate_types::PubPlotLearnCop>(
+        node,
+        "plot_learn_cop"));
     impl_ = std::make_shared<ContactEvaluateImpl>(passthrough);
   }
 
-  bool configure() override {return impl_->configure(*config_->get());}
+  bool configure() override {return impl_->configure(*std::atomic_load(config_.get()));}
   bool activate() override {return impl_->activate();}
   void deactivate() override {impl_->deactivate();}
   void cleanup() override {impl_->cleanup();}
 
   /// Run the update loop until the node stops.
-  void work() override
-  {
-    Loop loop(sleeper_, FREQUENCY, logger_, *cycles_);
-    loop.run([this] {update();});
-  }
+  void work() override {loop_.run([this] {update();});}
 
   /// Create subscriptions and servers.
   void connect([[maybe_unused]] ManagedNode & node) override
   {
-    subscribe(
+    topics_.subscribe(
       node,
       "cop",
       in_cop_);
-    serve<contact_evaluate_types::LoadService>(
-      node,
-      "load",
-      "service load",
-      &ContactEvaluateImpl::serve_load);
-    serve<contact_evaluate_types::StoreService>(
-      node,
-      "store",
-      "service store",
-      &ContactEvaluateImpl::serve_store);
-    if (served_actions_.empty()) {
-      serve_action<contact_evaluate_types::LearnAction>(
+    service_servers_.push_back(
+      create_service_server<contact_evaluate_types::LoadService>(
         node,
-        "learn",
-        GoalPolicy::replace,
-        "action learn",
-        &ContactEvaluateImpl::execute_learn);
-      serve_action<contact_evaluate_types::EvaluateAction>(
+        "load",
+        impl_,
+        &ContactEvaluateImpl::serve_load));
+    service_servers_.push_back(
+      create_service_server<contact_evaluate_types::StoreService>(
         node,
-        "evaluate",
-        GoalPolicy::replace,
-        "action evaluate",
-        &ContactEvaluateImpl::execute_evaluate);
+        "store",
+        impl_,
+        &ContactEvaluateImpl::serve_store));
+    if (action_servers_.empty()) {
+      action_servers_.push_back(
+        std::make_unique<ActionServer<contact_evaluate_types::LearnAction>>(
+          node,
+          "learn",
+          GoalPolicy::replace,
+          impl_,
+          &ContactEvaluateImpl::execute_learn));
+      action_servers_.push_back(
+        std::make_unique<ActionServer<contact_evaluate_types::EvaluateAction>>(
+          node,
+          "evaluate",
+          GoalPolicy::replace,
+          impl_,
+          &ContactEvaluateImpl::execute_evaluate));
     }
-    for (const auto & server : served_actions_) {
+    for (const auto & server : action_servers_) {
       server->start();
     }
   }
@@ -119,7 +111,7 @@ public:
   /// Ask goals that are executed to end.
   void stop() override
   {
-    for (const auto & server : served_actions_) {
+    for (const auto & server : action_servers_) {
       server->stop();
     }
   }
@@ -128,18 +120,18 @@ public:
   void disconnect() override
   {
     // They stay, as a client may ask for a result later on; while inactive they reject goals.
-    for (const auto & server : served_actions_) {
+    for (const auto & server : action_servers_) {
       server->end();
     }
-    subscriptions_.clear();
+    topics_.unsubscribe();
     service_servers_.clear();
   }
 
   /// Wait until the last messages and results have been received.
   void flush(Stop::Clock::time_point end) override
   {
-    wait_until_received(publishers_, end);
-    for (const auto & server : served_actions_) {
+    topics_.flush(end);
+    for (const auto & server : action_servers_) {
       server->flush(end);
     }
   }
@@ -149,115 +141,19 @@ private:
   void update()
   {
     data_.in_cop_updated = in_cop_.take(data_.in_cop);
-    impl_->update(data_, *config_->get());
-  }
-
-  /// Create a publisher or subscription whose QoS can be overridden by parameters.
-  template<typename Options, typename Create>
-  static auto create_overridable(Options options, const Create & create)
-  {
-    options.qos_overriding_options = {
-      rclcpp::QosPolicyKind::Depth,
-      rclcpp::QosPolicyKind::Durability,
-      rclcpp::QosPolicyKind::History,
-      rclcpp::QosPolicyKind::Reliability};
-    try {
-      return create(options);
-    } catch (const std::invalid_argument &) {
-      // Within a process rclcpp lacks some policies, which the middleware has.
-      options.use_intra_process_comm = rclcpp::IntraProcessSetting::Disable;
-      return create(options);
-    }
-  }
-
-  template<typename Message>
-  std::shared_ptr<RosPublisher<Message>> advertise(
-    ManagedNode & node,
-    const std::string & topic,
-    const rclcpp::QoS & qos = rclcpp::QoS(10))
-  {
-    const auto publisher = create_overridable(
-      rclcpp::PublisherOptions(),
-      [&](const rclcpp::PublisherOptions & options) {
-        return rclcpp::create_publisher<Message>(node, topic, qos, options);
-      });
-    publishers_.push_back(publisher);
-    return std::make_shared<RosPublisher<Message>>(
-      publisher, node.get_node_options().use_intra_process_comms());
-  }
-
-  /// Subscribe to a topic whose latest message is an input of the next cycle.
-  template<typename Message>
-  void subscribe(
-    ManagedNode & node,
-    const std::string & topic,
-    Inbox<Message> & inbox,
-    const rclcpp::QoS & qos = rclcpp::QoS(10))
-  {
-    inbox = Inbox<Message>();  // Nothing of before is new.
-    const auto receive = [inbox](std::unique_ptr<Message> message) {
-        inbox.put(std::move(message));
-      };
-    subscriptions_.push_back(
-      create_overridable(
-        rclcpp::SubscriptionOptions(),
-        [&](const rclcpp::SubscriptionOptions & options) {
-          return node.create_subscription<Message>(topic, qos, receive, options);
-        }));
-  }
-
-  /// Create a service server whose requests go to a method of the logic.
-  template<typename Service>
-  void serve(
-    ManagedNode & node,
-    const std::string & name,
-    const std::string & label,
-    void (ContactEvaluateImpl::* answer)(
-      const typename Service::Request &,
-      typename Service::Response &))
-  {
-    service_servers_.push_back(
-      create_service_server<Service>(
-        node,
-        name,
-        label,
-        [impl = impl_, answer](const auto & request, auto & response) {
-          (impl.get()->*answer)(request, response);
-        }));
-  }
-
-  /// Create an action server whose goals go to a method of the logic.
-  template<typename Action>
-  void serve_action(
-    ManagedNode & node,
-    const std::string & name,
-    GoalPolicy policy,
-    const std::string & label,
-    void (ContactEvaluateImpl::* execute)(Goal<Action> &))
-  {
-    served_actions_.push_back(
-      std::make_unique<ActionServer<Action>>(
-        node,
-        name,
-        policy,
-        label,
-        [impl = impl_, execute](Goal<Action> & goal) {
-          (impl.get()->*execute)(goal);
-        }));
+    impl_->update(data_, *std::atomic_load(config_.get()));
   }
 
   SharedConfig config_;
   std::shared_ptr<Calls> calls_;
   Sleeper sleeper_;
-  rclcpp::Logger logger_;
-  std::shared_ptr<CycleCounts> cycles_;
+  Loop loop_;
   ContactEvaluateData data_;
   Inbox<contact_evaluate_types::InCop> in_cop_;
-  std::vector<rclcpp::PublisherBase::SharedPtr> publishers_;
+  Topics topics_;
   std::shared_ptr<ContactEvaluateImpl> impl_;
-  std::vector<std::shared_ptr<void>> subscriptions_;
   std::vector<std::shared_ptr<void>> service_servers_;
-  std::vector<std::unique_ptr<ActionServerBase>> served_actions_;
+  std::vector<std::unique_ptr<ActionServerBase>> action_servers_;
 };
 
 /// A managed node that runs its logic at a fixed frequency while it is active.
@@ -269,10 +165,10 @@ public:
   : ManagedNode("contact_evaluate", options)
   {
     declare_parameters();
-    config_->set(read_config());
+    std::atomic_store(config_.get(), read_config());
     parameters_callback_ = add_post_set_parameters_callback(
       [this](const std::vector<rclcpp::Parameter> &) {
-        config_->set(read_config());
+        std::atomic_store(config_.get(), read_config());
       });
     fix_while_configured(
       {
@@ -282,48 +178,45 @@ public:
 
   ~ContactEvaluateNode() override {end();}
 
-  ContactEvaluateNode(const ContactEvaluateNode &) = delete;
-  ContactEvaluateNode & operator=(const ContactEvaluateNode &) = delete;
-
 private:
   std::shared_ptr<Session> make_session() override
   {
-    return std::make_shared<ContactEvaluateSession>(*this, config_, cycles_);
+    return std::make_shared<ContactEvaluateSession>(*this, config_);
   }
 
   void declare_parameters()
   {
+    using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
     const ContactEvaluateConfig config;
     declare_parameter(
       "samples",
       config.samples,
-      described("number of samples accumulated for learning"));
+      Descriptor().set__description("number of samples accumulated for learning"));
     declare_parameter(
       "pub_sample",
       config.pub_sample,
-      described("Whether cop sampled should be published"));
+      Descriptor().set__description("Whether cop sampled should be published"));
   }
 
   /// Return the current parameters.
-  ContactEvaluateConfig read_config() const
+  std::shared_ptr<const ContactEvaluateConfig> read_config() const
   {
-    ContactEvaluateConfig config;
-    get_parameter("samples", config.samples);
-    get_parameter("pub_sample", config.pub_sample);
+    const auto config = std::make_shared<ContactEvaluateConfig>();
+    get_parameter("samples", config->samples);
+    get_parameter("pub_sample", config->pub_sample);
     return config;
   }
 
   ContactEvaluateSession::SharedConfig config_ =
-    std::make_shared<Snapshot<ContactEvaluateConfig>>();
+    std::make_shared<std::shared_ptr<const ContactEvaluateConfig>>(
+    std::make_shared<const ContactEvaluateConfig>());
   std::shared_ptr<void> parameters_callback_;
-  std::shared_ptr<CycleCounts> cycles_ = std::make_shared<CycleCounts>();
 };
 
-/// Create the node for its own executable.
-std::shared_ptr<ManagedNode> make_contact_evaluate_node(
-  const rclcpp::NodeOptions & options)
+/// Run the node in a process of its own.
+int run_contact_evaluate(int argc, char ** argv)
 {
-  return std::make_shared<ContactEvaluateNode>(options);
+  return run_node<ContactEvaluateNode>(argc, argv);
 }
 
 }  // namespace contact_analysis

@@ -3,19 +3,14 @@
 
 // The executable of the node controller.
 
-#include <memory>
-
-#include "ros/run_node.hpp"
-
 namespace driving
 {
 
-std::shared_ptr<ManagedNode> make_controller_node(
-  const rclcpp::NodeOptions & options);
+int run_controller(int argc, char ** argv);
 
 }  // namespace driving
 
 int main(int argc, char ** argv)
 {
-  return driving::run_node(argc, argv, driving::make_controller_node);
+  return driving::run_controller(argc, argv);
 }

@@ -9,17 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "rcl_interfaces/msg/parameter_descriptor.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_components/register_node_macro.hpp"
 #include "ros/action_server.hpp"
 #include "ros/calls.hpp"
 #include "ros/managed_node.hpp"
-#include "ros/parameters.hpp"
-#include "ros/ros_log.hpp"
 #include "ros/service_server.hpp"
-#include "ros/session.hpp"
-#include "ros/sleeper.hpp"
-#include "ros/snapshot.hpp"
+#include "ros/stop.hpp"
+#include "ros/timing.hpp"
 #include "serving/clerk_impl.hpp"
 #include "serving/clerk_interface.hpp"
 
@@ -33,7 +31,8 @@ namespace serving
 class ClerkSession : public Session
 {
 public:
-  using SharedConfig = std::shared_ptr<Snapshot<ClerkConfig>>;
+  /// The parameters, replaced as a whole: to be read by atomic_load.
+  using SharedConfig = std::shared_ptr<std::shared_ptr<const ClerkConfig>>;
 
   /// Create publishers and clients, then the logic.
   ClerkSession(
@@ -45,16 +44,12 @@ public:
   {
     ClerkPassthrough passthrough;
     passthrough.log = make_logger(node.get_logger());
-    passthrough.now = [clock = node.get_clock()] {
-        return Time(clock->now().nanoseconds());
-      };
-    passthrough.sleep = [sleeper = sleeper_](double seconds) {
-        return sleeper.sleep_for(seconds);
-      };
+    passthrough.now = [clock = node.get_clock()] {return Time(clock->now().nanoseconds());};
+    passthrough.sleep = [sleeper = sleeper_](double seconds) {return sleeper.sleep_for(seconds);};
     impl_ = std::make_shared<ClerkImpl>(passthrough);
   }
 
-  bool configure() override {return impl_->configure(*config_->get());}
+  bool configure() override {return impl_->configure(*std::atomic_load(config_.get()));}
   bool activate() override {return impl_->activate();}
   void deactivate() override {impl_->deactivate();}
   void cleanup() override {impl_->cleanup();}
@@ -62,25 +57,28 @@ public:
   /// Create subscriptions and servers.
   void connect([[maybe_unused]] ManagedNode & node) override
   {
-    serve<clerk_types::GreetService>(
-      node,
-      "greet",
-      "service greet",
-      &ClerkImpl::serve_greet);
-    serve<clerk_types::OpenService>(
-      node,
-      "~/open",
-      "service ~/open",
-      &ClerkImpl::serve_open);
-    if (served_actions_.empty()) {
-      serve_action<clerk_types::CountAction>(
+    service_servers_.push_back(
+      create_service_server<clerk_types::GreetService>(
         node,
-        "count",
-        GoalPolicy::replace,
-        "action count",
-        &ClerkImpl::execute_count);
+        "greet",
+        impl_,
+        &ClerkImpl::serve_greet));
+    service_servers_.push_back(
+      create_service_server<clerk_types::OpenService>(
+        node,
+        "~/open",
+        impl_,
+        &ClerkImpl::serve_open));
+    if (action_servers_.empty()) {
+      action_servers_.push_back(
+        std::make_unique<ActionServer<clerk_types::CountAction>>(
+          node,
+          "count",
+          GoalPolicy::replace,
+          impl_,
+          &ClerkImpl::execute_count));
     }
-    for (const auto & server : served_actions_) {
+    for (const auto & server : action_servers_) {
       server->start();
     }
   }
@@ -88,7 +86,7 @@ public:
   /// Ask goals that are executed to end.
   void stop() override
   {
-    for (const auto & server : served_actions_) {
+    for (const auto & server : action_servers_) {
       server->stop();
     }
   }
@@ -97,7 +95,7 @@ public:
   void disconnect() override
   {
     // They stay, as a client may ask for a result later on; while inactive they reject goals.
-    for (const auto & server : served_actions_) {
+    for (const auto & server : action_servers_) {
       server->end();
     }
     service_servers_.clear();
@@ -106,58 +104,18 @@ public:
   /// Wait until the last results have been received.
   void flush(Stop::Clock::time_point end) override
   {
-    for (const auto & server : served_actions_) {
+    for (const auto & server : action_servers_) {
       server->flush(end);
     }
   }
 
 private:
-  /// Create a service server whose requests go to a method of the logic.
-  template<typename Service>
-  void serve(
-    ManagedNode & node,
-    const std::string & name,
-    const std::string & label,
-    void (ClerkImpl::* answer)(
-      const typename Service::Request &,
-      typename Service::Response &))
-  {
-    service_servers_.push_back(
-      create_service_server<Service>(
-        node,
-        name,
-        label,
-        [impl = impl_, answer](const auto & request, auto & response) {
-          (impl.get()->*answer)(request, response);
-        }));
-  }
-
-  /// Create an action server whose goals go to a method of the logic.
-  template<typename Action>
-  void serve_action(
-    ManagedNode & node,
-    const std::string & name,
-    GoalPolicy policy,
-    const std::string & label,
-    void (ClerkImpl::* execute)(Goal<Action> &))
-  {
-    served_actions_.push_back(
-      std::make_unique<ActionServer<Action>>(
-        node,
-        name,
-        policy,
-        label,
-        [impl = impl_, execute](Goal<Action> & goal) {
-          (impl.get()->*execute)(goal);
-        }));
-  }
-
   SharedConfig config_;
   std::shared_ptr<Calls> calls_;
   Sleeper sleeper_;
   std::shared_ptr<ClerkImpl> impl_;
   std::vector<std::shared_ptr<void>> service_servers_;
-  std::vector<std::unique_ptr<ActionServerBase>> served_actions_;
+  std::vector<std::unique_ptr<ActionServerBase>> action_servers_;
 };
 
 /// A managed node that calls its logic back while it is active.
@@ -169,10 +127,10 @@ public:
   : ManagedNode("clerk", options)
   {
     declare_parameters();
-    config_->set(read_config());
+    std::atomic_store(config_.get(), read_config());
     parameters_callback_ = add_post_set_parameters_callback(
       [this](const std::vector<rclcpp::Parameter> &) {
-        config_->set(read_config());
+        std::atomic_store(config_.get(), read_config());
       });
     fix_while_configured(
       {
@@ -183,9 +141,6 @@ public:
 
   ~ClerkNode() override {end();}
 
-  ClerkNode(const ClerkNode &) = delete;
-  ClerkNode & operator=(const ClerkNode &) = delete;
-
 private:
   std::shared_ptr<Session> make_session() override
   {
@@ -194,36 +149,37 @@ private:
 
   void declare_parameters()
   {
+    using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
     const ClerkConfig config;
     declare_parameter(
       "greeting",
       config.greeting,
-      described("What to say"));
+      Descriptor().set__description("What to say"));
     declare_parameter(
       "patience",
       config.patience,
-      described("Time for a step, s"));
+      Descriptor().set__description("Time for a step, s"));
   }
 
   /// Return the current parameters.
-  ClerkConfig read_config() const
+  std::shared_ptr<const ClerkConfig> read_config() const
   {
-    ClerkConfig config;
-    get_parameter("greeting", config.greeting);
-    get_parameter("patience", config.patience);
+    const auto config = std::make_shared<ClerkConfig>();
+    get_parameter("greeting", config->greeting);
+    get_parameter("patience", config->patience);
     return config;
   }
 
   ClerkSession::SharedConfig config_ =
-    std::make_shared<Snapshot<ClerkConfig>>();
+    std::make_shared<std::shared_ptr<const ClerkConfig>>(
+    std::make_shared<const ClerkConfig>());
   std::shared_ptr<void> parameters_callback_;
 };
 
-/// Create the node for its own executable.
-std::shared_ptr<ManagedNode> make_clerk_node(
-  const rclcpp::NodeOptions & options)
+/// Run the node in a process of its own.
+int run_clerk(int argc, char ** argv)
 {
-  return std::make_shared<ClerkNode>(options);
+  return run_node<ClerkNode>(argc, argv);
 }
 
 }  // namespace serving

@@ -3,19 +3,14 @@
 
 // The executable of the node idler.
 
-#include <memory>
-
-#include "ros/run_node.hpp"
-
 namespace serving
 {
 
-std::shared_ptr<ManagedNode> make_idler_node(
-  const rclcpp::NodeOptions & options);
+int run_idler(int argc, char ** argv);
 
 }  // namespace serving
 
 int main(int argc, char ** argv)
 {
-  return serving::run_node(argc, argv, serving::make_idler_node);
+  return serving::run_idler(argc, argv);
 }

@@ -11,10 +11,7 @@
 #include "rclcpp_components/register_node_macro.hpp"
 #include "ros/calls.hpp"
 #include "ros/managed_node.hpp"
-#include "ros/ros_log.hpp"
-#include "ros/session.hpp"
-#include "ros/sleeper.hpp"
-#include "ros/snapshot.hpp"
+#include "ros/timing.hpp"
 #include "serving/idler_impl.hpp"
 #include "serving/idler_interface.hpp"
 
@@ -25,7 +22,8 @@ namespace serving
 class IdlerSession : public Session
 {
 public:
-  using SharedConfig = std::shared_ptr<Snapshot<IdlerConfig>>;
+  /// The parameters, replaced as a whole: to be read by atomic_load.
+  using SharedConfig = std::shared_ptr<std::shared_ptr<const IdlerConfig>>;
 
   /// Create publishers and clients, then the logic.
   IdlerSession(
@@ -37,27 +35,18 @@ public:
   {
     IdlerPassthrough passthrough;
     passthrough.log = make_logger(node.get_logger());
-    passthrough.now = [clock = node.get_clock()] {
-        return Time(clock->now().nanoseconds());
-      };
-    passthrough.sleep = [sleeper = sleeper_](double seconds) {
-        return sleeper.sleep_for(seconds);
-      };
+    passthrough.now = [clock = node.get_clock()] {return Time(clock->now().nanoseconds());};
+    passthrough.sleep = [sleeper = sleeper_](double seconds) {return sleeper.sleep_for(seconds);};
     impl_ = std::make_shared<IdlerImpl>(passthrough);
   }
 
-  bool configure() override {return impl_->configure(*config_->get());}
+  bool configure() override {return impl_->configure(*std::atomic_load(config_.get()));}
   bool activate() override {return impl_->activate();}
   void deactivate() override {impl_->deactivate();}
   void cleanup() override {impl_->cleanup();}
 
   /// Create subscriptions and servers.
   void connect([[maybe_unused]] ManagedNode & node) override
-  {
-  }
-
-  /// Destroy subscriptions and servers.
-  void disconnect() override
   {
   }
 
@@ -80,9 +69,6 @@ public:
 
   ~IdlerNode() override {end();}
 
-  IdlerNode(const IdlerNode &) = delete;
-  IdlerNode & operator=(const IdlerNode &) = delete;
-
 private:
   std::shared_ptr<Session> make_session() override
   {
@@ -90,14 +76,14 @@ private:
   }
 
   IdlerSession::SharedConfig config_ =
-    std::make_shared<Snapshot<IdlerConfig>>();
+    std::make_shared<std::shared_ptr<const IdlerConfig>>(
+    std::make_shared<const IdlerConfig>());
 };
 
-/// Create the node for its own executable.
-std::shared_ptr<ManagedNode> make_idler_node(
-  const rclcpp::NodeOptions & options)
+/// Run the node in a process of its own.
+int run_idler(int argc, char ** argv)
 {
-  return std::make_shared<IdlerNode>(options);
+  return run_node<IdlerNode>(argc, argv);
 }
 
 }  // namespace serving

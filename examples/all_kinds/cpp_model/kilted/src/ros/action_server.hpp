@@ -18,7 +18,6 @@
 #include "rclcpp_action/rclcpp_action.hpp"
 
 #include "calls.hpp"
-#include "job_thread.hpp"
 #include "managed_node.hpp"
 #include "served_goal.hpp"
 
@@ -140,16 +139,19 @@ class ActionServer : public ActionServerBase
 public:
   using Execute = std::function<void (Goal<Action> &)>;
 
-  /// Call `execute` with each goal; `label` names it in the log.
+  /// Call a method of the logic with each goal.
+  template<typename Logic, typename Method>
   ActionServer(
     ManagedNode & node,
     const std::string & name,
     GoalPolicy policy,
-    const std::string & label,
-    const Execute & execute)
+    const std::shared_ptr<Logic> & logic,
+    Method method)
   : goals_(std::make_shared<Goals<Action>>(policy)),
     worker_(std::make_shared<JobThread>(name))
   {
+    const Execute execute = [logic, method](Goal<Action> & goal) {(logic.get()->*method)(goal);};
+    const std::string label = "action " + name;
     typename Server::AcceptedCallback accept =
       [goals = goals_, worker = std::weak_ptr<JobThread>(worker_), calls = node.calls(),
         logger = node.get_logger(), label, execute](const auto & handle) {
@@ -162,7 +164,7 @@ public:
             });
         }
       };
-    // rclcpp locks a clock to create and destroy what hears of its jumps; rclcpp_action does not.
+    // rclcpp_action 29.3 adds and removes a jump callback of the clock without locking the clock.
     const auto clock = node.get_clock();
     auto destroy = [clock, accept](Server * server) mutable {
         {
@@ -190,7 +192,7 @@ public:
           accept),
         std::move(destroy));
     }
-    // Not by create_server, for the same reason as in RosActionClient.
+    // Not by rclcpp_action::create_server, which has the same defect as create_client.
     node.get_node_waitables_interface()->add_waitable(server_, node.callback_group("action", name));
   }
 
@@ -198,7 +200,7 @@ public:
   {
     stop();
     end();
-    worker_->end_by(JobThread::Clock::now() + std::chrono::milliseconds(100));
+    worker_->end_by(Stop::deadline(timeouts::RETURN));
   }
 
   ActionServer(const ActionServer &) = delete;
@@ -210,8 +212,8 @@ public:
 
   void flush(std::chrono::steady_clock::time_point end) override
   {
-    // A client asks once it knows that its goal was accepted, which it does not tell.
-    const auto soon = goals_->last_end() + std::chrono::milliseconds(200);
+    // A client asks for the result when it learns that its goal was accepted.
+    const auto soon = goals_->last_end() + timeouts::RESULT;
     std::this_thread::sleep_until(std::min(soon, end));
   }
 

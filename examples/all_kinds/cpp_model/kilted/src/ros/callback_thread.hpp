@@ -4,7 +4,6 @@
 #ifndef ROS__CALLBACK_THREAD_HPP_
 #define ROS__CALLBACK_THREAD_HPP_
 
-#include <chrono>
 #include <exception>
 #include <future>
 #include <memory>
@@ -17,7 +16,7 @@
 #include "rclcpp/logging.hpp"
 #include "rclcpp_lifecycle/lifecycle_node.hpp"
 
-#include "thread_name.hpp"
+#include "stop.hpp"
 
 namespace all_kinds
 {
@@ -35,7 +34,7 @@ public:
       [spinner = spinner_, name, logger = node.get_logger()] {
         name_this_thread(name);
         while (!spinner->spin(name, logger)) {
-          std::this_thread::sleep_for(std::chrono::milliseconds(100));
+          std::this_thread::sleep_for(timeouts::RETURN);
         }
       });
     ended_ = spin.get_future();
@@ -45,12 +44,12 @@ public:
   /// Join the thread, or leave it to itself if its callback does not return.
   ~CallbackThread()
   {
-    using std::chrono_literals::operator""ms;
+    const auto end = Stop::deadline(timeouts::CALLBACK);
     auto status = std::future_status::timeout;
-    for (auto tries = 0; tries < 100 && status != std::future_status::ready; ++tries) {
-      // Repeatedly: a cancel before the thread spins has no effect.
+    while (status != std::future_status::ready && Stop::Clock::now() < end) {
+      // Repeated, as Executor::cancel of rclcpp 29.3 has no effect before `spin` has begun.
       spinner_->executor.cancel();
-      status = ended_.wait_for(10ms);
+      status = ended_.wait_for(timeouts::SETTLE);
     }
     if (status == std::future_status::ready) {
       thread_.join();
@@ -81,7 +80,7 @@ private:
       return options;
     }
 
-    /// Return false after an exception of rclcpp; those of the logic do not come so far.
+    /// Return false after an exception of rclcpp; Calls catches those of the logic.
     bool spin(const std::string & name, const rclcpp::Logger & logger)
     {
       try {

@@ -9,24 +9,25 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
+
+#include "stop.hpp"
 
 namespace all_kinds
 {
 
-/// The calls of the logic that are running; callbacks are let in while it is open.
-///
-/// Thread-safe. No exception of the logic passes it.
+/// The calls of the logic that are running; thread-safe. No exception of the logic passes it.
 class Calls
 {
 public:
-  using Clock = std::chrono::steady_clock;
-  using Pass = std::uint64_t;
   using Report = std::function<void (const std::string & method, const std::string & error)>;
 
   /// Report every exception of the logic.
@@ -35,7 +36,7 @@ public:
   {
   }
 
-  /// Let callbacks in; report the first exception of one to `on_failure`.
+  /// Let callbacks in, when the node is active; report the first exception to `on_failure`.
   void open(const std::function<void()> & on_failure)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -51,21 +52,16 @@ public:
     is_open_ = false;
   }
 
+  bool is_open() const {return is_open_;}
+
+  using Pass = std::uint64_t;
+
   /// Return what lets a callback in until the next `close`, however long it is on its way.
   Pass pass()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     return opening_;
   }
-
-  bool is_open()
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return is_open_;
-  }
-
-  /// Return how often the logic has thrown.
-  std::uint64_t failures() const {return failures_;}
 
   /// Call a callback of the logic; return false if it comes too late or has thrown.
   template<typename Callback>
@@ -78,44 +74,42 @@ public:
       }
       running_.push_back(method);
     }
-    const bool has_returned = guard(method, callback);
-    leave(method);
-    return has_returned;
+    return call(method, callback);
   }
 
-  /// Call the logic; return false if it has thrown.
-  template<typename Body>
-  bool guard(const std::string & method, const Body & body)
-  {
-    try {
-      body();
-      return true;
-    } catch (const std::exception & error) {
-      fail(method, error.what());
-    } catch (...) {
-      fail(method, "unknown exception");
-    }
-    return false;
-  }
-
-  /// Count a method as running, whether it is open or not, until `leave`.
+  /// Count a method as running until it has been called.
   void enter(const std::string & method)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     running_.push_back(method);
   }
 
-  void leave(const std::string & method)
+  /// Call a method that counts as running; return false if it has thrown.
+  template<typename Body>
+  bool call(const std::string & method, const Body & body)
   {
+    bool has_returned = false;
+    try {
+      body();
+      has_returned = true;
+    } catch (const std::exception & error) {
+      fail(method, error.what());
+    } catch (...) {
+      fail(method, "unknown exception");
+    }
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       running_.erase(std::find(running_.begin(), running_.end(), method));
     }
     changed_.notify_all();
+    return has_returned;
   }
 
+  /// Return how often the logic has thrown.
+  std::uint64_t failures() const {return failures_;}
+
   /// Wait until nothing is running; return false if that takes too long.
-  bool wait_until_none(Clock::time_point end)
+  bool wait_until_none(Stop::Clock::time_point end)
   {
     std::unique_lock<std::mutex> lock(mutex_);
     return changed_.wait_until(lock, end, [this] {return running_.empty();});
@@ -138,7 +132,7 @@ private:
     report_(method, error);
     ++failures_;
     const std::lock_guard<std::mutex> lock(mutex_);
-    // Under the lock: after `close` nobody is called any more.
+    // With the lock held: `on_failure` is not called any more once `close` has returned.
     if (const auto on_failure = std::exchange(on_failure_, nullptr)) {
       on_failure();
     }
@@ -149,9 +143,97 @@ private:
   std::condition_variable changed_;
   std::vector<std::string> running_;
   std::function<void()> on_failure_;
-  bool is_open_ = false;
+  std::atomic<bool> is_open_{false};
   Pass opening_ = 0;
   std::atomic<std::uint64_t> failures_{0};
+};
+
+/// A thread that runs jobs in their order.
+class JobThread
+{
+public:
+  using Job = std::function<void ()>;
+
+  explicit JobThread(const std::string & name)
+  : thread_(
+      [queue = queue_, name] {
+        name_this_thread(name);
+        work(*queue);
+      })
+  {
+  }
+
+  JobThread(const JobThread &) = delete;
+  JobThread & operator=(const JobThread &) = delete;
+
+  /// Run the jobs that are left, then join the thread.
+  ~JobThread()
+  {
+    if (thread_.joinable()) {
+      end_by(Stop::deadline(std::chrono::hours(8760)));
+    }
+  }
+
+  /// Run the jobs that are left. A thread that is late is detached: its jobs own all they use.
+  void end_by(Stop::Clock::time_point end)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(queue_->mutex);
+      queue_->is_closed = true;
+    }
+    queue_->changed.notify_all();
+    if (wait_until_idle(end)) {
+      thread_.join();
+    } else {
+      thread_.detach();
+    }
+  }
+
+  void post(Job job)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(queue_->mutex);
+      queue_->jobs.push_back(std::move(job));
+    }
+    queue_->changed.notify_all();
+  }
+
+  /// Wait until no job is running or waiting; return false if that takes too long.
+  bool wait_until_idle(Stop::Clock::time_point end)
+  {
+    std::unique_lock<std::mutex> lock(queue_->mutex);
+    return queue_->changed.wait_until(lock, end, [this] {return queue_->jobs.empty();});
+  }
+
+private:
+  struct Queue
+  {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::deque<Job> jobs;
+    bool is_closed = false;
+  };
+
+  static void work(Queue & queue)
+  {
+    std::unique_lock<std::mutex> lock(queue.mutex);
+    while (true) {
+      queue.changed.wait(lock, [&queue] {return queue.is_closed || !queue.jobs.empty();});
+      if (queue.jobs.empty()) {
+        return;
+      }
+      auto job = std::move(queue.jobs.front());
+      lock.unlock();
+      job();
+      job = nullptr;  // What it owns is freed without the lock.
+      lock.lock();
+      queue.jobs.pop_front();
+      queue.changed.notify_all();
+    }
+  }
+
+  std::shared_ptr<Queue> queue_ = std::make_shared<Queue>();
+  std::thread thread_;
 };
 
 }  // namespace all_kinds

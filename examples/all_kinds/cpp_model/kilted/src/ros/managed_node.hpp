@@ -8,7 +8,10 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <future>
@@ -21,19 +24,52 @@
 #include <vector>
 
 #include "lifecycle_msgs/msg/state.hpp"
+#include "rcl_interfaces/msg/parameter_descriptor.hpp"
 #include "rcl_interfaces/msg/set_parameters_result.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_lifecycle/lifecycle_node.hpp"
 
 #include "callback_thread.hpp"
 #include "calls.hpp"
-#include "job_thread.hpp"
-#include "parameters.hpp"
-#include "session.hpp"
 #include "stop.hpp"
+#include "all_kinds/ros/logger.hpp"
 
 namespace all_kinds
 {
+
+class ManagedNode;
+
+/// The logic of a node from configure to cleanup, with all it uses.
+///
+/// Threads that do not end in time keep it, whatever becomes of the node.
+class Session
+{
+public:
+  virtual ~Session() = default;
+
+  // In the thread of the logic
+  virtual bool configure() = 0;
+  virtual bool activate() = 0;
+  virtual void work() {}  // the cycles, until the node stops
+  virtual void deactivate() = 0;
+  virtual void cleanup() = 0;
+
+  // In the thread of a transition
+  /// Create subscriptions and servers.
+  virtual void connect(ManagedNode & node) = 0;
+
+  /// Ask goals that are executed to end.
+  virtual void stop() {}
+
+  /// Destroy subscriptions and servers; give every goal a result.
+  virtual void disconnect() {}
+
+  /// Cancel the goals that the logic has sent, within this time.
+  virtual void cancel_goals(Stop::Clock::time_point /* end */) {}
+
+  /// Wait until the last messages and results have been received, within this time.
+  virtual void flush(Stop::Clock::time_point /* end */) {}
+};
 
 /// A managed node that can be stopped in any state: by transition, signal, exception, unloading.
 ///
@@ -47,38 +83,32 @@ public:
   : LifecycleNode(name, options),
     context_(get_node_base_interface()->get_context())
   {
-    declare_parameter(
-      "autostart",
-      true,
-      read_only("Whether the node configures and activates itself."));
-    declare_parameter(
-      "stop_timeout",
-      2.0,
-      between<double>(
-        0.0,
-        3600.0,
-        described("Time that the logic has to return when the node stops, s")));
+    rcl_interfaces::msg::ParameterDescriptor autostart;
+    autostart.description = "Whether the node configures and activates itself.";
+    autostart.read_only = true;
+    declare_parameter("autostart", true, autostart);
+    rcl_interfaces::msg::ParameterDescriptor stop_timeout;
+    stop_timeout.description = "Time that the logic has to return when the node stops, s";
+    stop_timeout.floating_point_range.resize(1);
+    stop_timeout.floating_point_range[0].to_value = 3600.0;
+    declare_parameter("stop_timeout", 2.0, stop_timeout);
     // Communication still works in this callback.
     pre_shutdown_ = context_->add_pre_shutdown_callback([this] {end();});
     if (get_parameter("autostart").as_bool()) {
       start_timer_ = create_wall_timer(
-        std::chrono::seconds(0),
-        [this] {
+        std::chrono::seconds(0), [this] {
           start_timer_->cancel();
           life_cycle_.post([this] {start();});
         });
     }
   }
 
-  ManagedNode(const ManagedNode &) = delete;
-  ManagedNode & operator=(const ManagedNode &) = delete;
-
   /// Deactivate, clean up and finalize, as when a component is unloaded.
   ~ManagedNode() override
   {
     context_->remove_pre_shutdown_callback(pre_shutdown_);
     end();
-    logic_.end_by(Stop::Clock::now() + std::chrono::milliseconds(100));
+    logic_.end_by(Stop::deadline(timeouts::RETURN));
   }
 
   /// Shut the context down after a failure, and let a second signal end the process at once.
@@ -97,7 +127,7 @@ public:
   rclcpp::CallbackGroup::SharedPtr callback_group(
     const std::string & kind, const std::string & name)
   {
-    // Once in the life of the node: it never forgets a callback group.
+    // Reused by later activations: rclcpp 29.3 (NodeBase) never forgets a callback group.
     auto & thread = callback_threads_[kind + " " + name];
     if (!thread) {
       thread = std::make_unique<CallbackThread>(*this, name);
@@ -110,19 +140,11 @@ public:
     if (!may_start("configure")) {
       return CallbackReturn::FAILURE;
     }
-    try {
-      session_ = make_session();
-    } catch (const std::exception & error) {
-      RCLCPP_ERROR(get_logger(), "Cannot configure: %s", error.what());
-      return CallbackReturn::FAILURE;
-    }
+    session_ = make_session();
     const auto result = start_logic(
       "configure", &Session::configure, "cleanup", &Session::cleanup);
     is_configured_ = result == CallbackReturn::SUCCESS;
     if (result == CallbackReturn::FAILURE) {
-      if (!is_ending_) {
-        RCLCPP_ERROR(get_logger(), "The logic refused to configure.");
-      }
       clean_up();
     }
     return result;
@@ -136,15 +158,11 @@ public:
     const auto result = start_logic(
       "activate", &Session::activate, "deactivate", &Session::deactivate);
     is_activated_ = result == CallbackReturn::SUCCESS;
-    if (result == CallbackReturn::FAILURE && !is_ending_) {
-      RCLCPP_ERROR(get_logger(), "The logic refused to activate.");
+    if (is_activated_ && !is_ending_) {
+      calls_->open([this] {fail();});
+      session_->connect(*this);
+      post("update", [session = session_] {session->work(); return true;});
     }
-    if (!is_activated_ || is_ending_) {
-      return result;
-    }
-    calls_->open([this] {fail();});
-    session_->connect(*this);
-    post("update", [session = session_] {session->work();});
     return result;
   }
 
@@ -188,21 +206,16 @@ protected:
       std::signal(SIGINT, SIG_DFL);
       std::signal(SIGTERM, SIG_DFL);
     }
-    {
-      const std::lock_guard<std::mutex> lock(undoing_mutex_);
-      if (!is_undoing_) {
-        stop_->request();
-      }
-    }
+    stop_->request(false);
     const std::lock_guard<std::mutex> lock(transition_mutex_);
     while (state() != State::PRIMARY_STATE_FINALIZED) {
       settle();
-      shutdown();  // It does nothing if a transition has begun in another thread.
+      shutdown();  // It fails if a transition has begun in another thread: tried again.
       if (!context_->is_valid()) {
         break;
       }
     }
-    // One after another, as what they drop may not be destroyed by several threads at once.
+    // Joined one by one: several threads at once may not destroy entities of rclcpp 29.3.
     callback_threads_.clear();
     if (is_stuck()) {
       has_failed_ = true;
@@ -229,20 +242,19 @@ protected:
 
 private:
   using State = lifecycle_msgs::msg::State;
-  using Body = std::function<void ()>;
 
   std::uint8_t state() {return get_current_state().id();}
 
-  std::chrono::duration<double> stop_timeout() const
+  Stop::Seconds stop_timeout() const
   {
-    return std::chrono::duration<double>(get_parameter("stop_timeout").as_double());
+    return Stop::Seconds(get_parameter("stop_timeout").as_double());
   }
 
   /// Wait for a transition that is under way in another thread.
   void settle()
   {
     while (state() >= State::TRANSITION_STATE_CONFIGURING && context_->is_valid()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::this_thread::sleep_for(timeouts::SETTLE);
     }
   }
 
@@ -261,7 +273,7 @@ private:
       if (state() == State::PRIMARY_STATE_ACTIVE || is_ending_) {
         return;
       }
-      has_failed_ = is_alone_.load();
+      has_failed_ = true;
     }
     leave_alone();
   }
@@ -290,7 +302,7 @@ private:
   /// Return whether the logic has thrown since its last start.
   bool has_thrown() const {return calls_->failures() != known_failures_;}
 
-  /// Leave the transition to a thread of the node, as this one must return first.
+  /// Recover in a thread of the node, as the transition waits for the calling thread.
   void fail()
   {
     has_failed_ = true;
@@ -313,22 +325,26 @@ private:
     return !is_ending_;
   }
 
-  /// Run a method in the thread of the logic.
-  std::future<bool> post(const std::string & method, const Body & body)
+  /// Run a method in the thread of the logic; give what it returns, or an error if it throws.
+  std::shared_future<CallbackReturn> post(
+    const std::string & method, const std::function<bool()> & body)
   {
     calls_->enter(method);
-    const auto job = std::make_shared<std::packaged_task<bool()>>(
+    const auto job = std::make_shared<std::packaged_task<CallbackReturn()>>(
       [calls = calls_, method, body] {
-        const bool has_returned = calls->guard(method, body);
-        calls->leave(method);
-        return has_returned;
+        auto result = CallbackReturn::ERROR;
+        calls->call(
+          method, [&] {
+            result = body() ? CallbackReturn::SUCCESS : CallbackReturn::FAILURE;
+          });
+        return result;
       });
     logic_.post(
       [job, stop = stop_] {
         (*job)();
         stop->change([] {});
       });
-    return job->get_future();
+    return job->get_future().share();
   }
 
   void report_running() const
@@ -346,58 +362,49 @@ private:
     const std::string & undoing_method,
     void (Session::* undo)())
   {
-    const auto is_accepted = std::make_shared<std::atomic<bool>>(false);
-    auto end = post(
-      method, [session = session_, start, is_accepted] {
-        *is_accepted = (session.get()->*start)();
+    const auto end = post(
+      method, [session = session_, start] {
+        return (session.get()->*start)();
       });
     const auto is_ready = [&] {
         return end.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
       };
-    while (!is_ready() && !stop_->requested()) {
-      stop_->wait_until(Stop::deadline(std::chrono::hours(24)), is_ready);
-    }
+    stop_->wait(is_ready, [] {return std::chrono::hours(1);});
     if (end.wait_for(stop_timeout()) != std::future_status::ready) {
       report_running();
       post(
-        undoing_method, [session = session_, undo, is_accepted] {
-          if (*is_accepted) {
+        undoing_method, [session = session_, undo, end] {
+          if (end.get() == CallbackReturn::SUCCESS) {
             (session.get()->*undo)();
           }
+          return true;
         });
       return CallbackReturn::FAILURE;
     }
-    if (!end.get()) {
-      return CallbackReturn::ERROR;
+    if (end.get() == CallbackReturn::FAILURE && !is_ending_) {
+      RCLCPP_ERROR(get_logger(), "The logic refused to %s.", method.c_str());
     }
-    return *is_accepted ? CallbackReturn::SUCCESS : CallbackReturn::FAILURE;
+    return end.get();
   }
 
   /// Run deactivate or cleanup, which may take `stop_timeout`.
   void end_logic(const std::string & method, void (Session::* method_of_session)())
   {
-    const bool is_free = logic_.wait_until_idle(Stop::deadline(std::chrono::milliseconds(100)));
-    set_undoing(true);
-    if (is_free) {  // else what is late might go on
-      stop_->clear();
+    const bool is_free = logic_.wait_until_idle(Stop::deadline(timeouts::RETURN));
+    if (is_free) {  // else the waits of a late method would go on
+      stop_->clear(true);
     }
     const auto end = post(
       method, [session = session_, method_of_session] {
         (session.get()->*method_of_session)();
+        return true;
       });
     if (!is_free || end.wait_for(stop_timeout()) != std::future_status::ready) {
       stop_->request();
-      if (end.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
+      if (end.wait_for(timeouts::RETURN) != std::future_status::ready) {
         report_running();
       }
     }
-    set_undoing(false);
-  }
-
-  void set_undoing(bool whether)
-  {
-    const std::lock_guard<std::mutex> lock(undoing_mutex_);
-    is_undoing_ = whether;
   }
 
   /// Stop all of the logic, then deactivate it.
@@ -427,7 +434,7 @@ private:
       end_logic("cleanup", &Session::cleanup);
     }
     session_->cancel_goals(Stop::deadline(stop_timeout()));
-    session_->flush(Stop::deadline(std::chrono::milliseconds(500)));
+    session_->flush(Stop::deadline(timeouts::RECEIVE));
     session_.reset();
   }
 
@@ -447,13 +454,61 @@ private:
   std::atomic<std::uint64_t> known_failures_{0};
   std::atomic<bool> has_failed_{false};
   std::atomic<bool> is_ending_{false};
-  std::mutex undoing_mutex_;
-  bool is_undoing_ = false;
   std::atomic<bool> is_alone_{false};
   std::mutex transition_mutex_;
   JobThread logic_{"logic"};
   JobThread life_cycle_{"life_cycle"};
 };
+
+/// Return a logger that writes to the node's log, with the place of each line.
+inline Logger make_logger(const rclcpp::Logger & logger)
+{
+  return Logger(
+    [logger](Logger::Level level, const std::string & text, const Logger::Place & place) {
+      constexpr RCUTILS_LOG_SEVERITY severities[] = {
+        RCUTILS_LOG_SEVERITY_DEBUG,
+        RCUTILS_LOG_SEVERITY_INFO,
+        RCUTILS_LOG_SEVERITY_WARN,
+        RCUTILS_LOG_SEVERITY_ERROR,
+      };
+      const rcutils_log_location_t location = {
+        place.function, place.file, static_cast<std::size_t>(place.line)};
+      const auto severity = severities[static_cast<int>(level)];
+      rcutils_log(&location, severity, logger.get_name(), "%s", text.c_str());
+    });
+}
+
+/// Run a node alone in its process until a signal or a failure; return the exit code.
+template<typename Node>
+int run_node(int argc, char ** argv)
+{
+  bool is_ready = false;
+  try {
+    rclcpp::init(argc, argv);
+    is_ready = true;
+    auto node = std::make_shared<Node>(rclcpp::NodeOptions());
+    node->be_alone();
+    rclcpp::executors::SingleThreadedExecutor executor;
+    executor.add_node(node->get_node_base_interface());
+    executor.spin();
+    executor.remove_node(node->get_node_base_interface());
+    if (node->is_stuck()) {
+      // A thread that does not end still uses global objects: they must not be destroyed.
+      std::fflush(nullptr);
+      std::_Exit(EXIT_FAILURE);
+    }
+    const int code = node->has_failed() ? EXIT_FAILURE : EXIT_SUCCESS;
+    node.reset();
+    rclcpp::shutdown();
+    return code;
+  } catch (const std::exception & error) {
+    if (is_ready && !rclcpp::ok()) {
+      return EXIT_SUCCESS;  // A signal came before the node was there.
+    }
+    RCLCPP_ERROR(rclcpp::get_logger("all_kinds"), "%s", error.what());
+    return EXIT_FAILURE;
+  }
+}
 
 }  // namespace all_kinds
 

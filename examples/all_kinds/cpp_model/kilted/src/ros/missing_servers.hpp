@@ -33,13 +33,13 @@ public:
   void start(ManagedNode & node)
   {
     timer_ = rclcpp::create_wall_timer(
-      std::chrono::seconds(2),
+      timeouts::MISSING,
       [logger = node.get_logger(),
       servers = servers_,
       next = std::make_shared<Clock::time_point>()] {
         const auto missing = names(servers);
         if (!missing.empty() && Clock::now() >= *next) {
-          *next = Clock::now() + std::chrono::seconds(10);
+          *next = Clock::now() + timeouts::QUIET;
           RCLCPP_WARN(logger, "Waiting for %s.", missing.c_str());
         }
       },

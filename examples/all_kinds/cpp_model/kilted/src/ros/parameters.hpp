@@ -4,7 +4,6 @@
 #ifndef ROS__PARAMETERS_HPP_
 #define ROS__PARAMETERS_HPP_
 
-#include <string>
 #include <type_traits>
 
 #include "rcl_interfaces/msg/floating_point_range.hpp"
@@ -13,21 +12,6 @@
 
 namespace all_kinds
 {
-
-inline rcl_interfaces::msg::ParameterDescriptor described(const std::string & description)
-{
-  rcl_interfaces::msg::ParameterDescriptor descriptor;
-  descriptor.description = description;
-  return descriptor;
-}
-
-/// Describe a parameter that never changes.
-inline rcl_interfaces::msg::ParameterDescriptor read_only(const std::string & description)
-{
-  auto descriptor = described(description);
-  descriptor.read_only = true;
-  return descriptor;
-}
 
 /// Add the range of a parameter to its descriptor.
 template<typename Number>

@@ -38,7 +38,7 @@ public:
         name)),
     watchdog_(
       rclcpp::create_wall_timer(
-        std::chrono::milliseconds(500),
+        timeouts::WATCH,
         [goal = goal_, client = std::weak_ptr<Client>(client_)] {
           goal->get()->watch(is_ready(client.lock()));
         },
@@ -46,8 +46,8 @@ public:
         node.get_node_base_interface().get(),
         node.get_node_timers_interface().get()))
   {
-    // create_client would have its deleter lock the callback group, which an executor has locked
-    // when it happens to be the last to hold the client: it would wait for itself.
+    // Not by rclcpp_action::create_client, whose deleter (29.3) locks the callback group: when an
+    // executor is the last to hold the client, it has locked the group and waits for itself.
     node.get_node_waitables_interface()->add_waitable(client_, node.callback_group("action", name));
   }
 
@@ -173,7 +173,7 @@ private:
           }
         });
     } catch (const std::exception &) {
-      // It ended in this very moment, or the context is shut down.
+      // The goal has just ended, or the context is shut down.
     }
   }
 

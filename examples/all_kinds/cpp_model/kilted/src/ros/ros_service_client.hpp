@@ -4,8 +4,6 @@
 #ifndef ROS__ROS_SERVICE_CLIENT_HPP_
 #define ROS__ROS_SERVICE_CLIENT_HPP_
 
-#include <algorithm>
-#include <chrono>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -54,14 +52,8 @@ protected:
   std::optional<Response> wait_for_response(const Request & request, Seconds timeout) override
   {
     const auto end = Stop::deadline(timeout);
-    const auto stops = stop_->requests();
-    while (!is_ready()) {
-      // Discovery tells nobody: ask again and again.
-      const auto soon = Stop::Clock::now() + std::chrono::milliseconds(10);
-      stop_->wait_until(std::min(soon, end), [] {return false;});
-      if (Stop::Clock::now() >= end || stop_->requested() || stop_->requests() != stops) {
-        return std::nullopt;
-      }
+    if (!stop_->poll_until(end, [this] {return is_ready();})) {
+      return std::nullopt;
     }
     try {
       return wait_for_answer(request, end);

@@ -4,7 +4,6 @@
 #ifndef ROS__ROS_TRANSFORMS_HPP_
 #define ROS__ROS_TRANSFORMS_HPP_
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -29,8 +28,8 @@ namespace all_kinds
 
 /// Looks up transforms from tf, which a thread of the node receives.
 ///
-/// A tf2_ros::TransformListener may hang when its thread ends, and its callbacks use it when it has
-/// gone; those here own the buffer.
+/// Not a tf2_ros::TransformListener: with 0.39, joining its thread may hang, and its callbacks may
+/// run after its destruction. The callbacks here own the buffer.
 class RosTransformListener : public TransformListener<geometry_msgs::msg::TransformStamped>
 {
 public:
@@ -50,21 +49,18 @@ protected:
     Time stamp,
     std::string & reason) override
   {
-    const auto end = Stop::deadline(timeout);
-    const auto stops = stop_->requests();
     const tf2::TimePoint time(std::chrono::nanoseconds(stamp.nanoseconds()));
-    while (true) {
-      try {
-        return buffer_->lookupTransform(target, source, time);
-      } catch (const tf2::TransformException & error) {
-        reason = error.what();
-      }
-      if (Stop::Clock::now() >= end || stop_->requested() || stop_->requests() != stops) {
-        return std::nullopt;
-      }
-      const auto soon = Stop::Clock::now() + std::chrono::milliseconds(10);
-      stop_->wait_until(std::min(soon, end), [] {return false;});
-    }
+    std::optional<geometry_msgs::msg::TransformStamped> found;
+    stop_->poll_until(
+      Stop::deadline(timeout), [&] {
+        try {
+          found = buffer_->lookupTransform(target, source, time);
+        } catch (const tf2::TransformException & error) {
+          reason = error.what();
+        }
+        return found.has_value();
+      });
+    return found;
   }
 
 private:

@@ -5,7 +5,6 @@
 #define ROS__SERVICE_SERVER_HPP_
 
 #include <exception>
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -17,27 +16,26 @@
 namespace all_kinds
 {
 
-/// Create a service server with a thread of its own; `label` names it in the log.
+/// Create a service server with a thread of its own, whose requests go to a method of the logic.
 ///
-/// A request gets no response if `serve` throws or the node has stopped.
-template<typename Service>
+/// A request gets no response if the method throws or the node has stopped.
+template<typename Service, typename Logic>
 std::shared_ptr<void> create_service_server(
   ManagedNode & node,
   const std::string & name,
-  const std::string & label,
-  const std::function<void(
-    const typename Service::Request &, typename Service::Response &)> & serve)
+  const std::shared_ptr<Logic> & logic,
+  void (Logic::* serve)(const typename Service::Request &, typename Service::Response &))
 {
   return node.create_service<Service>(
     name,
-    [calls = node.calls(), pass = node.calls()->pass(), label, serve](
+    [calls = node.calls(), pass = node.calls()->pass(), name, logic, serve](
       std::shared_ptr<rclcpp::Service<Service>> server,
       std::shared_ptr<rmw_request_id_t> id,
       std::shared_ptr<typename Service::Request> request) {
       calls->run(
-        pass, label, [&] {
+        pass, "service " + name, [&] {
           typename Service::Response response;
-          serve(*request, response);
+          (logic.get()->*serve)(*request, response);
           try {
             server->send_response(*id, response);
           } catch (const std::exception &) {

@@ -4,14 +4,47 @@
 #ifndef ROS__STOP_HPP_
 #define ROS__STOP_HPP_
 
+#ifdef __linux__
+#include <pthread.h>
+#endif
+
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <string>
 
 namespace all_kinds
 {
+
+/// The times that a node allows, besides those of its parameters and of the logic's arguments.
+namespace timeouts
+{
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds RETURN{100};  // for a method to return, once its waits have been ended
+constexpr milliseconds RECEIVE{500};  // for subscribers and clients to receive what was sent last
+constexpr milliseconds SETTLE{1};  // between two looks whether a transition or a callback is over
+constexpr milliseconds CALLBACK{1000};  // for a thread of callbacks to end
+constexpr milliseconds QUIET{10000};  // between two warnings of the same kind
+constexpr milliseconds POLL{10};  // between two looks for a server or a transform
+constexpr milliseconds MISSING{2000};  // between two looks for missing servers
+constexpr milliseconds WATCH{500};  // between two looks for the server of a goal
+constexpr milliseconds LOST{2000};  // for the server of a goal to be away
+constexpr milliseconds RESULT{200};  // for a client to ask for the result of its goal
+
+}  // namespace timeouts
+
+/// Name the calling thread for `top -H` and debuggers, with the 15 characters that Linux keeps.
+inline void name_this_thread([[maybe_unused]] const std::string & name)
+{
+#ifdef __linux__
+  pthread_setname_np(pthread_self(), name.substr(0, 15).c_str());
+#endif
+}
 
 /// Ends every wait of the logic when the node stops; thread-safe.
 class Stop
@@ -20,61 +53,80 @@ public:
   using Clock = std::chrono::steady_clock;
   using Seconds = std::chrono::duration<double>;
 
-  /// Return when a timeout of wall time ends; a day is as good as for ever.
+  /// Return when a timeout of wall time ends; a year is as good as for ever.
   static Clock::time_point deadline(Seconds timeout)
   {
-    const Seconds bounded = std::clamp(timeout, Seconds::zero(), Seconds(std::chrono::hours(24)));
+    const Seconds bounded = std::clamp(timeout, Seconds(0.0), Seconds(std::chrono::hours(8760)));
     return Clock::now() + std::chrono::duration_cast<Clock::duration>(bounded);
   }
 
   /// End all waits, and at once those that begin before `clear`.
-  void request()
+  ///
+  /// Those of `deactivate` and `cleanup` go on unless `also_last`.
+  void request(bool also_last = true)
   {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      requested_ = true;
-      ++requests_;
-    }
-    changed_.notify_all();
+    change(
+      [&] {
+        if (also_last || !is_last_) {
+          requested_ = true;
+          ++requests_;
+        }
+      });
   }
 
   /// Let new waits wait again; those of before have ended.
-  void clear()
+  void clear(bool is_last = false)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     requested_ = false;
+    is_last_ = is_last;
   }
 
-  bool requested() const
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return requested_;
-  }
+  bool requested() const {return requested_;}
 
-  /// Return how often it was requested: a wait of several parts ends when that grows.
-  std::uint64_t requests() const
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return requests_;
-  }
-
-  /// Wait until a condition holds; return false at the end of the time or when the node stops.
-  template<typename Condition>
-  bool wait_until(Clock::time_point end, const Condition & condition)
+  /// Wait until a condition holds; return false when no time is left, or when the node stops.
+  template<typename Condition, typename TimeLeft>
+  bool wait(const Condition & condition, const TimeLeft & time_left)
   {
     std::unique_lock<std::mutex> lock(mutex_);
     const auto requests = requests_;
-    const auto is_over = [&] {return requested_ || requests != requests_;};
-    changed_.wait_until(lock, end, [&] {return is_over() || condition();});
-    return !is_over() && condition();
+    while (!requested_ && requests == requests_) {
+      if (condition()) {
+        return true;
+      }
+      const auto left = time_left();
+      if (left <= left.zero()) {
+        return false;
+      }
+      changed_.wait_for(lock, left);
+    }
+    return false;
   }
 
-  /// Read what `change` may change.
-  template<typename Value>
-  auto read(const Value & value) const
+  /// The same, with the end of the time.
+  template<typename Condition>
+  bool wait_until(Clock::time_point end, const Condition & condition)
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return value();
+    return wait(condition, [end] {return end - Clock::now();});
+  }
+
+  /// The same for a condition whose change wakes up nobody: it is checked every few milliseconds.
+  template<typename Condition>
+  bool poll_until(Clock::time_point end, const Condition & condition)
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    const auto requests = requests_;
+    while (true) {
+      lock.unlock();
+      if (condition()) {
+        return true;
+      }
+      lock.lock();
+      if (requested_ || requests != requests_ || Clock::now() >= end) {
+        return false;
+      }
+      changed_.wait_until(lock, std::min(end, Clock::now() + timeouts::POLL));
+    }
   }
 
   /// Make a change that a condition waits for.
@@ -91,7 +143,8 @@ public:
 private:
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  bool requested_ = false;
+  std::atomic<bool> requested_{false};
+  bool is_last_ = false;
   std::uint64_t requests_ = 0;
 };
 

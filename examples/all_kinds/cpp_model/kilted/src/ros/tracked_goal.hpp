@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "all_kinds/ros/action_client.hpp"
+#include "stop.hpp"
 
 namespace all_kinds
 {
@@ -23,9 +24,6 @@ public:
   using Clock = std::chrono::steady_clock;
   using Feedback = std::shared_ptr<const typename Action::Feedback>;
   using Result = std::shared_ptr<const typename Action::Result>;
-
-  /// The goal is lost when its server has been away for so long.
-  static constexpr std::chrono::seconds PATIENCE{2};
 
   void set_state(ActionState state)
   {
@@ -103,7 +101,7 @@ public:
         is_server_away_ = true;
         away_since_ = Clock::now();
       }
-      if (Clock::now() - away_since_ < PATIENCE) {
+      if (Clock::now() - away_since_ < timeouts::LOST) {
         return;
       }
     }

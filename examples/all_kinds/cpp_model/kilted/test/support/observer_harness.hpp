@@ -18,11 +18,7 @@ namespace all_kinds
 /// With messages received, a cycle is `harness.in_NAME(message).run_cycle().out_NAME`.
 struct ObserverHarness
 {
-  ObserverHarness()
-  : impl(connected())
-  {
-  }
-
+  ObserverHarness() = default;
   ObserverHarness(const ObserverHarness &) = delete;
 
   /// Pass a message to the next cycle.
@@ -47,16 +43,15 @@ struct ObserverHarness
   std::vector<std::string> log;
   ObserverConfig config;
   ObserverData data;
-  ObserverPassthrough passthrough;
-  ObserverImpl impl;
+  ObserverPassthrough passthrough = connected();
+  ObserverImpl impl{passthrough};
 
 private:
-  const ObserverPassthrough & connected()
+  ObserverPassthrough connected()
   {
+    ObserverPassthrough passthrough;
     passthrough.log = Logger(
-      [this](Logger::Level, const std::string & text, const Logger::Place &) {
-        log.push_back(text);
-      });
+      [this](Logger::Level, Logger::Text text, const Logger::Place &) {log.push_back(text);});
     passthrough.now = [this] {return time;};
     passthrough.sleep = [this](double seconds) {
         if (!stopped) {

@@ -29,8 +29,9 @@ namespace all_kinds
 /// What becomes of a goal that comes while another is executed.
 enum class GoalPolicy {replace, queue, reject};
 
-/// Serves an action: executes one goal at a time in a thread of its own. To be destroyed when ROS
-/// takes no more goals, as actionlib destroys its publishers before its subscriptions.
+/// Serves an action: executes one goal at a time in a thread of its own.
+///
+/// To be destroyed when ROS takes no more goals: actionlib 1.14 destroys its publishers first.
 template<typename Action>
 class ActionServer : public Receiver
 {

@@ -20,18 +20,15 @@ class Inbox
 public:
   using Pointer = boost::shared_ptr<Message>;
 
-  /// Store a message, replacing the previous one.
+  /// Store a message; the caller frees the previous one, when the lock is released.
   void put(Pointer message) const
   {
     const std::lock_guard<std::mutex> lock(slot_->mutex);
     slot_->message.swap(message);
     slot_->is_new = true;
-    // The previous message is freed by the caller, after the lock.
   }
 
-  /// Swap a new message into the data of the cycle, which frees nothing.
-  ///
-  /// Return whether there was one.
+  /// Swap a new message with that of the last cycle, to free none; return whether there is one.
   bool take(Message & destination) const
   {
     const std::lock_guard<std::mutex> lock(slot_->mutex);

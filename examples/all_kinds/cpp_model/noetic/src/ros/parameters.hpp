@@ -16,7 +16,7 @@
 namespace all_kinds
 {
 
-// roscpp would round other numbers to integers.
+// roscpp 1.15 rounds a double where an int is asked for.
 inline bool read_integer(const XmlRpc::XmlRpcValue & found, std::int64_t & value)
 {
   const bool is_integer = found.getType() == XmlRpc::XmlRpcValue::TypeInt;
@@ -63,7 +63,7 @@ bool get_parameter(const ros::NodeHandle & node, const std::string & name, Value
 template<typename Value>
 void read_parameter(const ros::NodeHandle & node, const std::string & name, Value & value)
 {
-  // Twice, as a signal interrupts a call of the master.
+  // Twice, as a signal makes a call of roscpp 1.15 to the master fail.
   const auto is_read = [&] {return get_parameter(node, name, value);};
   if (node.hasParam(name) && !is_read() && !is_read()) {
     throw std::runtime_error("Parameter " + node.resolveName(name) + " has a wrong type.");

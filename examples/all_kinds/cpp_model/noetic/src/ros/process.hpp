@@ -4,25 +4,144 @@
 #ifndef ROS__PROCESS_HPP_
 #define ROS__PROCESS_HPP_
 
+#include <semaphore.h>
+#include <unistd.h>
+
 #include <atomic>
+#include <condition_variable>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <functional>
+#include <future>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "ros/console.h"
 #include "ros/init.h"
 #include "ros/master.h"
+#include "ros/poll_manager.h"
+#include "ros/xmlrpc_manager.h"
 
 #include "ros_log.hpp"
-#include "sending.hpp"
-#include "stop_requests.hpp"
+#include "stop.hpp"
 #include "supervisor.hpp"
-#include "thread_name.hpp"
 
 namespace all_kinds
 {
+
+/// Hears SIGINT, SIGTERM and `rosnode kill`: roscpp 1.15 itself would end communication first.
+class StopRequests
+{
+public:
+  /// Call `stop` at the first request, then give the process `limit` to end. Before ros::start.
+  StopRequests(std::function<void()> stop, std::function<Stop::Seconds()> limit)
+  : stop_(std::move(stop)),
+    limit_(std::move(limit))
+  {
+    sem_init(&wake_up(), 0, 0);
+    std::signal(SIGINT, handle_signal);
+    std::signal(SIGTERM, handle_signal);
+    // ros::start does not replace it: it binds only names that are not bound yet.
+    ros::XMLRPCManager::instance()->bind("shutdown", handle_shutdown);
+    thread_ = std::thread([this] {wait();});
+  }
+
+  StopRequests(const StopRequests &) = delete;
+  StopRequests & operator=(const StopRequests &) = delete;
+
+  ~StopRequests()
+  {
+    ended_.set_value();
+    sem_post(&wake_up());
+    thread_.join();
+  }
+
+  /// Give the process its limit, though nobody has asked it to stop.
+  void start_limit() const {sem_post(&wake_up());}
+
+private:
+  /// A semaphore, since a signal handler may do no more than post it.
+  static sem_t & wake_up()
+  {
+    static sem_t semaphore;
+    return semaphore;
+  }
+
+  static void handle_signal([[maybe_unused]] int signal)
+  {
+    // A second signal ends the process at once.
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+    sem_post(&wake_up());
+  }
+
+  static void handle_shutdown(XmlRpc::XmlRpcValue & parameters, XmlRpc::XmlRpcValue & result)
+  {
+    if (parameters.getType() == XmlRpc::XmlRpcValue::TypeArray && parameters.size() > 1) {
+      const std::string reason = parameters[1];
+      ROS_WARN("Shutdown request received: %s", reason.c_str());
+      sem_post(&wake_up());
+    }
+    result = ros::xmlrpc::responseInt(1, "", 0);
+  }
+
+  void wait()
+  {
+    name_this_thread("stop_requests");
+    while (sem_wait(&wake_up()) != 0) {
+    }
+    const auto ended = ended_.get_future();
+    if (ended.wait_for(Stop::Seconds(0.0)) == std::future_status::ready) {
+      return;
+    }
+    stop_();
+    if (ended.wait_for(limit_()) != std::future_status::ready) {
+      // Not by the log, as roscpp 1.15 may ask the master before it logs.
+      std::fputs("The node does not end: its process is ended.\n", stderr);
+      std::fflush(nullptr);
+      _exit(1);
+    }
+  }
+
+  std::function<void()> stop_;
+  std::function<Stop::Seconds()> limit_;
+  std::promise<void> ended_;
+  std::thread thread_;
+};
+
+/// Wait until roscpp has sent what was published: 1.15 has no function for that.
+///
+/// In one round of its poll thread, messages go from publishers to connections; in the next, they
+/// are written.
+inline void wait_for_sending()
+{
+  struct Rounds
+  {
+    std::mutex mutex;
+    std::condition_variable changed;
+    int left = 3;
+  };
+  const auto rounds = std::make_shared<Rounds>();
+  const auto poll = ros::PollManager::instance();
+  const auto listener = poll->addPollThreadListener(
+    [rounds, poll = poll.get()] {
+      const std::lock_guard<std::mutex> lock(rounds->mutex);
+      if (--rounds->left > 0) {
+        poll->getPollSet().signal();
+      }
+      rounds->changed.notify_all();
+    });
+  poll->getPollSet().signal();
+  {
+    std::unique_lock<std::mutex> lock(rounds->mutex);
+    rounds->changed.wait_for(lock, timeouts::SEND, [&] {return rounds->left <= 0;});
+  }
+  poll->removePollThreadListener(listener);
+}
 
 /// End the start of a node that waits for a master.
 inline void shut_down_without_master()
@@ -52,7 +171,7 @@ int run_node(int argc, char ** argv, const std::string & name)
   set_log_level();
   std::unique_ptr<Node> node;
   try {
-    ros::start();  // else the log would end with the handles of a node that cannot be made
+    ros::start();  // else the destructor of a node that fails to be made ends the log
     node = std::make_unique<Node>(supervisor);
   } catch (const std::exception & error) {
     supervisor.fail(error.what());

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "stop.hpp"
-#include "thread_name.hpp"
 
 namespace all_kinds
 {

@@ -15,13 +15,15 @@
 
 #include "all_kinds/ros/action_client.hpp"
 #include "sent_goal.hpp"
+#include "stop.hpp"
 
 namespace all_kinds
 {
 
 /// Sends goals to an action server and tracks them without blocking.
 ///
-/// It speaks the protocol of actionlib, whose own client waits for /clock when it is made.
+/// It speaks the protocol of actionlib, as the client of actionlib 1.14 blocks until the first
+/// /clock when it is made.
 template<typename Action>
 class RosActionClient : public ActionClient<Action>
 {
@@ -39,7 +41,7 @@ public:
     results_(node_.subscribe("result", QUEUE, &RosActionClient::take_result, this)),
     timer_(
       node_.createWallTimer(
-        ros::WallDuration(0.5),
+        ros::WallDuration(Stop::Seconds(timeouts::WATCH).count()),
         [this](const ros::WallTimerEvent &) {
           check_server();
         }))

@@ -20,7 +20,7 @@
 namespace all_kinds
 {
 
-/// Calls a service with a timeout, which roscpp does not offer.
+/// Calls a service with a timeout, which roscpp 1.15 does not offer.
 template<typename Service>
 class RosServiceClient : public ServiceClient<Service>
 {
@@ -55,7 +55,7 @@ protected:
   }
 
 private:
-  /// More calls than that at the same time only come about when roscpp itself is blocked.
+  /// Calls at the same time; there are more only when roscpp itself is blocked.
   static constexpr std::size_t MAX_CALLERS = 8;
 
   /// Return a caller without a call: there are as many as there have been calls at the same time.

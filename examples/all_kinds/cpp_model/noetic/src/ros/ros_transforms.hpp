@@ -4,8 +4,6 @@
 #ifndef ROS__ROS_TRANSFORMS_HPP_
 #define ROS__ROS_TRANSFORMS_HPP_
 
-#include <algorithm>
-#include <chrono>
 #include <optional>
 #include <string>
 
@@ -40,25 +38,20 @@ protected:
     Time stamp,
     std::string & reason) override
   {
-    const auto end = Stop::deadline(timeout);
-    while (true) {
-      try {
-        auto transform = buffer_.lookupTransform(target, source, stamp);
-        reason.clear();
-        return transform;
-      } catch (const tf2::TransformException & error) {
-        reason = error.what();
-      }
-      if (stop_.requested() || Stop::Clock::now() >= end) {
-        return std::nullopt;
-      }
-      stop_.wait_until(std::min(end, Stop::Clock::now() + PAUSE), [] {return false;});
-    }
+    std::optional<geometry_msgs::TransformStamped> found;
+    stop_.poll_until(
+      Stop::deadline(timeout), [&] {
+        try {
+          found = buffer_.lookupTransform(target, source, stamp);
+        } catch (const tf2::TransformException & error) {
+          reason = error.what();
+        }
+        return found.has_value();
+      });
+    return found;
   }
 
 private:
-  static constexpr std::chrono::milliseconds PAUSE{10};
-
   Stop & stop_;
   tf2_ros::Buffer buffer_;
   CallbackThread thread_{ros::NodeHandle(), "tf"};

@@ -4,7 +4,6 @@
 #ifndef ROS__SERVICE_CALLER_HPP_
 #define ROS__SERVICE_CALLER_HPP_
 
-#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -20,12 +19,11 @@
 #include "ros/service_server_link.h"
 
 #include "stop.hpp"
-#include "thread_name.hpp"
 
 namespace all_kinds
 {
 
-/// Calls a service in a thread of its own, since calls of roscpp know no timeout.
+/// Calls a service in a thread of its own, since calls of roscpp 1.15 have no timeout.
 ///
 /// The connection is kept from call to call, and dropped when a call times out.
 class ServiceCaller
@@ -86,8 +84,6 @@ private:
     bool done = false;
   };
 
-  static constexpr std::chrono::milliseconds RETRY{100};
-
   void work()
   {
     name_this_thread(service_);
@@ -117,7 +113,7 @@ private:
     std::unique_lock<std::mutex> lock(mutex_);
     while (call_) {
       auto link = link_;
-      // A link does not notice that its connection was refused before it listened.
+      // A link of roscpp 1.15 does not notice a connection that was refused at once.
       if (!link || link->getConnection()->isDropped()) {
         lock.unlock();
         link = connect();
@@ -125,7 +121,7 @@ private:
         link_ = link;
       }
       if (!link) {
-        changed_.wait_for(lock, RETRY, [this] {return !call_;});
+        changed_.wait_for(lock, timeouts::RETRY, [this] {return !call_;});
       } else if (call_) {
         lock.unlock();
         ros::SerializedMessage response;
@@ -141,7 +137,7 @@ private:
   /// Return a connection to the server, if there is one.
   ros::ServiceServerLinkPtr connect()
   {
-    // The address of a dead server is tried in vain here, where roscpp cannot come to a dead-lock.
+    // Checked first, as roscpp 1.15 may dead-lock when it connects to a server that has died.
     if (!ros::service::exists(service_, false)) {
       return nullptr;
     }

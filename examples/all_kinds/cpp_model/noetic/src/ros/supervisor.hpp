@@ -5,7 +5,7 @@
 #define ROS__SUPERVISOR_HPP_
 
 #include <algorithm>
-#include <chrono>
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
@@ -39,7 +39,7 @@ public:
   Seconds end_limit() const
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return 4 * stop_timeout_ + Seconds(5.0);
+    return 4 * stop_timeout_ + timeouts::END;
   }
 
   /// Stop the node: end the waits of the logic, then its work.
@@ -55,11 +55,7 @@ public:
     changed_.notify_all();
   }
 
-  bool stopping() const
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return stopping_;
-  }
+  bool stopping() const {return stopping_;}
 
   /// Return when callbacks must have returned.
   Stop::Clock::time_point deadline() const
@@ -71,10 +67,7 @@ public:
   /// Stop a node that cannot go on, and log why.
   void fail(const std::string & reason)
   {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      failed_ = true;
-    }
+    failed_ = true;
     stop();
     ROS_ERROR("%s", reason.c_str());  // last, as it may wait for the master
   }
@@ -90,42 +83,18 @@ public:
   /// Log what did not return in time; the process then ends without waiting for it.
   void report_late(const std::string & names)
   {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      late_ = true;
-    }
+    late_ = true;
     fail("Still running when the node stops: " + names + ".");
   }
 
-  bool late() const
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return late_;
-  }
+  bool late() const {return late_;}
 
-  bool failed() const
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return failed_;
-  }
-
-  /// Say where in its life the node is.
-  void set_state(const char * state)
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    state_ = state;
-  }
-
-  const char * state() const
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return state_;
-  }
+  bool failed() const {return failed_;}
 
   void wait_for_stop()
   {
     std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait(lock, [this] {return stopping_;});
+    changed_.wait(lock, [this] {return stopping();});
   }
 
   /// Call a callback of the logic; return whether it returned: an exception stops the node.
@@ -178,7 +147,7 @@ public:
       report_late(name);
       waits_.request();
       lock.lock();
-      if (!changed_.wait_for(lock, LAST_CHANCE, goes_on)) {
+      if (!changed_.wait_for(lock, timeouts::RETURN, goes_on)) {
         return false;
       }
     }
@@ -186,9 +155,6 @@ public:
   }
 
 private:
-  /// What a method gets to return after its waits have ended.
-  static constexpr std::chrono::milliseconds LAST_CHANCE{500};
-
   void enter(const char * name)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -204,12 +170,11 @@ private:
   std::condition_variable changed_;
   Seconds stop_timeout_{2.0};
   Stop::Clock::time_point deadline_;
-  const char * state_ = "unconfigured";
   const char * step_ = nullptr;
   std::uint64_t steps_ = 0;
-  bool stopping_ = false;
-  bool failed_ = false;
-  bool late_ = false;
+  std::atomic<bool> stopping_{false};
+  std::atomic<bool> failed_{false};
+  std::atomic<bool> late_{false};
   bool ended_ = false;
 };
 

@@ -20,11 +20,7 @@ namespace all_kinds
 /// With messages received, a cycle is `harness.in_NAME(message).run_cycle().out_NAME`.
 struct WorkerHarness
 {
-  WorkerHarness()
-  : impl(connected())
-  {
-  }
-
+  WorkerHarness() = default;
   WorkerHarness(const WorkerHarness &) = delete;
 
   /// Pass a message to the next cycle.
@@ -61,7 +57,7 @@ struct WorkerHarness
   std::vector<std::string> log;
   WorkerConfig config;
   WorkerData data;
-  WorkerPassthrough passthrough;
+  WorkerPassthrough passthrough = connected();
   std::shared_ptr<FakePublisher<worker_types::PubEcho>> pub_echo =
     fake<FakePublisher>(passthrough.pub_echo);
   std::shared_ptr<FakePublisher<worker_types::PubEmpty>> pub_empty =
@@ -74,15 +70,14 @@ struct WorkerHarness
     fake<FakeTransformListener>(passthrough.listener_frames);
   std::shared_ptr<FakeTransformBroadcaster<worker_types::Transform>> broadcaster_pose =
     fake<FakeTransformBroadcaster>(passthrough.broadcaster_pose);
-  WorkerImpl impl;
+  WorkerImpl impl{passthrough};
 
 private:
-  const WorkerPassthrough & connected()
+  WorkerPassthrough connected()
   {
+    WorkerPassthrough passthrough;
     passthrough.log = Logger(
-      [this](Logger::Level, const std::string & text, const Logger::Place &) {
-        log.push_back(text);
-      });
+      [this](Logger::Level, Logger::Text text, const Logger::Place &) {log.push_back(text);});
     passthrough.now = [this] {return time;};
     passthrough.sleep = [this](double seconds) {
         if (!stopped) {

@@ -37,7 +37,8 @@ public:
     int line;
   };
 
-  using Sink = std::function<void (Level, const std::string &, const Place &)>;
+  using Text = const std::string &;
+  using Sink = std::function<void (Level, Text, const Place &)>;
 
   Logger() = default;
 
@@ -47,86 +48,57 @@ public:
   {
   }
 
-  void debug(const std::string & text, const Place & place = Place::here()) const
-  {
-    write(Level::debug, text, place);
-  }
-
-  void info(const std::string & text, const Place & place = Place::here()) const
-  {
-    write(Level::info, text, place);
-  }
-
-  void warning(const std::string & text, const Place & place = Place::here()) const
-  {
-    write(Level::warning, text, place);
-  }
-
-  void error(const std::string & text, const Place & place = Place::here()) const
-  {
-    write(Level::error, text, place);
-  }
+  void debug(Text text, Place place = Place::here()) const {write(Level::debug, text, place);}
+  void info(Text text, Place place = Place::here()) const {write(Level::info, text, place);}
+  void warning(Text text, Place place = Place::here()) const {write(Level::warning, text, place);}
+  void error(Text text, Place place = Place::here()) const {write(Level::error, text, place);}
 
   /// Write at most once in that many seconds of wall time; every line of code counts by itself.
-  void debug_throttle(
-    double seconds, const std::string & text, const Place & place = Place::here()) const
+  void debug_throttle(double seconds, Text text, Place place = Place::here()) const
   {
-    if (throttle_->is_due(seconds, place)) {
-      write(Level::debug, text, place);
-    }
+    write(Level::debug, text, place, seconds);
   }
 
-  void info_throttle(
-    double seconds, const std::string & text, const Place & place = Place::here()) const
+  void info_throttle(double seconds, Text text, Place place = Place::here()) const
   {
-    if (throttle_->is_due(seconds, place)) {
-      write(Level::info, text, place);
-    }
+    write(Level::info, text, place, seconds);
   }
 
-  void warning_throttle(
-    double seconds, const std::string & text, const Place & place = Place::here()) const
+  void warning_throttle(double seconds, Text text, Place place = Place::here()) const
   {
-    if (throttle_->is_due(seconds, place)) {
-      write(Level::warning, text, place);
-    }
+    write(Level::warning, text, place, seconds);
   }
 
-  void error_throttle(
-    double seconds, const std::string & text, const Place & place = Place::here()) const
+  void error_throttle(double seconds, Text text, Place place = Place::here()) const
   {
-    if (throttle_->is_due(seconds, place)) {
-      write(Level::error, text, place);
-    }
+    write(Level::error, text, place, seconds);
   }
 
 private:
-  /// When each place has written last; thread-safe.
-  class Throttle
+  /// When each line of code has written last.
+  struct Throttle
   {
-public:
-    bool is_due(double seconds, const Place & place)
-    {
-      const auto now = std::chrono::steady_clock::now();
-      const std::lock_guard<std::mutex> lock(mutex_);
-      const auto [last, is_new] = last_.try_emplace({place.file, place.line}, now);
-      if (!is_new && now - last->second < std::chrono::duration<double>(seconds)) {
-        return false;
-      }
-      last->second = now;
-      return true;
-    }
-
-private:
-    std::mutex mutex_;
-    std::map<std::pair<std::string, int>, std::chrono::steady_clock::time_point> last_;
+    std::mutex mutex;
+    std::map<std::pair<std::string, int>, std::chrono::steady_clock::time_point> last;
   };
 
-  void write(Level level, const std::string & text, const Place & place) const
+  void write(Level level, Text text, const Place & place, double pause = 0.0) const
   {
-    if (sink_) {
+    if (sink_ && (pause <= 0.0 || is_due(place, pause))) {
       sink_(level, text, place);
     }
+  }
+
+  bool is_due(const Place & place, double pause) const
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const std::lock_guard<std::mutex> lock(throttle_->mutex);
+    const auto [last, is_new] = throttle_->last.try_emplace({place.file, place.line}, now);
+    if (!is_new && now - last->second < std::chrono::duration<double>(pause)) {
+      return false;
+    }
+    last->second = now;
+    return true;
   }
 
   Sink sink_;

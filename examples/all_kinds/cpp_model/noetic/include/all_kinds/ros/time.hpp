@@ -16,6 +16,8 @@ namespace all_kinds
 class Time
 {
 public:
+  using Duration = std::chrono::nanoseconds;
+
   Time() = default;
 
   explicit Time(std::int64_t nanoseconds)
@@ -23,34 +25,14 @@ public:
   {
   }
 
-  /// Convert from a stamp of ROS 2.
-  template<typename Stamp, decltype(Stamp::nanosec) * = nullptr>
-  Time(const Stamp & stamp)  // NOLINT(runtime/explicit)
-  : nanoseconds_(stamp.sec * std::int64_t{1000000000} + stamp.nanosec)
-  {
-  }
-
-  /// Convert from a stamp of ROS 1.
+  /// Convert from a message's stamp.
   template<typename Stamp, decltype(Stamp::nsec) * = nullptr>
   Time(const Stamp & stamp)  // NOLINT(runtime/explicit)
   : nanoseconds_(stamp.sec * std::int64_t{1000000000} + stamp.nsec)
   {
   }
 
-  std::int64_t nanoseconds() const {return nanoseconds_;}
-  double seconds() const {return static_cast<double>(nanoseconds_) * 1e-9;}
-
-  /// Convert to a stamp of ROS 2.
-  template<typename Stamp, decltype(Stamp::nanosec) * = nullptr>
-  operator Stamp() const
-  {
-    Stamp stamp;
-    stamp.sec = static_cast<decltype(stamp.sec)>(nanoseconds_ / 1000000000);
-    stamp.nanosec = static_cast<decltype(stamp.nanosec)>(nanoseconds_ % 1000000000);
-    return stamp;
-  }
-
-  /// Convert to a stamp of ROS 1.
+  /// Convert to a message's stamp.
   template<typename Stamp, decltype(Stamp::nsec) * = nullptr>
   operator Stamp() const
   {
@@ -60,27 +42,18 @@ public:
     return stamp;
   }
 
-  friend std::chrono::nanoseconds operator-(Time left, Time right)
-  {
-    return std::chrono::nanoseconds(left.nanoseconds_ - right.nanoseconds_);
-  }
+  std::int64_t nanoseconds() const {return nanoseconds_;}
+  double seconds() const {return static_cast<double>(nanoseconds_) * 1e-9;}
 
-  friend Time operator-(Time time, std::chrono::nanoseconds difference)
-  {
-    return Time(time.nanoseconds_ - difference.count());
-  }
-
-  friend Time operator+(Time time, std::chrono::nanoseconds difference)
-  {
-    return Time(time.nanoseconds_ + difference.count());
-  }
-
-  friend bool operator==(Time left, Time right) {return left.nanoseconds_ == right.nanoseconds_;}
-  friend bool operator!=(Time left, Time right) {return left.nanoseconds_ != right.nanoseconds_;}
-  friend bool operator<(Time left, Time right) {return left.nanoseconds_ < right.nanoseconds_;}
-  friend bool operator<=(Time left, Time right) {return left.nanoseconds_ <= right.nanoseconds_;}
-  friend bool operator>(Time left, Time right) {return left.nanoseconds_ > right.nanoseconds_;}
-  friend bool operator>=(Time left, Time right) {return left.nanoseconds_ >= right.nanoseconds_;}
+  friend Time operator+(Time time, Duration step) {return Time(time.nanoseconds_ + step.count());}
+  friend Time operator-(Time time, Duration step) {return Time(time.nanoseconds_ - step.count());}
+  friend Duration operator-(Time a, Time b) {return Duration(a.nanoseconds_ - b.nanoseconds_);}
+  friend bool operator==(Time a, Time b) {return a.nanoseconds_ == b.nanoseconds_;}
+  friend bool operator!=(Time a, Time b) {return a.nanoseconds_ != b.nanoseconds_;}
+  friend bool operator<(Time a, Time b) {return a.nanoseconds_ < b.nanoseconds_;}
+  friend bool operator<=(Time a, Time b) {return a.nanoseconds_ <= b.nanoseconds_;}
+  friend bool operator>(Time a, Time b) {return a.nanoseconds_ > b.nanoseconds_;}
+  friend bool operator>=(Time a, Time b) {return a.nanoseconds_ >= b.nanoseconds_;}
 
 private:
   std::int64_t nanoseconds_ = 0;

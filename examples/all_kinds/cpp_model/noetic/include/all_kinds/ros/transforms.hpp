@@ -42,7 +42,7 @@ public:
     std::string reason;
     const auto transform = wait_for_transform(target, source, timeout, stamp, reason);
     const std::lock_guard<std::mutex> lock(mutex_);
-    reason_ = reason;
+    reason_ = transform ? "" : reason;
     return transform;
   }
 

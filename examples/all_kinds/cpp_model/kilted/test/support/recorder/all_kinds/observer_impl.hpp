@@ -57,7 +57,6 @@ public:
   {
     const std::chrono::duration<double> seconds = Clock::now() - start_;
     record("rate " + std::to_string(updates_ / seconds.count()));
-    updates_ = 0;
     record("deactivate");
   }
 
@@ -73,7 +72,7 @@ private:
 
   /// Record the parameters that have changed; at first, those that differ from the spec.
   void record_changes(
-    [[maybe_unused]] const ObserverConfig & config)
+    const ObserverConfig & config)
   {
     if (config.limit != config_.limit) {
       record("config.limit");

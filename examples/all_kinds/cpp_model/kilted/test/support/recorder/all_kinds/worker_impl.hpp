@@ -95,7 +95,6 @@ public:
     calling_.join();
     const std::chrono::duration<double> seconds = Clock::now() - start_;
     record("rate " + std::to_string(updates_ / seconds.count()));
-    updates_ = 0;
     record("deactivate");
     publish();
   }
@@ -112,7 +111,7 @@ private:
 
   /// Record the parameters that have changed; at first, those that differ from the spec.
   void record_changes(
-    [[maybe_unused]] const WorkerConfig & config)
+    const WorkerConfig & config)
   {
     if (config.prefix != config_.prefix) {
       record("config.prefix");

@@ -1,0 +1,120 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef ROS__TOPICS_HPP_
+#define ROS__TOPICS_HPP_
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rclcpp/rclcpp.hpp"
+
+#include "inbox.hpp"
+#include "managed_node.hpp"
+#include "stop.hpp"
+
+namespace all_kinds
+{
+
+/// The publishers and subscriptions of a node; parameters can override their QoS.
+class Topics
+{
+public:
+  template<typename Message>
+  std::shared_ptr<rclcpp::Publisher<Message>> advertise(
+    ManagedNode & node, const std::string & topic, const rclcpp::QoS & qos = rclcpp::QoS(10))
+  {
+    const auto publisher = create(
+      rclcpp::PublisherOptions(), [&](const rclcpp::PublisherOptions & options) {
+        return rclcpp::create_publisher<Message>(node, topic, qos, options);
+      });
+    publishers_.push_back(publisher);
+    return publisher;
+  }
+
+  /// Subscribe to a topic whose latest message is an input of the next cycle.
+  template<typename Message>
+  void subscribe(
+    ManagedNode & node,
+    const std::string & topic,
+    Inbox<Message> & inbox,
+    const rclcpp::QoS & qos = rclcpp::QoS(10))
+  {
+    inbox = Inbox<Message>();  // What came before an activation is not new in it.
+    const auto receive = [inbox](std::unique_ptr<Message> message) {
+        inbox.put(std::move(message));
+      };
+    subscriptions_.push_back(
+      create(
+        rclcpp::SubscriptionOptions(), [&](const rclcpp::SubscriptionOptions & options) {
+          return node.create_subscription<Message>(topic, qos, receive, options);
+        }));
+  }
+
+  /// Subscribe to a topic whose messages go to a method of the logic, in a thread of their own.
+  template<typename Message, typename Logic>
+  void subscribe(
+    ManagedNode & node,
+    const std::string & topic,
+    const std::shared_ptr<Logic> & logic,
+    void (Logic::* receive)(const Message &),
+    const rclcpp::QoS & qos = rclcpp::QoS(10))
+  {
+    const auto handle = [logic, receive, calls = node.calls(), pass = node.calls()->pass(),
+        label = "topic " + topic](const Message & message) {
+        calls->run(pass, label, [&] {(logic.get()->*receive)(message);});
+      };
+    rclcpp::SubscriptionOptions in_its_thread;
+    in_its_thread.callback_group = node.callback_group("topic", topic);
+    subscriptions_.push_back(
+      create(
+        in_its_thread, [&](const rclcpp::SubscriptionOptions & options) {
+          return node.create_subscription<Message>(topic, qos, handle, options);
+        }));
+  }
+
+  void unsubscribe() {subscriptions_.clear();}
+
+  /// Wait until the subscribers have received what was published last.
+  void flush(Stop::Clock::time_point end) const
+  {
+    for (const auto & publisher : publishers_) {
+      const auto left = std::max(end - Stop::Clock::now(), Stop::Clock::duration::zero());
+      try {
+        publisher->wait_for_all_acked(left);
+      } catch (const std::exception &) {
+        return;  // The middleware does not support it.
+      }
+    }
+  }
+
+private:
+  template<typename Options, typename Create>
+  static auto create(Options options, const Create & create_endpoint)
+  {
+    options.qos_overriding_options = {
+      rclcpp::QosPolicyKind::Depth,
+      rclcpp::QosPolicyKind::Durability,
+      rclcpp::QosPolicyKind::History,
+      rclcpp::QosPolicyKind::Reliability};
+    try {
+      return create_endpoint(options);
+    } catch (const std::invalid_argument &) {
+      // Intra-process, rclcpp 29.3 refuses keep_all, and rclcpp 16 (Humble) transient_local.
+      options.use_intra_process_comm = rclcpp::IntraProcessSetting::Disable;
+      return create_endpoint(options);
+    }
+  }
+
+  std::vector<rclcpp::PublisherBase::SharedPtr> publishers_;
+  std::vector<rclcpp::SubscriptionBase::SharedPtr> subscriptions_;
+};
+
+}  // namespace all_kinds
+
+#endif  // ROS__TOPICS_HPP_
