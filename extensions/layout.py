@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import io
 import re
 import textwrap
@@ -56,7 +57,16 @@ def fold_python(text: str) -> str:
         found += _code(rows[done : first - 1])
         found += _docstring(rows[first - 1 : last])
         done = last
-    return "\n".join(found + _code(rows[done:]))
+    folded = "\n".join(found + _code(rows[done:]))
+    return folded if _meaning(folded) == _meaning(text) != "" else text
+
+
+def _meaning(text: str) -> str:
+    """Return what Python makes of code, apart from docstrings."""
+    try:
+        return ast.dump(ast.parse(re.sub(r'""".*?"""', '""', text, flags=re.DOTALL)))
+    except SyntaxError:
+        return ""
 
 
 def _docstring(rows: list[str]) -> list[str]:
@@ -221,12 +231,8 @@ def _split(code: str, separator: str) -> list[str]:
 def _assignment(code: str) -> tuple[str, str, str]:
     """Return the target, the sign and the value of an assignment or of a named argument."""
     for sign, place, depth in _signs(code):
-        if (
-            sign == "="
-            and depth == 0
-            and code[place - 1] not in "=!<>+-"
-            and code[place + 1] != "="
-        ):
+        is_alone = code[place - 1] not in "=!<>+-" and code[place + 1 : place + 2] != "="
+        if (sign, depth) == ("=", 0) and is_alone:
             spaced = code[place - 1] == " "
             target = code[: place - spaced]
             return target, " = " if spaced else "=", code[place + 1 + spaced :]
