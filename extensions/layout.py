@@ -62,11 +62,16 @@ def fold_python(text: str) -> str:
 
 
 def _meaning(text: str) -> str:
-    """Return what Python makes of code, apart from docstrings."""
+    """Return what Python makes of code, apart from docstrings; nothing where it is none."""
     try:
-        return ast.dump(ast.parse(re.sub(r'""".*?"""', '""', text, flags=re.DOTALL)))
+        tree = ast.parse(text)
     except SyntaxError:
         return ""
+    for node in ast.walk(tree):
+        match node:
+            case ast.Expr(ast.Constant(str())):
+                node.value = ast.Constant("")
+    return ast.dump(tree)
 
 
 def _docstring(rows: list[str]) -> list[str]:
