@@ -47,5 +47,9 @@ def test_other_distribution_of_ros2(render, update, distro):
     package = render(EXAMPLES / "all_kinds.ros_package", ros_distro="jazzy", name="all_kinds")
     update(package, ros_distro=distro)
     changed = set(git(package, "diff", "--name-only").split())
-    generated = {"all_kinds/worker_ros.py"} if distro == "humble" else set()
+    generated = (
+        {"all_kinds/ros/managed_node.py", "all_kinds/worker_ros.py"}
+        if distro == "humble"
+        else set()
+    )
     assert changed == {".copier-answers.yml"} | generated
