@@ -67,10 +67,10 @@ def _meaning(text: str) -> str:
         tree = ast.parse(text)
     except SyntaxError:
         return ""
-    for node in ast.walk(tree):
-        match node:
+    for part in ast.walk(tree):
+        match part:
             case ast.Expr(ast.Constant(str())):
-                node.value = ast.Constant("")
+                part.value = ast.Constant("")
     return ast.dump(tree)
 
 
