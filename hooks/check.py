@@ -106,7 +106,7 @@ class _Checker:
                 values[components[tag].key].append(component)
             else:
                 self.unknown_tag(child, [*components, DEPEND])
-        if not any(values[component.key] for component in components.values()):
+        if components and not any(values[component.key] for component in components.values()):
             tags = " or ".join(f"<{name}>" for name in components)
             self.fault(element, f"has no {tags}; it needs one at least")
         self.spec.package = values

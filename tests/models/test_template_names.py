@@ -15,7 +15,7 @@ FILES = git(ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
 TEMPLATES = sorted(name for name in FILES if re.match(r"\w+_model/template/", name))
 PARTS = [name for name in FILES if re.search(r"\.jinja$|^shared/gitignore$", name)]
 MODELS = sorted(file.parent for file in ROOT.glob("*_model/dictionary.yaml"))
-LONGEST_PATH = 96
+LONGEST_PATH = 101
 LONGEST_FILE = 300
 
 
