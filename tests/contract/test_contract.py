@@ -533,6 +533,15 @@ def test_exception(stage, where):
     node.expect("Traceback", "[ERROR]", "[FATAL]", "Exception")
 
 
+def test_exception_in_the_constructor(stage):
+    """No method of the logic is called; the process ends with 1 and says why."""
+    node = stage.start("probe", "constructor: throw")
+    assert node.exit(SOON) == 1, node.story()
+    assert "thrown on purpose" in node.log(), node.story()
+    assert node.methods() == [], node.story()
+    node.expect("Traceback", "[ERROR]", "[FATAL]", "Exception")
+
+
 def test_exception_while_connecting(stage):
     """What ROS refuses to subscribe or to serve after `activate` ends the node in order."""
     if stage.variant.is_ros2:

@@ -4,7 +4,6 @@ import itertools
 import json
 import os
 import re
-import shutil
 import signal
 import subprocess
 import threading
@@ -82,7 +81,10 @@ class Variant:
             shared_runtime(make, self.model, workspace, self.ros.distro, file)
         folders = {".py": "contract", ".hpp": "include/contract", ".cpp": "src"}
         for source in (CONTRACT / "logic").glob("*.py" if self.is_python else "*.[hc]pp"):
-            shutil.copy(source, package / folders[source.suffix])
+            text = source.read_text()
+            if self.runtime != "inside":
+                text = text.replace("contract.ros.", f"{self.runtime}.ros.")
+            (package / folders[source.suffix] / source.name).write_text(text)
         option = "--cmake-args -DBUILD_TESTING=OFF" if self.is_ros2 else ""
         self.ros.run(f"{self.ros.build_command} {option}", workspace, underlay, timeout=1800)
 

@@ -91,6 +91,7 @@ ProbeImpl::ProbeImpl(const ProbePassthrough & passthrough)
         }},
     })
 {
+  behaviour_.pass("constructor");
 }
 
 std::string ProbeImpl::call(double seconds)
