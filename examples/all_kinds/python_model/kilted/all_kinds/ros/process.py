@@ -8,7 +8,6 @@ from __future__ import annotations
 from queue import Empty, SimpleQueue
 import signal
 from threading import Event, Thread
-from time import sleep
 from typing import Any, Callable, Optional
 
 from all_kinds.ros import timeouts
@@ -49,7 +48,6 @@ def run(node_type: Callable[[], ManagedNode], args: Optional[list[str]] = None) 
         node.start()
     wait_for(ends)
     has_returned = node.end()
-    sleep(timeouts.SHUTDOWN_DELAY)
     executor.create_task(done.set)  # spin_once() returns only after it has executed something
     spinning.join()
     executor.shutdown()
