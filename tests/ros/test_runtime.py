@@ -13,12 +13,13 @@ from support.ros import wait_for
 ALL_KINDS = EXAMPLES / "all_kinds.ros_package"
 SERVING = EXAMPLES / "serving.ros_package"
 SPEC = """
-<package name="{name}" author="A" author_email="a@b.c" description="d" license="MIT">
+<package name="{name}" author="A" author_email="a@b.example.org" description="d" license="MIT">
   <node name="drive" frequency="50">
     <publisher name="throttle" type="std_msgs::Float64"/>
   </node>
 </package>
 """
+ADVERTISED = "publisher for topic name '/?throttle'"
 REFUSED = r"car_2 was made for node_runtime 9\.0\.0, but\s+0\.1\.0 is installed"
 
 
@@ -71,14 +72,9 @@ def test_ten_packages_share_it(ros2, make, cars, tmp_path):
     with contextlib.ExitStack() as stack:
         for spec in specs:
             node = f"install/{spec.stem}/lib/{spec.stem}/drive"
-            command = f"{tmp_path}/{node} --ros-args -r __ns:=/{spec.stem}"
-            stack.enter_context(ros2.running(command, tmp_path))
-
-        def topics():
-            return ros2.run("ros2 topic list --no-daemon --spin-time 2", tmp_path).stdout
-
-        for spec in specs:
-            wait_for(f"/{spec.stem}/throttle", topics)
+            command = f"{tmp_path}/{node} --ros-args --log-level debug -r __ns:=/{spec.stem}"
+            log = stack.enter_context(ros2.running(command, tmp_path))
+            wait_for(ADVERTISED, log)
 
 
 @pytest.mark.ros2
@@ -86,8 +82,9 @@ def test_versions_in_ros2(ros2, ros2_spec, own_collection, model, cars, render, 
     """A package works with an older runtime of its major version, and refuses that of another."""
     newer, other = versions(own_collection, render, model, ros2.distro, cars, tmp_path)
     ros2.run(f"colcon build --packages-up-to {newer} --cmake-args -DBUILD_TESTING=OFF", tmp_path)
-    with ros2.running(f"{tmp_path}/install/{newer}/lib/{newer}/drive", tmp_path):
-        wait_for("/throttle", lambda: ros2.run("ros2 topic list --no-daemon", tmp_path).stdout)
+    program = f"{tmp_path}/install/{newer}/lib/{newer}/drive"
+    with ros2.running(f"{program} --ros-args --log-level debug", tmp_path) as log:
+        wait_for(ADVERTISED, log)
     printed = ros2.run(f"colcon build --packages-select {other}", tmp_path, check=False).stdout
     if model == "python_model":
         program = f"{tmp_path}/install/{other}/lib/{other}/drive"
@@ -101,11 +98,11 @@ def test_versions_in_ros1(ros1, own_collection, model, cars, render, tmp_path):
     newer, other = versions(own_collection, render, model, "noetic", cars, tmp_path)
     only = "catkin_make -DCATKIN_ENABLE_TESTING=OFF -DCATKIN_WHITELIST_PACKAGES='node_runtime;{}'"
     ros1.run(only.format(newer), tmp_path)
-    with ros.master(ros1), ros1.running(f"rosrun {newer} drive", tmp_path):
+    with ros.master(ros1), ros1.running(f"devel/lib/{newer}/drive", tmp_path, tmp_path):
         wait_for("/throttle", lambda: ros1.run("rostopic list", tmp_path, tmp_path).stdout)
     printed = ros1.run(only.format(other), tmp_path, check=False).stdout
     if model == "python_model":
-        printed = ros1.run(f"rosrun {other} drive", tmp_path, tmp_path, check=False).stdout
+        printed = ros1.run(f"devel/lib/{other}/drive", tmp_path, tmp_path, check=False).stdout
     assert re.search(REFUSED, printed), printed
 
 
