@@ -19,6 +19,8 @@ from .renaming import Renaming, rename
 from .tree import File, Tree
 
 _NAME_BEFORE = re.compile(rf"""\b{WAS}\s*=\s*("[^"]*"|'[^']*')""")
+_MARKUP = re.compile(r"""</?[\w:.-]+|[\w:.-]+(?=\s*=\s*["'])""")
+"""The tags and attributes of XML, which are not the developer's words."""
 _SCOPES = dict[str, list[str]]
 
 
@@ -192,10 +194,10 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
         if not (words or taken) or file.text is None:
             continue
         generated = set(split((new.get(path) or File(b"")).text or ""))
-        is_spec = path.endswith(SUFFIX)
         for number, line in enumerate(split(_plain(file.text)), 1):
             if line not in generated:
-                said = _NAME_BEFORE.sub("", line) if is_spec else line
+                said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
+                said = _MARKUP.sub(" ", said) if language(path, "") is XML else said
                 for word in sorted(words & set(re.findall(r"\w+", said))):
                     yield f"{path}:{number}: {word}"
                 for word in taken.get((path, line), ()):
