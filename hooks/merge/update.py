@@ -73,6 +73,7 @@ class Update:
         mine = {p: f for p, f in self.snapshot.files.items() if p != self.answers_file}
         renaming = plan_renames(self.answers, spec, dictionary, old.tree, mine, renderer)
         renaming.follow(moved, old.tree, new.tree)
+        renaming.move(old.tree, new.tree)
         trees = (mine, old.tree, new.tree, renaming, new.is_kept)
         result = merge_package(*trees)
         doubtful = prove(mine, old.tree, result, result.tree, renaming).lost

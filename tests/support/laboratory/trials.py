@@ -138,6 +138,7 @@ class Laboratory:
         dictionary = load(source / model / "dictionary.yaml", source)
         layout = moved_files(contexts[1], dictionary) if version != old_version else {}
         renaming.follow(layout, old, new)
+        renaming.move(_tree(old), _tree(new))
         kept = {path for path in {*old, *new} if path.endswith((".ros_package", "CHANGELOG.md"))}
         return Pair(
             spec, new_spec, old, new, renaming, kept.__contains__, len({*distros}) > 1, layout

@@ -1,0 +1,132 @@
+"""A move to another ROS: what the developer has tuned comes along, or is listed."""
+
+import re
+
+import pytest
+import yaml
+
+from support.repository import commit, git
+
+ABOUT = 'author="A" author_email="a@example.org" license="MIT"'
+NODE = """<node name="{0}" frequency="10"{1}>
+    <publisher name="pose" type="std_msgs::Float64"/>
+    <parameter name="frame" type="string" value="map" description="The frame"/>
+    <parameter name="gains" type="double[]" value="[1.0, 2.0]"/>
+    <dynParameter name="limit" type="double" value="1.0" description="Limit, m/s"/>
+  </node>"""
+SPECS = {
+    "python_model": NODE.format("think", ""),
+    "cpp_model": NODE.format("think", ""),
+    "mixed_model": NODE.format("think", ' language="python"')
+    + NODE.format("act", ' language="cpp"'),
+    "interfaces_model": '<message name="Grip"><field name="force" type="float64"/></message>'
+    '<service name="Hold"/>',
+}
+SPECS = {
+    model: f'<package name="hand" description="Grips" {ABOUT}>{inside}</package>'
+    for model, inside in SPECS.items()
+}
+MODELS = [model for model in SPECS if model != "interfaces_model"]
+OTHER = {"noetic": "kilted", "kilted": "noetic"}
+each_way = pytest.mark.parametrize("distro", OTHER)
+
+
+@pytest.fixture
+def move(copier_command):
+    """Commit, move to another ROS, commit; return what was said."""
+
+    def run(package, distro, *options):
+        commit(package, "Edit")
+        option = f"ros_distro={distro}"
+        command = ("update", "--trust", "--defaults", "-d", option, *options)
+        result = copier_command(*command, cwd=package)
+        assert result.returncode == 0, result.stderr
+        assert "CONFLICT" not in result.stderr, result.stderr
+        commit(package, f"Move to {distro}")
+        return result.stderr
+
+    return run
+
+
+def change(package, path, *pairs):
+    file = package / path
+    text = file.read_text()
+    for old, new in pairs:
+        assert old in text, f"{path} has no {old}:\n{text}"
+        text = text.replace(old, new, 1)
+    file.write_text(text)
+
+
+def left(said):
+    """Return the lines that were left behind: file, first number, text."""
+    return re.findall(r"^left +(\S+?):(\d+)\S*: (.*?)      \(git show", said, re.MULTILINE)
+
+
+@each_way
+@pytest.mark.parametrize("model", MODELS)
+def test_what_cannot_move_is_listed(render, move, model, distro):
+    """By file and number of before, with the command that shows it; not the model's own lines."""
+    package = render(SPECS[model], model=model, ros_distro=distro, name="hand")
+    launch = "launch/hand.launch" + (".xml" if distro == "kilted" else "")
+    odd = "  <group if=\"$(eval '1 + 1 == 2')\"><odd/></group>\n"
+    change(package, launch, ("</launch>", odd + "</launch>"))
+    number = (package / launch).read_text().split("\n").index(odd.rstrip()) + 1
+    said = move(package, OTHER[distro])
+    assert (launch, str(number), odd.strip()) in left(said)
+    assert len(left(said)) == 1
+    shown = re.search(r"left .*\(git show (\S+)\)", said)[1]
+    assert odd.rstrip() in git(package, "show", shown).split("\n")
+    assert "1 left with what was removed" in said
+
+
+def test_lines_of_the_developer_in_what_was_removed_are_listed(arm, update_with):
+    said = update_with(('<serviceServer name="load" type="std_srvs::Trigger"/>', ""))
+    (found,) = left(said)
+    assert found[0] == "arm/reach_impl.py"
+    assert found[2] == "response.message = 'loaded'"
+
+
+def tune(package, distro):
+    """Tune the parameters of every node as developers do; return the values."""
+    for file in sorted((package / "config").glob("*.yaml")):
+        change(
+            package,
+            f"config/{file.name}",
+            ('frame: "map"', "frame: odom  # of the wheels"),
+            ("gains: [1.0, 2.0]", "# Measured on Monday\ngains:\n- 3.0\n- 4.5"),
+            ("# Limit, m/s", "# Limit, m/s, as the law has it"),
+            ("limit: 1.0", "limit: 3.25"),
+            ("stop_timeout: 2.0", "stop_timeout: 0.5\n\nown:\n  text: |\n    two\n      lines"),
+        )
+        text = file.read_text()
+        margin = "    " if distro == "kilted" else ""
+        for own in ("gains", "- 3", "- 4", "own:", "  text", "    two", "      lines"):
+            text = text.replace(f"\n{own}", f"\n{margin}{own}")
+        file.write_text(text)
+    return values(package, distro)
+
+
+def values(package, distro):
+    found = {}
+    for file in sorted((package / "config").glob("*.yaml")):
+        content = yaml.safe_load(file.read_text())
+        found[file.name] = content["/**"]["ros__parameters"] if distro == "kilted" else content
+    return found
+
+
+@each_way
+@pytest.mark.parametrize("model", MODELS)
+def test_tuned_values_move_along(render, move, model, distro):
+    package = render(SPECS[model], model=model, ros_distro=distro, name="hand")
+    tuned = tune(package, distro)
+    assert tuned["think.yaml"]["limit"] == 3.25
+    texts = {file: file.read_text() for file in (package / "config").iterdir()}
+    said = move(package, OTHER[distro])
+    assert values(package, OTHER[distro]) == tuned
+    assert not left(said)
+    assert "left with" not in said
+    assert "# of the wheels" not in said
+    for file in texts:
+        assert "as the law has it" in file.read_text()
+    move(package, distro)
+    assert {file: file.read_text() for file in texts} == texts
