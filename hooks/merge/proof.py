@@ -82,7 +82,13 @@ def _prove_file(
     ]
     proof.total += len(lines)
     if path in result.left:
-        proof.left += [(path, number, line) for _, line, number in lines]
+        target, carried = result.carried.get(path, ("", {}))
+        text = (tree.get(target) or File(b"")).text or ""
+        for _, line, number in lines:
+            if all(part in text for part in carried.get(number, ("\0",))):
+                proof.in_place += 1
+            else:
+                proof.left.append((path, number, line))
         return
     text = _my_side(_plain(found.text or "")) if found else ""
     there = _blocks(known, text, "", Renaming())

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any
 
 from ..changes import changed_answers, changes
 from ..dictionary import Dictionary
 from ..faults import SpecError
-from .package import merge_package
+from .launch import carry_launch_files
+from .package import Result, merge_package
 from .proof import places, prove, uses
 from .renaming import plan_renames
 from .render import Renderer, begin, recorded_answers
@@ -75,10 +76,18 @@ class Update:
         renaming.follow(moved, old.tree, new.tree)
         renaming.move(old.tree, new.tree)
         trees = (mine, old.tree, new.tree, renaming, new.is_kept)
-        result = merge_package(*trees)
+        ros = [context.get("ros") for context in (self.answers.get("spec") or {}, spec)]
+
+        def merged(unmerged: Collection[str] = ()) -> Result:
+            result = merge_package(*trees, unmerged)
+            if ros[0] != ros[1]:
+                carry_launch_files(mine, old.tree, new.tree, renaming, result, int(ros[1] or 0))
+            return result
+
+        result = merged()
         doubtful = prove(mine, old.tree, result, result.tree, renaming).lost
         if doubtful:
-            result = merge_package(*trees, unmerged={path for path, _ in doubtful})
+            result = merged({path for path, _ in doubtful})
         self.snapshot.put(result, {self.answers_file}, inline)
         found = read_paths(self.package, result.tree)
         proof = prove(mine, old.tree, result, found, renaming)

@@ -1,6 +1,7 @@
 """A move to another ROS: what the developer has tuned comes along, or is listed."""
 
 import re
+from xml.etree import ElementTree
 
 import pytest
 import yaml
@@ -130,3 +131,80 @@ def test_tuned_values_move_along(render, move, model, distro):
         assert "as the law has it" in file.read_text()
     move(package, distro)
     assert {file: file.read_text() for file in texts} == texts
+
+
+LAUNCH = {
+    "noetic": """
+  <arg name="side" default="left" doc="Which arm"/>
+  <!-- The driver of the arm -->
+  <include file="$(find arm_driver)/launch/driver.launch" if="$(arg use_sim_time)">
+    <arg name="side" value="$(arg side)"/>
+  </include>
+  <node pkg="rviz2" type="rviz2" name="view" ns="$(arg namespace)" output="log">
+    <remap from="a" to="b"/>
+  </node>
+""",
+    "kilted": """
+  <arg name="side" default="left" description="Which arm"/>
+  <!-- The driver of the arm -->
+  <include file="$(find-pkg-share arm_driver)/launch/driver.launch.xml" if="$(var use_sim_time)">
+    <arg name="side" value="$(var side)"/>
+  </include>
+  <node pkg="rviz2" exec="rviz2" name="view" namespace="$(var namespace)" output="log">
+    <remap from="a" to="b"/>
+  </node>
+""",
+}
+INSIDE = """      <remap from="pose" to="/robot/pose"/>
+      <param name="speed" value="2.0"/>
+      <env name="SIDE" value="$({} side)"/>
+"""
+INSIDE = {"noetic": INSIDE.format("arg"), "kilted": INSIDE.format("var")}
+LOG_LEVEL = 'name="log_level" default="{}"'
+
+
+def edit_launch(package, distro):
+    path = "launch/hand.launch" + (".xml" if distro == "kilted" else "")
+    end = "    </node>\n" if distro == "noetic" else "  </node>\n"
+    change(
+        package,
+        path,
+        (LOG_LEVEL.format("info"), LOG_LEVEL.format("debug")),
+        (end, INSIDE[distro] + end),
+        ("</launch>", LAUNCH[distro] + "</launch>"),
+    )
+
+
+def squeezed(text):
+    return " ".join(text.split())
+
+
+@each_way
+@pytest.mark.parametrize("model", MODELS)
+def test_what_starts_nodes_moves_along(render, move, model, distro):
+    package = render(SPECS[model], model=model, ros_distro=distro, name="hand")
+    edit_launch(package, distro)
+    other = OTHER[distro]
+    paths = {"noetic": "launch/hand.launch", "kilted": "launch/hand.launch.xml"}
+    before = (package / paths[distro]).read_text()
+    said = move(package, other)
+    assert left(said) == []
+    text = (package / paths[other]).read_text()
+    tree = ElementTree.fromstring(text)
+    assert squeezed(INSIDE[other]) in squeezed(text)
+    for part in LAUNCH[other].split("\n  <"):
+        assert squeezed(part) in squeezed(text), part
+    assert LOG_LEVEL.format("debug") in text
+    args = [child.get("name") for child in tree if child.tag == "arg"]
+    assert args[-1] == "side"
+    nodes = [node.get("name") for node in tree.iter("node")]
+    assert nodes.index("think") < nodes.index("view")
+    number = len(re.findall(r"of your lines", said))
+    assert number == 1
+    said = move(package, distro)
+    assert left(said) == []
+    again = (package / paths[distro]).read_text()
+    assert set(map(str.strip, again.split("\n"))) == set(map(str.strip, before.split("\n")))
+    both = distro == "kilted" and model == "cpp_model"  # in a process of its own, and composed
+    assert again.count('<remap from="pose"') == 1 + both
+    assert again.count("<env ") == 1
