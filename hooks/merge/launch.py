@@ -61,7 +61,7 @@ def carry_launch_files(
             carried = carry(ours, base, new[target].text or "", ros)
             XML.blocks(carried.text)
             result.tree[target] = File(encode(carried.text), new[target].mode)
-            result.carried[path] = (target, carried.lines)
+            result.carried[path] = ([target], carried.lines)
 
 
 def carry(mine: Sequence[Block], old: Sequence[Block], new: str, ros: int) -> Carried:

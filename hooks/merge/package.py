@@ -30,8 +30,8 @@ class Result:
     """By path, the generated file that the developer has moved there."""
     left: list[str] = field(default_factory=list)
     """The developer's files that left, by their paths of before."""
-    carried: dict[str, tuple[str, dict[int, tuple[str, ...]]]] = field(default_factory=dict)
-    """By path of before, the file that has lines of it now, and by number what it has of each."""
+    carried: dict[str, tuple[list[str], dict[int, tuple[str, ...]]]] = field(default_factory=dict)
+    """By path of before, the files that have lines of it now, and by number what of each."""
     removed: dict[str, list[str]] = field(default_factory=dict)
     """By path of before, the edited parts that left a file."""
     missing: dict[str, list[str]] = field(default_factory=dict)

@@ -81,9 +81,9 @@ def _prove_file(
         for scope, line, number in _developer_lines(known, after, before)
     ]
     proof.total += len(lines)
-    if path in result.left:
-        target, carried = result.carried.get(path, ("", {}))
-        text = (tree.get(target) or File(b"")).text or ""
+    if path in result.left or path in result.carried:
+        targets, carried = result.carried.get(path, ([], {}))
+        text = "".join(tree[one].text or "" for one in targets if one in tree)
         for _, line, number in lines:
             if all(part in text for part in carried.get(number, ("\0",))):
                 proof.in_place += 1

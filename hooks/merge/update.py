@@ -9,6 +9,7 @@ from typing import Any
 from ..changes import changed_answers, changes
 from ..dictionary import Dictionary
 from ..faults import SpecError
+from .builds import carry_build_files
 from .launch import carry_launch_files
 from .package import Result, merge_package
 from .proof import places, prove, uses
@@ -81,7 +82,9 @@ class Update:
         def merged(unmerged: Collection[str] = ()) -> Result:
             result = merge_package(*trees, unmerged)
             if ros[0] != ros[1]:
-                carry_launch_files(mine, old.tree, new.tree, renaming, result, int(ros[1] or 0))
+                both = (mine, old.tree, new.tree, renaming, result, int(ros[1] or 0))
+                carry_launch_files(*both)
+                carry_build_files(*both)
             return result
 
         result = merged()

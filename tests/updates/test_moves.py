@@ -208,3 +208,179 @@ def test_what_starts_nodes_moves_along(render, move, model, distro):
     both = distro == "kilted" and model == "cpp_model"  # in a process of its own, and composed
     assert again.count('<remap from="pose"') == 1 + both
     assert again.count("<env ") == 1
+
+
+CMAKE = {
+    "noetic": (
+        ("  roscpp\n", "  roscpp\n  tf2_geometry_msgs\n"),
+        (
+            "\ncatkin_package(",
+            "\nfind_package(Eigen3 REQUIRED)\nset(LIMIT 3)\n"
+            "add_library(${PROJECT_NAME}_core src/core.cpp)  # ours\n"
+            "target_link_libraries(${PROJECT_NAME}_core Eigen3::Eigen)\n\ncatkin_package(",
+        ),
+        ("  src/think_ros.cpp\n", "  src/think_ros.cpp\n  src/helper.cpp\n"),
+        ("  ${catkin_LIBRARIES}\n", "  ${catkin_LIBRARIES}\n  ${PROJECT_NAME}_core\n"),
+        ("    launch\n", "    launch\n    maps\n"),
+        (
+            "\nif(CATKIN_ENABLE_TESTING)",
+            "\n# For pluginlib\ninstall(FILES plugin.xml\n"
+            "  DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n"
+            "install(PROGRAMS scripts/tool DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n"
+            "catkin_add_env_hooks(50.hand)\n\nif(CATKIN_ENABLE_TESTING)",
+        ),
+    ),
+    "kilted": (
+        (
+            "find_package(rclcpp REQUIRED)\n",
+            "find_package(rclcpp REQUIRED)\nfind_package(tf2_geometry_msgs REQUIRED)\n"
+            "find_package(Eigen3 REQUIRED)\nset(LIMIT 3)\n"
+            "add_library(${PROJECT_NAME}_core src/core.cpp)  # ours\n"
+            "target_link_libraries(${PROJECT_NAME}_core Eigen3::Eigen)\n",
+        ),
+        ("  src/think_ros.cpp\n", "  src/think_ros.cpp\n  src/helper.cpp\n"),
+        (
+            "  PUBLIC\n    ${std",
+            "  PUBLIC\n    ${PROJECT_NAME}_core\n    ${tf2_geometry_msgs_TARGETS}\n    ${std",
+        ),
+        ("    launch\n", "    launch\n    maps\n"),
+        (
+            "\nif(BUILD_TESTING)",
+            "\n# For pluginlib\ninstall(FILES plugin.xml\n  DESTINATION share/${PROJECT_NAME})\n"
+            "install(PROGRAMS scripts/tool DESTINATION lib/${PROJECT_NAME})\n"
+            "ament_python_install_module(tool.py)\n\nif(BUILD_TESTING)",
+        ),
+    ),
+}
+WANTED = {
+    "noetic": (
+        r"COMPONENTS\n[^)]*  tf2_geometry_msgs\n[^)]*\)[\s\S]*?\nfind_package\(Eigen3 REQUIRED\)",
+        r"\nset\(LIMIT 3\)\n[\s\S]*\ncatkin_package\([\s\S]*add_library\(\$\{PROJECT_NAME\}_core",
+        r"\nadd_executable\(\$\{PROJECT_NAME\}_think\n[^)]*  src/helper.cpp\n",
+        r"target_link_libraries\(\$\{PROJECT_NAME\}_think\n[^)]*  \$\{PROJECT_NAME\}_core\n",
+        r"    launch\n    maps\n  DESTINATION \$\{CATKIN_PACKAGE_SHARE_DESTINATION\}",
+        r"# For pluginlib\ninstall\(FILES plugin.xml\n  DESTINATION \$\{CATKIN_PACKAGE_SHARE_DEST",
+        r"install\(PROGRAMS scripts/tool DESTINATION \$\{CATKIN_PACKAGE_BIN_DESTINATION\}\)",
+    ),
+    "kilted": (
+        r"\nfind_package\(ament_cmake REQUIRED\)\n[\s\S]*\nfind_package\(tf2_geometry_msgs REQ",
+        r"\nfind_package\(std_msgs REQUIRED\)\n[\s\S]*\nfind_package\(Eigen3 REQUIRED\)\nset\(LIM",
+        r"\nadd_library\(\$\{PROJECT_NAME\}_think SHARED\n[^)]*  src/helper.cpp\n",
+        r"PUBLIC\n[^)]*    \$\{PROJECT_NAME\}_core\n",
+        r"PUBLIC\n[^)]*    \$\{tf2_geometry_msgs_TARGETS\}\n",
+        r"\ntarget_link_libraries\(\$\{PROJECT_NAME\}_core Eigen3::Eigen\)\n[\s\S]*if\(BUILD_TES",
+        r"    launch\n    maps\n  DESTINATION share/\$\{PROJECT_NAME\}",
+        r"# For pluginlib\ninstall\(FILES plugin.xml\n  DESTINATION share/\$\{PROJECT_NAME\}\)",
+        r"install\(PROGRAMS scripts/tool DESTINATION lib/\$\{PROJECT_NAME\}\)[\s\S]*ament_package",
+    ),
+}
+
+
+@each_way
+@pytest.mark.parametrize("model", ["cpp_model", "mixed_model"])
+def test_what_is_built_and_installed_moves_along(render, move, model, distro):
+    """Below what it uses; nothing is in the file that its ROS does not know."""
+    spec = SPECS[model].replace('"act"', '"idle"').replace('"think"', '"act"', 1)
+    spec = spec.replace('"idle"', '"think"') if model == "mixed_model" else SPECS[model]
+    package = render(spec, model=model, ros_distro=distro, name="hand")
+    fresh = render(spec, model=model, ros_distro=OTHER[distro], name="other/hand")
+    change(package, "CMakeLists.txt", *CMAKE[distro])
+    said = move(package, OTHER[distro])
+    text = (package / "CMakeLists.txt").read_text()
+    for wanted in WANTED[OTHER[distro]]:
+        assert re.search(wanted, text), f"{wanted} is not in {text}"
+    ((_, _, behind),) = left(said)
+    assert behind.startswith(("catkin_add_env_hooks", "ament_python_install_module"))
+    lines = text.split("\n")
+    for line in (fresh / "CMakeLists.txt").read_text().split("\n"):
+        assert line in lines
+    said = move(package, distro)
+    assert left(said) == []
+    again = (package / "CMakeLists.txt").read_text()
+    for wanted in WANTED[distro]:
+        assert re.search(wanted, again), f"{wanted} is not in {again}"
+
+
+@each_way
+def test_what_a_package_in_python_installs_moves_along(render, move, distro):
+    package = render(SPECS["python_model"], ros_distro=distro, name="hand")
+    if distro == "noetic":
+        change(package, "CMakeLists.txt", *CMAKE["noetic"][-2:])
+    else:
+        entry = "        ('share/' + package_name + '/launch', glob('launch/*')),\n"
+        own = entry.replace("launch", "maps")
+        own += "        ('share/' + package_name, ['plugin.xml']),\n"
+        own += "        ('lib/' + package_name, ['scripts/tool']),\n        ('/etc', ['odd']),\n"
+        change(package, "setup.py", (entry, entry + own))
+    said = move(package, OTHER[distro])
+    texts = [text for _, _, text in left(said)]
+    if distro == "noetic":
+        assert texts == ["# For pluginlib", "catkin_add_env_hooks(50.hand)"]
+        setup = (package / "setup.py").read_text()
+        for entry in (
+            "('share/' + package_name + '/maps', glob('maps/*')),",
+            "('share/' + package_name, ['plugin.xml']),",
+            "('lib/' + package_name, ['scripts/tool']),",
+        ):
+            assert f"        {entry}\n" in setup
+    else:
+        assert texts == ["('/etc', ['odd']),"]
+        cmake = (package / "CMakeLists.txt").read_text()
+        assert "    launch\n    maps\n" in cmake
+        share, programs = ("${CATKIN_PACKAGE_" + place for place in ("SHARE", "BIN"))
+        assert f"install(FILES plugin.xml DESTINATION {share}_DESTINATION}})\n" in cmake
+        assert f"install(PROGRAMS scripts/tool DESTINATION {programs}_DESTINATION}})\n" in cmake
+    assert left(move(package, distro)) == []
+
+
+@each_way
+@pytest.mark.parametrize("with_service", [True, False])
+def test_own_messages_are_built_after_a_move(render, move, distro, with_service):
+    """Of kinds that the spec does not have, too."""
+    spec = SPECS["interfaces_model"]
+    spec = spec if with_service else spec.replace('<service name="Hold"/>', "")
+    package = render(spec, model="interfaces_model", ros_distro=distro, name="hand")
+    (package / "srv").mkdir(exist_ok=True)
+    for path in ("msg/Own.msg", "srv/Mine.srv"):
+        (package / path).write_text("---\n" if path.endswith("srv") else "std_msgs/Header head\n")
+    if distro == "noetic":
+        services = ("    Hold.srv\n", "    Hold.srv\n    Mine.srv\n")
+        if not with_service:
+            own = "add_service_files(\n  FILES\n    Mine.srv\n)\n\n"
+            services = ("generate_messages(", own + "generate_messages(")
+        change(
+            package,
+            "CMakeLists.txt",
+            ("  message_generation\n", "  message_generation\n  std_msgs\n"),
+            ("    Grip.msg\n", "    Grip.msg\n    Own.msg\n"),
+            services,
+            ("generate_messages(\n", "generate_messages(\n  DEPENDENCIES\n    std_msgs\n"),
+            ("    message_runtime\n", "    message_runtime\n    std_msgs\n"),
+        )
+    else:
+        change(
+            package,
+            "CMakeLists.txt",
+            ("generators REQUIRED)\n", "generators REQUIRED)\nfind_package(std_msgs REQUIRED)\n"),
+            ("  msg/Grip.msg\n", "  msg/Grip.msg\n  msg/Own.msg\n"),
+            (")\n\nament_exp", "  srv/Mine.srv\n  DEPENDENCIES\n    std_msgs\n)\n\nament_exp"),
+            ("_default_runtime\n", "_default_runtime\n  std_msgs\n"),
+        )
+    for target in (OTHER[distro], distro):
+        said = move(package, target)
+        assert left(said) == []
+        assert "unnamed" not in said
+        text = (package / "CMakeLists.txt").read_text()
+        if target == "noetic":
+            assert re.search(r"add_message_files\([^)]*\n    Own.msg\n", text)
+            assert re.search(r"add_service_files\([^)]*\n    Mine.srv\n[\s\S]*generate_m", text)
+            assert re.search(r"generate_messages\(\s+DEPENDENCIES\n    std_msgs\n", text)
+            assert re.search(r"COMPONENTS\n[^)]*  std_msgs\n", text)
+            assert re.search(r"CATKIN_DEPENDS\n[^)]*    std_msgs\n", text)
+        else:
+            files = r"rosidl_generate_interfaces\([^)]*  msg/Own.msg\n"
+            assert re.search(files, text)
+            assert re.search(r"interfaces\([^)]*  srv/Mine.srv\n[^)]*DEPEND", text)
+            assert re.search(r"\nfind_package\(std_msgs REQUIRED\)\n[\s\S]*rosidl_generate", text)
+            assert re.search(r"DEPENDENCIES\n    std_msgs\n\)", text)
+            assert re.search(r"dependencies\([^)]*  std_msgs\n", text)
