@@ -13,11 +13,12 @@ from difflib import SequenceMatcher
 from ..data import load_data
 from .blocks import Block
 from .languages import CMAKE
-from .lines import split
+from .launch import keys
+from .lines import plain, split
 from .matching import match
 from .package import Result
 from .renaming import Renaming
-from .tree import File, Tree, encode
+from .tree import LINK, File, Tree, encode
 
 _KNOWN = load_data("builds.yaml")
 _CMAKE, _SETUP = "CMakeLists.txt", "setup.py"
@@ -41,14 +42,22 @@ def carry_build_files(
     mine: Tree, old: Tree, new: Tree, renaming: Renaming, result: Result, ros: int
 ) -> None:
     """Make build files those of a ROS, `ros`, with what was written into the other ones."""
-    paths = [p for p in (_CMAKE, _SETUP) if p in mine and p in old and mine[p] != old[p]]
+    paths = [
+        path
+        for path in (_CMAKE, _SETUP)
+        if path in mine and path in old and mine[path] != old[path]
+        if mine[path].mode != LINK and mine[path].text is not None
+    ]
     files = {path: new[path] for path in (_CMAKE, _SETUP) if path in new}
     try:
         carrier = _Carrier({path: file.text or "" for path, file in files.items()}, ros)
         found = {}
         for path in paths:
-            ours, base = (renaming.text(path, side[path].text or "") for side in (mine, old))
+            ours, base = (
+                renaming.text(path, plain(side[path].text or "")) for side in (mine, old)
+            )
             found[path] = carrier.file(path, ours, base)
+            result.back[path] = carrier.back
         texts = carrier.texts()
         CMAKE.blocks(texts.get(_CMAKE, ""))
     except (ValueError, RecursionError):
@@ -61,7 +70,11 @@ def carry_build_files(
         if path in mine and mine[path] != old.get(path) and path not in paths:
             continue
         result.missing.pop(path, None)
-        result.tree[path] = File(encode(texts[path]), file.mode)
+        text = texts[path]
+        is_crlf = path in mine and "\r\n" in (mine[path].text or "")
+        result.tree[path] = File(
+            encode(text.replace("\n", "\r\n") if is_crlf else text), file.mode
+        )
 
 
 class _Carrier:
@@ -73,19 +86,24 @@ class _Carrier:
         self.setup = split(texts.get(_SETUP, ""))
         self.has_cmake = _CMAKE in texts
         self.lines: _Lines = {}
+        self.back: list[str] = []
+        """What the developer had deleted."""
 
     def texts(self) -> dict[str, str]:
         return {_CMAKE: "".join(b.text for b in self.new), _SETUP: "".join(self.setup)}
 
     def file(self, path: str, mine: str, old: str) -> _Lines:
         """Carry what `mine` has more than `old`; return the lines that came along, and as what."""
-        self.lines = {}
+        self.lines, self.back = {}, []
         if path == _SETUP:
             for number, line, _, _ in _own_lines(split(mine), split(old)):
                 self._entry(number + 1, line)
         else:
             blocks, base = CMAKE.blocks(mine), CMAKE.blocks(old)
             match(blocks, base)
+            gone = set(keys(base)) - set(keys(blocks))
+            has = set(keys(CMAKE.blocks(self.texts()[_CMAKE])))
+            self.back = sorted(key for key in gone & has if " " in key)
             self._commands(blocks, base, self.new, 1, is_top=True)
         return self.lines
 
@@ -98,10 +116,11 @@ class _Carrier:
         is_top: bool = False,
     ) -> None:
         known = {block.key: block for block in old}
+        generated = set(keys(old))
         there = {block.key: block for block in new}
         for block in mine:
             base = known.get(block.key)
-            if base is None and is_top:
+            if base is None and is_top and generated.isdisjoint(keys([block])):
                 self._command(block, number)
             elif base and block.children and block.key in there:
                 inner = number + len(block.lines)

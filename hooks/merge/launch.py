@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import contextlib
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from ..data import load_data
 from .blocks import Block
 from .languages import XML
-from .lines import split
+from .lines import plain, split
 from .matching import match
 from .package import Result
 from .renaming import Renaming
@@ -40,7 +41,9 @@ class Carried:
     """A launch file of the new ROS, and which lines of the old one are in it, as what."""
 
     text: str
-    lines: dict[int, tuple[str, ...]] = field(default_factory=dict)
+    lines: dict[int, tuple[str, ...]]
+    back: list[str]
+    """What the developer had deleted from the old one."""
 
 
 def carry_launch_files(
@@ -56,9 +59,10 @@ def carry_launch_files(
             continue
         with contextlib.suppress(ValueError, RecursionError):
             ours, base = (
-                renaming.blocks(XML, path, side[path].text or "") for side in (mine, old)
+                renaming.blocks(XML, path, plain(side[path].text or "")) for side in (mine, old)
             )
             carried = carry(ours, base, new[target].text or "", ros)
+            result.back[target] = carried.back
             XML.blocks(carried.text)
             result.tree[target] = File(encode(carried.text), new[target].mode)
             result.carried[path] = ([target], carried.lines)
@@ -69,7 +73,20 @@ def carry(mine: Sequence[Block], old: Sequence[Block], new: str, ros: int) -> Ca
     carrier = _Carrier(XML.blocks(new), ros)
     match(mine, old)
     carrier.children(mine, old, [], 1)
-    return Carried("".join(block.text for block in carrier.new), carrier.lines)
+    has = set(keys(XML.blocks(new)))
+    back = [
+        key
+        for key in sorted(Counter(keys(old)) - Counter(keys(mine)))
+        if key in has and " " in key
+    ]
+    return Carried("".join(block.text for block in carrier.new), carrier.lines, back)
+
+
+def keys(blocks: Sequence[Block]) -> Iterator[str]:
+    """Yield the keys of blocks, and of those inside of them."""
+    for block in blocks:
+        yield block.key
+        yield from keys(block.children)
 
 
 class _Carrier:
@@ -82,17 +99,21 @@ class _Carrier:
     ) -> None:
         """Carry what is in elements, `around`; `number` is that of the first line of it."""
         known = {block.key: block for block in old}
+        generated = set(keys(old))
         before: list[Block] = []
         for block in mine:
             base = known.get(block.key)
             with contextlib.suppress(ForeignError):
-                if base is None:
+                if base is None and generated.isdisjoint(keys([block])):
                     self._insert(block, around, before, number)
-                elif block.lines != base.lines:
+                elif base and block.lines != base.lines:
                     self._set_attributes(block, base, number)
-            if base and block.children:
+            if block.children:
                 inner = number + len(block.lines)
-                self.children(block.children, base.children, [*around, block], inner)
+                if base:
+                    self.children(block.children, base.children, [*around, block], inner)
+                elif not generated.isdisjoint(keys([block])):  # around what is generated
+                    self.children(block.children, old, around, inner)
             before.append(block)
             number += len(split(block.text))
 

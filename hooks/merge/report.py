@@ -41,6 +41,11 @@ def report(
     files += _left_behind(package, proof.left)
     files += _unnamed(after, proof.left)
     others = [f"missing   {path}{part and ': '}{part}" for path, part in _missing(result)]
+    others += [
+        f"back      {path}: {part}, which you had deleted"
+        for path, parts in sorted(result.back.items())
+        for part in parts
+    ]
     others += [f"still     {use}" for use in uses]
     others += [f"CONFLICT  {path}" for path in conflicts]
     if not changes and not files and not conflicts:

@@ -384,3 +384,22 @@ def test_own_messages_are_built_after_a_move(render, move, distro, with_service)
             assert re.search(r"\nfind_package\(std_msgs REQUIRED\)\n[\s\S]*rosidl_generate", text)
             assert re.search(r"DEPENDENCIES\n    std_msgs\n\)", text)
             assert re.search(r"dependencies\([^)]*  std_msgs\n", text)
+
+
+@each_way
+def test_own_group_and_deleted_elements_are_said(render, move, distro):
+    """What is around a generated element makes no second one of it; what was deleted is back."""
+    package = render(SPECS["python_model"], ros_distro=distro, name="hand")
+    path, other = "launch/hand.launch", "launch/hand.launch.xml"
+    path, other = (path, other) if distro == "noetic" else (other, path)
+    text = (package / path).read_text()
+    node = re.search(r"(?m)^ *<node [\s\S]*?</node>\n", text)[0]
+    level = re.search(r"(?m)^ *<arg name=.log_level. default.*\n", text)[0]
+    var = "arg" if distro == "noetic" else "var"
+    own = f'  <group if="$({var} use_sim_time)">\n{node}  </group>\n'
+    change(package, path, (node, own), (level, ""))
+    (package / path).write_bytes((package / path).read_text().replace("\n", "\r\n").encode())
+    said = move(package, OTHER[distro])
+    assert (package / other).read_text().count('name="think"') == 1
+    assert [text for _, _, text in left(said)] == [own.split("\n")[0].strip(), "</group>"]
+    assert f"back      {other}: arg log_level, which you had deleted" in said
