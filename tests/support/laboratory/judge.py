@@ -86,7 +86,7 @@ def _line(marks, mark, path, function, target, result, said, callbacks):
         gone = path in said or f"{path}: {function}" in said or (not function and parts)
         gone = gone or mark in said
         return [] if gone else [f"{path}: {mark} is lost"]
-    if len(found) == 1 and {found[0], target} <= set(COUNTERPARTS.get(target, ())):
+    if len(found) == 1 and found[0] != target and found[0] in COUNTERPARTS.get(target, ()):
         return []  # in the file of the other ROS, which has no functions
     if found != [target]:
         return [f"{path}: {mark} is in {', '.join(found)}"]
