@@ -119,8 +119,13 @@ def required_packages(spec: dict[str, Any]) -> list[str]:
         for package in spec["depends"]
         if package not in other_packages(spec)
         and re.fullmatch(r"\w+", package)
-        and not package.startswith("launch")
+        and not is_for_launch(package)
     ]
+
+
+def is_for_launch(package: str) -> bool:
+    """Say whether a package is there to start nodes: no code is built with it."""
+    return package == "roslaunch" or package.startswith("launch")
 
 
 def exported_packages(spec: dict[str, Any]) -> list[str]:

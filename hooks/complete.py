@@ -19,7 +19,7 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
     """Return the context: the checked values, and what follows from them.
 
     `ros` is the generation (1 or 2), `kinds` the interface kinds in use, `depends` the packages
-    needed, `notes` what the user should know.
+    needed, `declared` those of them that the spec names itself, `notes` what the user should know.
 
     Raises:
         SpecError: the distribution is unknown or lacks a package or type, or a function of the
@@ -31,7 +31,8 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
     generation = DISTROS[distro]
     _check_kinds(spec)
     translated = [translate_dependency(name, generation) for name in spec.depends]
-    found = {name for name, _ in translated if name}
+    declared = {name for name, _ in translated if name}
+    found = set(declared)
     found |= _call(functions, "dependencies_from_template", "the package", distro)
     for component in spec.components:
         arguments = (component.tag, component.values, distro)
@@ -60,6 +61,7 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
         "ros": generation,
         "kinds": sorted({item.tag for item in spec.interfaces}),
         "depends": sorted(found - {own_name}),
+        "declared": sorted(declared - {own_name}),
         "notes": list(dict.fromkeys(notes)),
     }
 
@@ -97,7 +99,7 @@ def _call(functions: Functions, name: str, place: str, *arguments: Any) -> set[s
         result = functions[name](*arguments)
     except SpecError as error:
         if isinstance(error.__cause__, ValueError):  # the function refuses the spec
-            raise SpecError(f"{place}: {error.__cause__} (said by {name})") from error
+            raise SpecError(f"{place}: {error.__cause__}") from error
         raise SpecError(f"{error} (called for {place})") from error
     if not isinstance(result, list) or not all(isinstance(item, str) for item in result):
         raise SpecError(f"{name} for {place}: must return a list of package names, not {result!r}")

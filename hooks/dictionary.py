@@ -21,7 +21,7 @@ from .formats import FORMATS
 PACKAGE = "package"
 DEPEND = "depend"
 WAS = "was"
-RESERVED_KEYS = frozenset({"ros", "kinds", "depends", "notes"})
+RESERVED_KEYS = frozenset({"ros", "kinds", "declared", "depends", "notes"})
 """The keys of the context that the hook itself adds to the attributes of the package."""
 COMPONENT_KEYS = frozenset({"tag", "class_name"})
 """The keys that the hook itself adds to the attributes of a component."""
