@@ -113,7 +113,14 @@ def other_packages(spec: dict[str, Any]) -> list[str]:
     sure = r"\w+_\w+|actionlib|nodelet|pluginlib|ros\w+|tf2?|urdf"
     if spec["ros"] == 2:
         sure = r"\w+_(interfaces|msgs|srvs)"
-    return [package for package in added_packages(spec) if not re.fullmatch(sure, package)]
+    added = [package for package in added_packages(spec) if not re.fullmatch(sure, package)]
+    return sorted({*added, *build_packages(spec)})
+
+
+def build_packages(spec: dict[str, Any]) -> list[str]:
+    """Return those packages that are needed to build alone, as CMake may know them."""
+    names = spec["other_depends"].get("build", [])
+    return [name for name in names if name not in spec["depends"] and re.fullmatch(r"\w+", name)]
 
 
 def required_packages(spec: dict[str, Any]) -> list[str]:
