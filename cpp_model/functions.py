@@ -138,6 +138,8 @@ def exported_packages(spec: dict[str, Any]) -> list[str]:
     """Return the dependencies that the headers of the package show, sorted."""
     shown = {package for node in spec["nodes"] for package in message_packages(node)}
     added = set(added_packages(spec)) - set(other_packages(spec))
+    if any(node["client_library"] for node in spec["nodes"]):
+        shown.add("rclcpp_lifecycle")
     return sorted(shown | added)
 
 
