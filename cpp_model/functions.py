@@ -261,6 +261,11 @@ def _in_small_letters(match: re.Match[str]) -> str:
     return match[0].lower()
 
 
+def launched(node: dict[str, Any]) -> list[str]:
+    """Return the names by which the launch file starts a node."""
+    return [instance["name"] for instance in node["instances"]] or [node["name"]]
+
+
 def logic_file(node: dict[str, Any], package: str) -> str:
     """Return where the logic of a node stands."""
     return f"src/{node['name']}_impl.cpp"

@@ -12,7 +12,12 @@ from support.repository import EXAMPLES
 
 SPEC = (EXAMPLES / "driver.ros_package").read_text()
 MODELS = ["python_model", "cpp_model", "mixed_model python", "mixed_model cpp"]
-FILES = ["config/left/device.yaml", "launch/old/driver.txt", "urdf/hand/finger.urdf"]
+FILES = [
+    "config/left/sensor.yaml",
+    "config/old/device.yaml",
+    "launch/old/driver.txt",
+    "urdf/hand/finger.urdf",
+]
 PROGRAMS = ["calibrate", "sensor-driver"]
 each_model = pytest.mark.parametrize("model", MODELS)
 
@@ -22,7 +27,7 @@ def make(render, model, distro, folder="src"):
     model, _, language = model.partition(" ")
     spec = SPEC.replace("<node ", f'<node language="{language}" ') if language else SPEC
     package = render(spec, model=model, ros_distro=distro, name=f"{folder}/driver")
-    for name in (*FILES, "tools/calibrate"):
+    for name in (*FILES[1:], "tools/calibrate"):
         (package / name).parent.mkdir(parents=True, exist_ok=True)
         (package / name).write_text("#!/bin/sh\necho calibrated\n")
     (package / "tools/calibrate").chmod(0o755)
@@ -84,6 +89,11 @@ def test_driver_in_ros1(ros1, render, tmp_path, model):
     package = make(render, model, "noetic")
     ros1.run("catkin_make install", tmp_path, timeout=1800)
     check_installed(tmp_path / "install")
+    launch = f"roslaunch {package}/launch/driver.launch"
+    nodes = ros1.run(f"{launch} --nodes namespace:=arm", tmp_path, tmp_path).stdout.split()
+    assert nodes == ["/arm/left/sensor", "/arm/right/sensor"]
+    printed = ros1.run(f"{launch} --dump-params", tmp_path, tmp_path).stdout
+    assert "/left/sensor/device: /dev/ttyUSB0" in printed
     lint = ros1.run("catkin_lint -W1 .", package, check=False).stdout
     assert "error" not in lint.replace("0 errors", ""), lint
     check_tests(ros1, tmp_path)
@@ -99,7 +109,27 @@ def test_driver_in_ros2(ros2, render, tmp_path, model):
     check_installed(tmp_path / "install/driver")
     with ros2.running(tmp_path / "install/driver/lib/driver/sensor-driver", tmp_path):
         sleep(3)  # it ends by itself where it cannot start
+    if ros.has(ros2, "launch_ros"):
+        ask = "ros2 lifecycle get /right/sensor --no-daemon"
+        with ros2.running("ros2 launch driver driver.launch.xml", tmp_path):
+            ros.wait_for("^active", lambda: ros2.run(ask, tmp_path, check=False).stdout)
     check_tests(ros2, tmp_path)
+
+
+@pytest.mark.parametrize("model", MODELS[:2])
+def test_instances_of_the_launch_file(render, model):
+    """Each has its namespace below that of the launch file, and its own parameter file."""
+    package = make(render, model, "kilted")
+    root = ET.parse(package / "launch/driver.launch.xml").getroot()
+    nodes = [*root.iter("node"), *root.iter("composable_node")]
+    assert [node.get("name") for node in nodes] == ["sensor"] * (2 if model[0] == "p" else 4)
+    for node, side in zip(nodes, ["left", "right"] * 2, strict=False):
+        text = re.fullmatch(r"\$\(eval '(.*)'\)", node.get("namespace"))[1].replace("\\'", "'")
+        for outer, whole in (("", side), ("arm", f"arm/{side}"), ("/arm", f"arm/{side}")):
+            assert eval(text.replace("$(var namespace)", outer)) == whole
+        assert f"/config/{side}/sensor.yaml" in node.find("param[@from]").get("from")
+    assert not (package / "config/sensor.yaml").exists()
+    assert "Parameters of left/sensor" in (package / "config/left/sensor.yaml").read_text()
 
 
 LOGIC = """
