@@ -109,7 +109,14 @@ def other_packages(spec: dict[str, Any]) -> list[str]:
     sure = r"\w+_\w+|actionlib|nodelet|pluginlib|ros\w+|tf2?|urdf"
     if spec["ros"] == 2:
         sure = r"\w+_(interfaces|msgs|srvs)"
-    return [package for package in added_packages(spec) if not re.fullmatch(sure, package)]
+    added = [package for package in added_packages(spec) if not re.fullmatch(sure, package)]
+    return sorted({*added, *build_packages(spec)})
+
+
+def build_packages(spec: dict[str, Any]) -> list[str]:
+    """Return those packages that are needed to build alone, as CMake may know them."""
+    names = spec["other_depends"].get("build", [])
+    return [name for name in names if name not in spec["depends"] and re.fullmatch(r"\w+", name)]
 
 
 def required_packages(spec: dict[str, Any]) -> list[str]:
@@ -132,6 +139,8 @@ def exported_packages(spec: dict[str, Any]) -> list[str]:
     """Return the dependencies that the headers of the package show, sorted."""
     shown = {package for node in spec["nodes"] for package in message_packages(node)}
     added = set(added_packages(spec)) - set(other_packages(spec))
+    if any(node["client_library"] for node in spec["nodes"]):
+        shown.add("rclcpp_lifecycle")
     return sorted(shown | added)
 
 
@@ -213,6 +222,11 @@ def cpp_escape(text: str) -> str:
         for letter in text
     )
     return "".join(letters).replace("??", r"?\?")
+
+
+def launched(node: dict[str, Any]) -> list[str]:
+    """Return the names by which the launch file starts a node."""
+    return [instance["name"] for instance in node["instances"]] or [node["name"]]
 
 
 def logic_file(node: dict[str, Any], package: str) -> str:

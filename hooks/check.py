@@ -11,6 +11,7 @@ from typing import Any
 from .collisions import Checked, Filters, collisions
 from .dictionary import (
     DEPEND,
+    DEPEND_KIND,
     NAME_BEFORE,
     PACKAGE,
     WAS,
@@ -26,6 +27,7 @@ from .formats import FORMATS, TYPES, comparable, dependency, split_type
 from .literals import literal
 from .names import class_name
 from .parse import Element
+from .ros import DEPENDENCY_KINDS
 
 Values = dict[str, Any]
 
@@ -36,7 +38,8 @@ class CheckedSpec:
 
     file: str
     package: Values = field(default_factory=dict)
-    depends: list[str] = field(default_factory=list)
+    depends: list[tuple[str, str]] = field(default_factory=list)
+    """Each package, after the kind of dependency that it is; nothing for one of the usual kind."""
     declared: set[str] = field(default_factory=set)
     """The types that the spec itself declares: `msg/PointArray`."""
     types: list[tuple[Element, str, tuple[str, str, str]]] = field(default_factory=list)
@@ -49,8 +52,9 @@ class CheckedSpec:
 
     @property
     def components(self) -> list[Checked]:
-        """The components, in the order of the file."""
-        return [element for element in self.elements if len(element.owners) == 1]
+        """The components that make something, in the order of the file."""
+        alone = [element for element in self.elements if len(element.owners) == 1]
+        return [element for element in alone if "class_name" in element.values]
 
     @property
     def interfaces(self) -> list[Checked]:
@@ -106,16 +110,19 @@ class _Checker:
                 values[components[tag].key].append(component)
             else:
                 self.unknown_tag(child, [*components, DEPEND])
-        if components and not any(values[component.key] for component in components.values()):
-            tags = " or ".join(f"<{name}>" for name in components)
+        needed = [component for component in components.values() if not component.is_plain]
+        if needed and not any(values[component.key] for component in needed):
+            tags = " or ".join(f"<{component.tag}>" for component in needed)
             self.fault(element, f"has no {tags}; it needs one at least")
         self.spec.package = values
 
     def component(self, element: Element, component: Component, package: Checked) -> Values:
-        values: Values = {"tag": component.tag}
         self.declaring = ""
-        given = self.values(element, component.attributes, (component.tag,))
-        values |= {**given, "class_name": class_name(str(next(iter(given.values()), "")))}
+        has_name = not component.is_plain
+        values = given = self.values(element, component.attributes, (component.tag,), has_name)
+        if not component.is_plain:
+            name = class_name(str(next(iter(given.values()), "")))
+            values = {"tag": component.tag, **given, "class_name": name}
         owner = self.checked(component.tag, element, {**values}, package)
         return values | self.interfaces(element, component, given, (package, owner))
 
@@ -186,10 +193,15 @@ class _Checker:
         return item
 
     def check_depend(self, element: Element) -> None:
-        if element.attributes or element.children:
-            self.fault(element, f"takes a package name alone: <{DEPEND}>std_msgs</{DEPEND}>")
+        kind = element.attributes.get(DEPEND_KIND, "")
+        if set(element.attributes) - {DEPEND_KIND} or element.children:
+            form = f'<{DEPEND}>std_msgs</{DEPEND}>, with {DEPEND_KIND}="exec" and the like'
+            self.fault(element, f"takes a package name: {form}")
+        elif kind not in ("", *DEPENDENCY_KINDS):
+            fault = f"unknown {quoted(kind)}; {allowed(kind, DEPENDENCY_KINDS)}"
+            self.fault(element, f"{DEPEND_KIND}: {fault}")
         try:
-            self.spec.depends.append(dependency(element.text))
+            self.spec.depends.append((kind, dependency(element.text)))
         except ValueError as error:
             self.fault(element, str(error))
 
@@ -212,7 +224,8 @@ class _Checker:
             given = element.attributes.get(name)
             if attribute.ignored or (given is None and name == WAS):
                 continue
-            values[name] = attribute.default if given is None else None
+            default = values.get(attribute.same_as) if attribute.same_as else attribute.default
+            values[name] = default if given is None else None
             if given is None and not attribute.optional:
                 self.fault(element, f'attribute "{name}" is missing{_doc(attribute)}')
             elif given is not None:

@@ -86,6 +86,19 @@ email = _matching(  # catkin_pkg's own expression
     "not a mail address; allowed: name@host.domain",
 )
 
+version = _matching(
+    r"(0|[1-9][0-9]*)\.(0|[1-9][0-9]*)\.(0|[1-9][0-9]*)",
+    "not a version; allowed: three numbers, such as 1.2.0",
+)
+url = _matching(
+    r"https?://[^\s<>\"']+",
+    "not an address of the web; allowed: https://host/path, without blanks and quotes",
+)
+file_name = _matching(
+    r"[A-Za-z0-9_][A-Za-z0-9_.-]*",
+    'not a file name; allowed: letters, digits, "_", "." and "-", no "." or "-" first',
+)
+
 
 def ros_name(value: str) -> str:
     """A name in the ROS graph: relative, absolute (/a/b) or private (~/a, or ROS 1's ~a)."""
@@ -289,6 +302,9 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "string": raw,
     "email": email,
     "license": license_name,
+    "version": version,
+    "url": url,
+    "file_name": file_name,
 }
 """The names a dictionary may write after `format:`."""
 TYPES = ("message_type", "service_type", "action_type", "field_type")

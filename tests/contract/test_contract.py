@@ -99,6 +99,17 @@ def stop_by_shutdown(stage, node):
     assert stage.state() == "finalized"
 
 
+def test_node_of_the_client_library(stage):
+    """What the logic makes of `passthrough.node` is there beside what the spec says."""
+    node = stage.start("clerk", "serve: open opened")
+    heard = stage.hear("door")
+    wait_for(
+        lambda: stage.call("greet").result() == "greeted" and "opened" in heard(),
+        lambda: f"heard nothing: {node.story()}",
+    )
+    assert node.stop() == 0
+
+
 STOPS = {
     "sigint": lambda stage, node: node.stop(signal.SIGINT),
     "sigterm": lambda stage, node: node.stop(signal.SIGTERM),

@@ -21,6 +21,7 @@ GENERAL = {*FORMATS, *QOS, *vars(Attribute)["__dataclass_fields__"], PACKAGE, DE
 # Tags of interfaces that are words of Python and of ROS as well.
 EVERYDAY = {"message", "service", "services", "action", "actions", "request", "response", "goal"}
 EVERYDAY |= {"result", "feedback", "field", "fields", "constant", "constants", "messages"}
+EVERYDAY |= {"folder", "folders"}
 
 
 def our_words():

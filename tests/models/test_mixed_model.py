@@ -52,7 +52,7 @@ def test_files_of_a_language_are_those_of_its_model(language):
     assert included == expected
     for name, source in found.items():
         # ROS 2 starts a node in Python by the program that ROS 1 has.
-        assert source.endswith(name) or name == "scripts/[node.name].jinja"
+        assert source.endswith(name) or name == "scripts/[node.executable].jinja"
         mode = (MIXED / f"[spec.{language}]" / name).stat().st_mode
         assert mode == (ROOT / source).stat().st_mode, name
 
