@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -23,7 +23,7 @@ from .dictionary import (
 )
 from .endpoints import clashes
 from .faults import SpecError, allowed, first_of, quoted, shown
-from .formats import FORMATS, TYPES, comparable, dependency, split_type
+from .formats import FORMATS, FORMATS_OF_ROS, TYPES, comparable, dependency, split_type
 from .literals import literal
 from .names import class_name
 from .parse import Element
@@ -62,18 +62,22 @@ class CheckedSpec:
         return [element for element in self.elements if len(element.owners) > 1]
 
 
-def check(root: Element, dictionary: Dictionary, filters: Filters, file: str) -> CheckedSpec:
+def check(
+    root: Element, dictionary: Dictionary, filters: Filters, file: str, ros: int | None = None
+) -> CheckedSpec:
     """Check the whole spec; `file` is its name in messages, `filters` are those of templates.
+
+    Without a generation of ROS, names that only one of them refuses pass.
 
     Raises:
         SpecError: one line for every fault found, in the order of the file.
 
     """
-    checker = _Checker(dictionary, file)
+    checker = _Checker(dictionary, file, ros)
     checker.check_package(root)
     if not checker.faults:
         checker.check_own_types()
-        for element, fault in collisions(checker.spec.elements, dictionary.scopes, filters):
+        for element, fault in collisions(checker.spec.elements, dictionary.scopes, filters, ros):
             checker.fault(element, fault)
         for element, fault in clashes(checker.spec.interfaces, dictionary):
             checker.fault(element, fault)
@@ -84,8 +88,9 @@ def check(root: Element, dictionary: Dictionary, filters: Filters, file: str) ->
 
 
 class _Checker:
-    def __init__(self, dictionary: Dictionary, file: str) -> None:
+    def __init__(self, dictionary: Dictionary, file: str, ros: int | None) -> None:
         self.dictionary = dictionary
+        self.formats = {**FORMATS, **FORMATS_OF_ROS.get(ros or 0, {})}
         self.spec = CheckedSpec(file)
         self.faults: list[tuple[int, str]] = []
         self.owners: dict[tuple[Any, ...], Element] = {}
@@ -230,7 +235,7 @@ class _Checker:
                 self.fault(element, f'attribute "{name}" is missing{_doc(attribute)}')
             elif given is not None:
                 try:
-                    values[name] = value = _value(attribute, given, values)
+                    values[name] = value = _value(attribute, given, values, self.formats)
                     if attribute.format in TYPES and (parts := split_type(value)):
                         self.spec.types.append((element, name, parts))
                         self.holders[element] = self.declaring
@@ -299,7 +304,9 @@ def _holders(tag: str, kind: Component | Interface) -> Iterator[tuple[str, Itera
         yield each.kind, each.interfaces
 
 
-def _value(attribute: Attribute, text: str, values: Values) -> Any:
+def _value(
+    attribute: Attribute, text: str, values: Values, formats: Mapping[str, Callable[[str], Any]]
+) -> Any:
     """Return the value that a text gives; `values` are those of the attributes before it."""
     if attribute.choices:
         for word, others in attribute.choices.items():
@@ -310,8 +317,9 @@ def _value(attribute: Attribute, text: str, values: Values) -> Any:
         raise ValueError(f"{quoted(text)} does not match the pattern {attribute.pattern}")
     if attribute.format == "literal":
         type_name = values.get(attribute.of or "")
-        return None if type_name is None else literal(text, type_name)
-    value = FORMATS[attribute.format](text)
+        value = None if type_name is None else literal(text, type_name)
+        return text if attribute.as_written else value
+    value = formats[attribute.format](text)
     if not attribute.optional and value == "" and attribute.format not in ("raw", "string"):
         raise ValueError("must not be empty")
     if value in attribute.reserved:

@@ -40,6 +40,7 @@ class Attribute:
     same_as: str | None = None
     format: str = "text"
     of: str | None = None
+    as_written: bool = False
     choices: Mapping[str, list[str]] = field(default_factory=dict)
     pattern: str | None = None
     above: float | None = None
@@ -232,15 +233,16 @@ def _interface(file: str, kind: str, item: Any) -> Interface:
 
 def _scope(place: str, label: str, item: Any) -> Scope:
     """Read where names land, which is a mapping from tags to the names that they make there."""
-    own = ("in", "ignore_case", "reserved")
+    own = ("in", "ignore_case", "ros", "reserved")
     if not isinstance(item, dict) or not all(
-        isinstance(forms, list) for key, forms in item.items() if key not in own[:2]
+        isinstance(forms, list) for key, forms in item.items() if key not in own[:3]
     ):
         raise SpecError(f"{place}: must be a mapping with lists of names, or in and a tag")
     made_by = {tag: forms for tag, forms in item.items() if tag not in own}
     owners = item.get("in", PACKAGE)
     owners = owners if isinstance(owners, list) else [owners]
-    return Scope(label, owners, made_by, item.get("reserved", []), bool(item.get("ignore_case")))
+    options = {key: item[key] for key in ("reserved", "ignore_case", "ros") if key in item}
+    return Scope(label, owners, made_by, **options)
 
 
 def _attributes(place: str, items: Any) -> dict[str, Attribute]:
