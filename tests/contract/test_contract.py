@@ -419,6 +419,19 @@ def test_random_signals(stage):
         del calls
 
 
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_signal_at_its_start(stage, number):
+    """A node ends with 0 from the moment on at which it handles signals."""
+    stops = []
+    for _ in range(SIGNALS):
+        node = stage.start("probe")
+        wait_for(lambda: node.process.poll() is not None or node.handles(signal.SIGTERM), node.story)
+        time.sleep(random.uniform(0.0, 0.05))
+        stops.append(node.stop(number))
+        node.check()
+    assert stops == [0] * SIGNALS
+
+
 def test_kill_at_its_start(stage):
     """A node that `rosnode kill` finds while it starts ends with 0, in order."""
     only_ros1(stage, "ROS 2 has no rosnode kill")
