@@ -283,6 +283,11 @@ class Node(Program):
         """Return the numbers of the threads, in the order of their start."""
         return sorted(int(task.name) for task in self._proc("task").iterdir())
 
+    def handles_signals(self):
+        """Return whether the process handles SIGTERM."""
+        line = re.search(r"SigCgt:\s+(\w+)", self._proc("status").read_text())
+        return bool(int(line[1], 16) >> (signal.SIGTERM - 1) & 1)
+
     def files(self):
         return len(list(self._proc("fd").iterdir()))
 
