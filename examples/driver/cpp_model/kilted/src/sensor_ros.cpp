@@ -92,10 +92,9 @@ public:
       [this](const std::vector<rclcpp::Parameter> &) {
         std::atomic_store(config_.get(), read_config());
       });
-    fix_while_configured(
-      {
-        "device",
-      });
+    fixed_ = {
+      "device",
+    };
   }
 
   ~SensorNode() override {end();}
@@ -110,7 +109,7 @@ private:
   {
     using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
     const SensorConfig config;
-    declare_parameter(
+    declare(
       "device",
       config.device,
       Descriptor().set__description("Where the sensor is"));

@@ -37,7 +37,7 @@ class SensorNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters."""
         super().__init__('sensor', **options)
-        self.declare_parameter(
+        self._declare(
             'device',
             '/dev/ttyUSB0',
             ParameterDescriptor(
