@@ -3,7 +3,9 @@
 import pytest
 
 from hooks.faults import SpecError
+from hooks.model import Model
 from hooks.parse import parse
+from support.repository import ROOT
 
 PACKAGE = '<package name="p" author="A">\n  <node name="n"{}\n</package>'
 QUOTES = "after frequency= comes the value in quotes: frequency="
@@ -105,3 +107,103 @@ def said(text):
     place, said = str(raised.value).split(": not well-formed XML: ")
     assert "\n" not in said
     return f"{place.removeprefix('spec.xml:')}: {said}"
+
+
+ITEM = """<package name="arm" author="A" author_email="a@b.de" description="d" license="MIT">
+{}</package>"""
+NODE = ITEM.format('<node name="n" frequency="1">{}</node>')
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize(
+    ("spec", "says"),
+    [
+        (ITEM.format('<node name="n" rate="10"/>'), '"rate"; did you mean frequency="..."?'),
+        (NODE.format('<publisher topic="x" type="a::B"/>'), '"topic"; did you mean name="..."?'),
+        (NODE.format('<subscriber name="x" msg="a::B"/>'), '"msg"; did you mean type="..."?'),
+        (NODE.format('<serviceClient name="x" srv="a::B"/>'), '"srv"; did you mean type="..."?'),
+        (
+            NODE.format('<publisher name="x" type="a::B" queue_size="1"/>'),
+            '"queue_size"; did you mean depth="..."?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="a::B" latch="true"/>'),
+            '"latch"; did you mean durability="transient_local"?',
+        ),
+        (
+            NODE.format('<parameter name="x" type="int" default="1"/>'),
+            '"default"; did you mean value="..."?',
+        ),
+        (
+            NODE.format('<dynParameter name="x" type="int" default="1" minimum="0"/>'),
+            '"minimum"; did you mean min="..."?',
+        ),
+        (
+            ITEM.format("<node/>").replace("author_email", "email"),
+            'did you mean author_email="..."?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="std_msgs.msg.String"/>'),
+            '"std_msgs.msg.String" is not a type; did you mean "std_msgs::String"? allowed: ',
+        ),
+        (
+            NODE.format('<serviceServer name="x" type="std_srvs/Trigger.srv"/>'),
+            'not a type; did you mean "std_srvs::Trigger"? allowed: ',
+        ),
+        (
+            NODE.format('<publisher name="x" type="String.msg"/>'),
+            '"String.msg" is not a type; it lacks its package; allowed: ',
+        ),
+        (
+            NODE.format('<publisher name="x" type="String"/>'),
+            '"String" is not a type; it lacks its package; allowed: ',
+        ),
+    ],
+)
+def test_habits_of_other_tools(spec, says, distro):
+    for name in ("python_model", "cpp_model", "mixed_model"):
+        with pytest.raises(SpecError) as raised:
+            Model(ROOT / name, ROOT).context(spec.encode(), "spec", distro)
+        assert says in str(raised.value)
+
+
+def test_latched_is_a_word_for_transient_local():
+    spec = NODE.format('<publisher name="x" type="a::B" durability="latched"/>')
+    context = Model(ROOT / "cpp_model", ROOT).context(spec.encode(), "spec", "kilted")
+    assert context["nodes"][0]["publishers"][0]["durability"] == "transient_local"
+
+
+MESSAGES = "interfaces_model"
+
+
+@pytest.mark.parametrize(
+    ("model", "inside", "says"),
+    [
+        (
+            MESSAGES,
+            '<service name="S"><field name="x" type="bool"/></service>',
+            "<field> is not known here; it belongs inside <request> or <response>; allowed: ",
+        ),
+        (
+            MESSAGES,
+            '<action name="A"><field name="x" type="bool"/></action>',
+            "it belongs inside <goal> or <result> or <feedback>; allowed: goal, result, feedback",
+        ),
+        (
+            MESSAGES,
+            '<action name="A"><request/></action>',
+            'it belongs inside <service>; did you mean "result"? allowed: goal, result',
+        ),
+        ("cpp_model", '<Node name="n"/>', '<Node> is not known here; did you mean "node"?'),
+        (
+            "cpp_model",
+            '<node name="my_node"/>\n<node name="MyNode"/>',
+            '"MyNode" is already taken by "my_node" at line 2; each must have its own',
+        ),
+    ],
+)
+def test_cure_of_what_stands_elsewhere(model, inside, says):
+    with pytest.raises(SpecError) as raised:
+        Model(ROOT / model, ROOT).context(ITEM.format(inside).encode(), "spec", "kilted")
+    (message,) = str(raised.value).splitlines()
+    assert says in message
