@@ -163,10 +163,11 @@ def message_blocks(text: str) -> list[Block]:
     lines = split(text)
     parts = [0, *(i for i, line in enumerate(lines) if re.match(r"---\s*$", line)), len(lines)]
     spans: list[Span] = []
-    for start, end in itertools.pairwise(parts):
-        words = [(i, lines[i].split("#")[0].split()) for i in range(start + bool(start), end)]
-        members = [Span(re.split("[=<]", found[1])[0], i, i + 1) for i, found in words if found[1:]]
-        if start:
+    for number, (start, end) in enumerate(itertools.pairwise(parts)):
+        words = [(i, lines[i].split("#")[0].split()) for i in range(start + bool(number), end)]
+        names = [(i, re.split("[=<]", found[1])[0]) for i, found in words if found[1:]]
+        members = [Span(f"{number} {name}", i, i + 1) for i, name in names]
+        if number:
             members = [Span("---", start, end, (start + 1, end), tuple(members))]
         spans += members
     return arrange(lines, spans, 0, len(lines), COMMENT)
