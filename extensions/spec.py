@@ -55,7 +55,7 @@ class SpecExtension(Extension):
         ):
             environment.globals[function.__name__] = pass_context(self._reporting(function))
         environment.globals |= {
-            "can_ask": lambda: bool(sys.stdin and not sys.stdin.closed and sys.stdin.isatty()),
+            "can_ask": _can_ask,
             "default_ros_distro": lambda: self.hooks.ros.default_distro(os.environ),
         }
         self._register(self.hooks.model.public_functions(self.hooks.names))
@@ -210,10 +210,17 @@ class SpecExtension(Extension):
         )
 
     def _check_update(self, context: Context, values: dict[str, Any], shown: str) -> None:
-        """Refuse an update or a recopy that could not be undone, before it writes anything."""
-        package = self._package(context)
+        """Refuse what could not be undone or ended, before anything is written."""
+        package, conf = self._package(context), context["_copier_conf"]
         answers = package.folder / package.answers_file
-        if answers.exists() and not context["_copier_conf"]["pretend"]:
+        if conf["pretend"]:
+            return
+        if not answers.exists() and package.folder.exists():
+            if not (conf["overwrite"] or _can_ask()):
+                given = {**context["_copier_answers"], "spec": values}
+                renderer = self._renderer(context)
+                self._merge("preflight").refuse_questions(package.folder, given, renderer)
+        elif answers.exists():
             model = self._model(context)
             self._merge("preflight").check(
                 package.folder,
@@ -281,6 +288,10 @@ class SpecExtension(Extension):
     @staticmethod
     def _is_given(context: Context) -> bool:
         return "spec" in context["_copier_conf"]["data"]
+
+
+def _can_ask() -> bool:
+    return bool(sys.stdin and not sys.stdin.closed and sys.stdin.isatty())
 
 
 def _load_hooks(root: Path) -> ModuleType:

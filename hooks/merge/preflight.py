@@ -10,10 +10,11 @@ from typing import Any
 from ..changes import check_names_before, marked
 from ..dictionary import Dictionary
 from ..faults import SpecError
+from ..package import SUFFIX
 from .git import changed, is_repository, tracked, untracked
 from .renaming import plan_renames
 from .render import Renderer, recorded_answers
-from .tree import LINK, SUBMODULE, TOO_LARGE, is_too_large
+from .tree import LINK, SUBMODULE, TOO_LARGE, is_too_large, read_paths
 
 
 def check(
@@ -59,6 +60,24 @@ def check(
         moves = {path: renaming.path(path) for path in modes}
         moves = {path: after for path, after in moves.items() if after != path}
     refuse(package, touched | set(moves.values()), moves)
+
+
+def refuse_questions(package: Path, answers: Mapping[str, Any], renderer: Renderer) -> None:
+    """Insist that nothing is there that Copier would have to ask about, where it cannot ask.
+
+    Raises:
+        SpecError: some files would be replaced; without a terminal Copier ends at the first.
+
+    """
+    if all(entry.suffix == SUFFIX or entry.name == ".git" for entry in package.iterdir()):
+        return
+    made = renderer.fresh(answers)
+    there = read_paths(package, [path for path in made.tree if not made.is_kept(path)])
+    other = [path for path, file in sorted(there.items()) if file.data != made.tree[path].data]
+    if other:
+        names = ", ".join(other[:5]) + (" and more" if other[5:] else "")
+        cure = "move them away, or let --overwrite replace them"
+        raise SpecError(f"{package}: {names} would be replaced, and Copier cannot ask; {cure}")
 
 
 def refuse(package: Path, paths: Iterable[str], moves: dict[str, str]) -> None:

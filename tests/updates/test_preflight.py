@@ -1,6 +1,7 @@
 """What is refused before the first write, without Copier."""
 
 import os
+import shutil
 
 import pytest
 
@@ -169,3 +170,26 @@ def test_large_file_of_the_developer_is_fine(package):
     grown_beyond_the_limit(package)
     commit(package)
     refuse_places(package, ["watch.py"])
+
+
+def test_copy_that_would_have_to_ask(collection, copier_command, tmp_path):
+    """Without a terminal Copier ends at the first file, with half a package written."""
+    package = tmp_path / "arm"
+    package.mkdir()
+    (package / "README.md").write_text("# Mine\n")
+    (package / "notes.txt").write_text("mine\n")
+    copy = ("copy", "--trust", "--defaults", "-d", "model=python_model", collection, "arm")
+    result = copier_command(*copy, cwd=tmp_path)
+    assert result.returncode
+    assert "README.md would be replaced, and Copier cannot ask; move" in result.stderr
+    assert "Traceback" not in result.stderr
+    assert {file.name for file in package.iterdir()} == {"README.md", "notes.txt"}
+    (package / "README.md").rename(package / "mine.md")
+    assert copier_command(*copy, cwd=tmp_path).returncode == 0
+    shutil.rmtree(package / "launch")
+    (package / ".copier-answers.yml").unlink()
+    assert copier_command(*copy, cwd=tmp_path).returncode == 0
+    (package / "README.md").write_text("# Mine\n")
+    (package / ".copier-answers.yml").unlink()
+    assert copier_command(*copy, "--overwrite", cwd=tmp_path).returncode == 0
+    assert "Mine" not in (package / "README.md").read_text()
