@@ -320,7 +320,7 @@ def test_unknown_option(collection, package, copier_command, tmp_path):
         fails(result, f"-d {given.partition('=')[0]}: no such option; ", options)
     assert not (tmp_path / "new").exists()
     result = copier_command("update", *QUIET, "-d", "ros_distr=noetic", cwd=package)
-    options = "allowed: spec_file, ros_distro, ci\n"
+    options = "allowed: spec_file, ros_distro, ci, runtime\n"
     fails(result, f'-d ros_distr: no such option; did you mean "ros_distro"? {options}')
     assert git(package, "status", "--short") == ""
 
