@@ -4,14 +4,16 @@
 
 Every version tag of the collection that has the model becomes one commit there, with the same tag,
 message, author and date: the model's folder is its root, beside hooks, extensions, shared and the
-licence. A link out of the model's folder becomes the file or folder it leads to. The commits are
-the same whoever publishes them, so publishing again adds only what is new.
+licence. A link out of the model's folder becomes the file or folder it leads to. `main` there is
+the highest version. The commits are the same whoever publishes them, so publishing again adds only
+what is new; and where one is refused, nothing is pushed.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -22,27 +24,84 @@ from packaging.version import InvalidVersion, Version
 SHARED = ("hooks", "extensions", "shared")
 
 
+class PublishError(Exception):
+    """Why nothing was published, in a sentence."""
+
+
 def publish(repository: Path, model: str, target: str) -> list[str]:
-    """Push each version of `model` to the repository at `target`; return the tags.
+    """Push each version of `model` to the repository at `target`, or nothing; return the tags.
 
     Raises:
-        subprocess.CalledProcessError: git refused; its message went to standard error.
+        PublishError: a version cannot be made, or the repository does not take it.
 
     """
-    parent = ""
-    refs = []
-    for tag in _version_tags(repository):
-        if _git(repository, "ls-tree", "--name-only", tag, f"{model}/copier.yml"):
-            parent = _commit(repository, model, tag, parent)
-            refs.append(f"{parent}:refs/tags/{tag}")
-    if refs:
-        _git(repository, "push", "--quiet", target, *refs, f"{parent}:refs/heads/main")
-    return [ref.rpartition("/")[2] for ref in refs]
+    if _git(repository, "rev-parse", "--is-shallow-repository") == "true":
+        raise PublishError("the clone is shallow; run git fetch --unshallow --tags")
+    made = _versions(repository, model)
+    if not made:
+        return []
+    there = _published(repository, target)
+    for tag in made.keys() & there.keys():
+        if made[tag] != there[tag]:
+            raise PublishError(f"{tag} is published with other content; give it a new number")
+    latest = list(made.values())[-1]
+    new = [f"{commit}:refs/tags/{tag}" for tag, commit in made.items() if tag not in there]
+    try:
+        _git(repository, "push", "--quiet", "--atomic", target, *new, f"{latest}:refs/heads/main")
+    except subprocess.CalledProcessError as error:
+        if "rejected" not in error.stderr:
+            raise PublishError(_reason(error)) from error
+        raise PublishError("main there has commits that were not published from here") from error
+    return list(made)
+
+
+def _versions(repository: Path, model: str) -> dict[str, str]:
+    """Make the commit of each version that has the model, in the order of the versions.
+
+    It follows the highest version that it is built upon: one that is mended later, as 1.0.1 after
+    1.1.0, changes no other.
+    """
+    tags = [
+        tag
+        for tag in _version_tags(repository)
+        if _git(repository, "ls-tree", "--name-only", tag, f"{model}/copier.yml")
+    ]
+    places = {tag: _git(repository, "rev-parse", f"{tag}^{{commit}}") for tag in tags}
+    made: dict[str, str] = {}
+
+    def make(tag: str) -> str:
+        if tag not in made:
+            merged = _git(repository, "tag", "--merged", tag).split()
+            is_later = tags[tags.index(tag) :]  # may be on the same commit
+            before = [
+                each
+                for each in tags
+                if each in merged and (places[each] != places[tag] or each not in is_later)
+            ]
+            made[tag] = _commit(repository, model, tag, make(before[-1]) if before else "")
+        return made[tag]
+
+    return {tag: make(tag) for tag in tags}
+
+
+def _published(repository: Path, target: str) -> dict[str, str]:
+    """Return the tags at `target`, each with its commit."""
+    try:
+        lines = _git(repository, "ls-remote", "--tags", "--refs", target).splitlines()
+    except subprocess.CalledProcessError as error:
+        raise PublishError(_reason(error)) from error
+    return {ref.removeprefix("refs/tags/"): hash_ for hash_, ref in map(str.split, lines)}
+
+
+def _reason(error: subprocess.CalledProcessError) -> str:
+    """Return what git says of a failure, in a line."""
+    lines = [line for line in error.stderr.splitlines() if line.startswith(("fatal:", "error:"))]
+    return lines[0] if lines else f"git ends with exit code {error.returncode}"
 
 
 def _version_tags(repository: Path) -> list[str]:
     tags = []
-    for tag in _git(repository, "tag", "--merged", "HEAD").split():
+    for tag in _git(repository, "tag").split():
         try:
             tags.append((Version(tag), tag))
         except InvalidVersion:
@@ -56,10 +115,15 @@ def _commit(repository: Path, model: str, tag: str, parent: str) -> str:
         index = {"GIT_INDEX_FILE": f"{folder}/index"}
         _git(repository, "read-tree", f"{tag}:{model}", **index)
         links = _links(repository, tag, model)
+        own = _git(repository, "ls-tree", "--name-only", f"{tag}:{model}").split("\n")
         beside = {name: name for name in SHARED if name not in links.values()}
+        if taken := beside.keys() & set(own):
+            raise PublishError(f"{tag}: {model} has {taken.pop()} already; call it otherwise")
         for path, source in {**links, **beside, "LICENSE": "LICENSE"}.items():
             _git(repository, "update-index", "--force-remove", path, **index)
-            mode, kind, blob = _git(repository, "ls-tree", tag, source).split()[:3]
+            if not (found := _git(repository, "ls-tree", tag, source)):
+                continue  # of an early version
+            mode, kind, blob = found.split()[:3]
             if kind == "tree":
                 _git(repository, "read-tree", f"--prefix={path}/", blob, **index)
             else:
@@ -71,7 +135,9 @@ def _commit(repository: Path, model: str, tag: str, parent: str) -> str:
     people = (f"GIT_{who}_{what}" for who in ("AUTHOR", "COMMITTER") for what in _PERSON)
     parents = ("-p", parent) if parent else ()
     identity = dict(zip(people, values[:6], strict=True))
-    return _git(repository, "commit-tree", tree, *parents, "-m", values[6].strip(), **identity)
+    whence = f"Collection-commit: {_git(repository, 'rev-parse', f'{tag}^{{commit}}')}"
+    message = ("-m", values[6].strip(), "-m", whence)
+    return _git(repository, "commit-tree", tree, *parents, *message, **identity)
 
 
 def _links(repository: Path, tag: str, model: str) -> dict[str, str]:
@@ -93,7 +159,7 @@ def _git(repository: Path, *arguments: str, **environment: str) -> str:
         ["git", *arguments],
         cwd=repository,
         env=os.environ | environment,
-        stdout=subprocess.PIPE,
+        capture_output=True,
         text=True,
         check=True,
     )
@@ -108,8 +174,10 @@ def main() -> int:
     arguments = parser.parse_args()
     try:
         tags = publish(Path(__file__).parents[1], arguments.model, arguments.target)
-    except subprocess.CalledProcessError as error:
-        return int(error.returncode)
+    except PublishError as error:
+        address = re.sub("//[^/@]*@", "//", arguments.target)  # without a token
+        print(f"{arguments.model}: nothing is pushed to {address}: {error}", file=sys.stderr)
+        return 1
     print(f"{arguments.model}: {', '.join(tags) or 'no version tag has this model'}")
     return 0 if tags else 1
 

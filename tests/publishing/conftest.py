@@ -49,12 +49,6 @@ def lagging(own_collection, shell, tmp_path):
     gitignore = own_collection / "shared/gitignore"
     gitignore.write_text(gitignore.read_text().replace("log/", "/log/") + "*.bag\n")
     commit(own_collection, tag="1.1.0")
-    rewrite = f"url.file://{tmp_path}/github/.insteadOf"
-    more = {
-        "OWNER": "org",
-        "TOKEN": "secret",
-        "GIT_CONFIG_KEY_0": rewrite,
-        "GIT_CONFIG_VALUE_0": "https://x-access-token:secret@github.com/",
-    }
+    more = {"BASE": f"{tmp_path}/github/org"}
     shell(script_of(ROOT / ".github/workflows/publish.yml", "publish"), own_collection, **more)
     return tmp_path / "src/arm"
