@@ -10,6 +10,9 @@ import pytest
 from support.repository import ROOT, commit
 from support.workflows import script_of
 
+_IDENTITY = ("GIT_AUTHOR_", "GIT_COMMITTER_")
+"""Variables that go before the identity that a script sets."""
+
 
 @pytest.fixture
 def shell(github, tmp_path):
@@ -18,11 +21,15 @@ def shell(github, tmp_path):
     tools = tmp_path / "tools"
     tools.mkdir()
     (tools / "pip").write_text("#!/bin/sh\n")
-    (tools / "gh").write_text(f'#!/bin/sh\necho "$@" >> {tools}/gh.log\n')
+    (tools / "gh").write_text(
+        f'#!/bin/sh\necho "$@" >> {tools}/gh.log\n[ "$2" != list ] || cat {tools}/requests\n'
+    )
+    (tools / "requests").write_text("0\n")
     for tool in tools.iterdir():
         tool.chmod(0o755)
     path = [tools, Path(sys.executable).parent, os.environ["PATH"]]
     environment = os.environ | environment | {"PATH": os.pathsep.join(map(str, path))}
+    environment = {k: v for k, v in environment.items() if not k.startswith(_IDENTITY)}
 
     def run(script, cwd, **more):
         command = ["bash", "-e", "-o", "pipefail", "-c", script]

@@ -1,5 +1,7 @@
 """The workflows that `ci` adds to a package: their scripts are run, as far as they are ours."""
 
+import re
+
 import pytest
 import yaml
 
@@ -71,9 +73,57 @@ def test_update_opens_a_pull_request(lagging, origin, shell, tmp_path):
     shell(script, lagging)
     assert "*.bag" in git(lagging, "show", "origin/model-update:.gitignore")
     assert git(lagging, "log", "-1", "--format=%s", "origin/model-update") == "Update the model"
-    assert (tmp_path / "tools/gh.log").read_text() == "pr create --fill\n"
+    said = git(lagging, "log", "-1", "--format=%b", "origin/model-update")
+    assert re.search(r"^merged +\.gitignore$", said, re.MULTILINE), said
+    assert asked(tmp_path) == ["pr create --fill --head model-update"]
     shell(script, lagging)
-    assert len((tmp_path / "tools/gh.log").read_text().splitlines()) == 1
+    assert len(asked(tmp_path)) == 1
+
+
+def asked(tmp_path):
+    """Return what GitHub was asked to do."""
+    log = (tmp_path / "tools/gh.log").read_text().splitlines()
+    return [line for line in log if line.startswith("pr ") and " list " not in line]
+
+
+def test_open_request_is_brought_up_to_date(lagging, origin, shell, tmp_path):
+    """Nobody has worked on the branch: it is made anew from the package as it is now."""
+    script = script_of(lagging / FILES["github"], "update")
+    shell(script, lagging)
+    (tmp_path / "tools/requests").write_text("1\n")
+    git(lagging, "switch", "main")
+    git(lagging, "branch", "-D", "model-update")
+    (lagging / "own.txt").write_text("own\n")
+    commit(lagging, "Go on")
+    shell(script, lagging)
+    assert "own" in git(origin, "show", "model-update:own.txt")
+    assert asked(tmp_path)[1].startswith("pr edit model-update --title Update the model --body ")
+
+
+@pytest.mark.parametrize("service", FILES)
+def test_commits_of_a_reviewer_stay(lagging, origin, shell, tmp_path, service):
+    git(origin, "config", "receive.advertisePushOptions", "true")
+    shell(f"copier update --trust --defaults --vcs-ref=:current: -d ci={service}", lagging)
+    if git(lagging, "status", "--porcelain"):
+        commit(lagging)
+    script = script_of(lagging / FILES[service], "update")
+    more = {"CI_SERVER_HOST": "github.com", "CI_PROJECT_PATH": "org/arm", **token_for(origin)}
+    shell(script, lagging, **more)
+    git(lagging, "config", "user.email", "reviewer@example.org")
+    (lagging / "review.txt").write_text("mine\n")
+    commit(lagging, "Mend what the update asks")
+    git(lagging, "push", f"file://{origin}", "model-update")
+    reviewed = git(origin, "rev-parse", "model-update")
+    git(lagging, "switch", "main")
+    git(lagging, "branch", "-D", "model-update")
+    assert "has commits of others" in shell(script, lagging, **more)
+    assert git(origin, "rev-parse", "model-update") == reviewed
+
+
+def test_request_that_fails_is_told(lagging, origin, shell, tmp_path):
+    (tmp_path / "tools/gh").write_text("#!/bin/sh\n[ $2 = list ] && echo 0\n")
+    with pytest.raises(AssertionError):
+        shell(script_of(lagging / FILES["github"], "update"), lagging)
 
 
 def test_update_opens_a_merge_request(lagging, origin, shell):
