@@ -88,15 +88,12 @@ public:
   {
     checked_ = add_on_set_parameters_callback(
       [this](const std::vector<rclcpp::Parameter> & parameters) {return check(parameters);});
-    rcl_interfaces::msg::ParameterDescriptor autostart;
-    autostart.description = "Whether the node configures and activates itself.";
-    autostart.read_only = true;
-    declare_parameter("autostart", true, autostart);
-    rcl_interfaces::msg::ParameterDescriptor stop_timeout;
-    stop_timeout.description = "Time that the logic has to return when the node stops, s";
-    stop_timeout.floating_point_range.resize(1);
-    stop_timeout.floating_point_range[0].to_value = 3600.0;
-    declare("stop_timeout", 2.0, stop_timeout);
+    try {
+      declare_own_parameters();
+    } catch (const std::exception &) {
+      end();  // A LifecycleNode that is destroyed before its end warns of it.
+      throw;
+    }
     // Communication still works in this callback.
     pre_shutdown_ = context_->add_pre_shutdown_callback([this] {end();});
     if (get_parameter("autostart").as_bool()) {
@@ -263,6 +260,19 @@ private:
   using State = lifecycle_msgs::msg::State;
 
   std::uint8_t state() {return get_current_state().id();}
+
+  void declare_own_parameters()
+  {
+    rcl_interfaces::msg::ParameterDescriptor autostart;
+    autostart.description = "Whether the node configures and activates itself.";
+    autostart.read_only = true;
+    declare_parameter("autostart", true, autostart);
+    rcl_interfaces::msg::ParameterDescriptor stop_timeout;
+    stop_timeout.description = "Time that the logic has to return when the node stops, s";
+    stop_timeout.floating_point_range.resize(1);
+    stop_timeout.floating_point_range[0].to_value = 3600.0;
+    declare("stop_timeout", 2.0, stop_timeout);
+  }
 
   Stop::Seconds stop_timeout() const
   {
