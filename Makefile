@@ -1,6 +1,6 @@
 # `make demo` and `make test` are the commands of the README, the others serve development. Each
 # sets up what it needs, once.
-.PHONY: demo picture check test bench lab fuzz accept debian clean
+.PHONY: demo picture check test mutants bench lab fuzz accept debian clean
 
 PYTHON ?= python3
 TOOLS := .venv/tools
@@ -28,6 +28,11 @@ test: $(TOOLS)/ready $(ROS2)/ready debian
 	$(TOOLS)/bin/ruff format --check .
 	$(TOOLS)/bin/mypy
 	$(PYTEST) --numprocesses $$(($$(nproc) * 2)) --durations 20
+
+# All faults of tests/data/mutants, of which `make test` tries some; MUTANTS='new goal' those of that name.
+MUTANTS ?= .
+mutants: $(TOOLS)/ready $(ROS2)/ready debian
+	MUTANTS='$(MUTANTS)' $(PYTEST) --numprocesses 2 tests/ros/test_mutants.py
 
 # The packages that examples/ shows: rendered anew, for the diff to be reviewed.
 accept: $(TOOLS)/ready

@@ -2,153 +2,29 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Tests of observer from outside: its interfaces and its lifecycle."""
+"""Tests of the node observer: what it is in ROS; support/node_tests.py has the tests."""
 
 import os
-import signal
-from time import sleep
 import unittest
 
 import std_msgs.msg
-from support.peer import Peer
-from support.running import eventually, RunningNode
-
-NAME = '/observer'
-if 'RECORDER' not in os.environ:
-    raise unittest.SkipTest('ctest runs this, as CMakeLists.txt says')
-RECORDER = [os.environ['RECORDER'], '--ros-args']
-LOGIC = [os.environ['NODE']]
-LIFE = ['configure', 'activate', 'update', 'deactivate', 'cleanup']
-PERIOD = 1.0 / 12.5  # seconds
+from support.node_tests import NodeTests
 
 
-class TestInterfaces(unittest.TestCase):
-    """The active node, with a logic that records its calls."""
+@unittest.skipIf('RECORDER' not in os.environ, 'ctest runs this, as CMakeLists.txt says')
+class TestObserverNode(NodeTests, unittest.TestCase):
+    """The node in a process of its own, with a logic that obeys the tests, and with its own."""
 
-    @classmethod
-    def setUpClass(cls):
-        """Start the node."""
-        cls.peer = Peer(NAME)
-        cls.addClassCleanup(cls.peer.close)
-        cls.node = RunningNode(RECORDER)
-        cls.addClassCleanup(cls.node.kill)
-        assert cls.node.is_called('activate')
-
-    @classmethod
-    def tearDownClass(cls):
-        """Stop the node, which must still run."""
-        assert cls.node.stop() == 0
-
-    def subscribes(self, topic, *expected):
-        """Check that the node subscribes to a topic, with type and QoS."""
-        self.assertEqual(set(expected) - set(self.peer.subscription(topic)), set(), topic)
-
-    def test_topics(self):
-        """Every topic has its name, type and QoS."""
-        self.subscribes(
-            '/status',
-            'std_msgs/msg/String',
-            'reliable',
-            'volatile',
-        )
-
-    def test_messages_in(self):
-        """Every message reaches the logic, and is new only once."""
-        self.receives(
-            std_msgs.msg.String(),
-            '/status',
-            'in_status',
-            once=True,
-        )
-
-    def receives(self, message, topic, call, once):
-        """Check that a message makes a call; with `once`, that none makes a second one."""
-        sent = self.peer.publish(message, topic, lambda: self.node.is_called(call, timeout=0.1))
-        self.assertTrue(self.node.is_called(call), topic)
-        sleep(3 * PERIOD)
-        if once:
-            self.assertLessEqual(len(self.node.calls(call)), sent, topic)
-
-    def test_parameters(self):
-        """Parameters have their values, are refused where they must be, and reach the logic."""
-        values = {
-            'limit': 100,
-        }
-        for name, value in values.items():
-            self.assertEqual(self.peer.parameter(name), value, name)
-        self.refuses('limit', 0)
-
-    def refuses(self, name, value):
-        """Check that a parameter cannot be set now, or not to that value."""
-        before = self.peer.parameter(name)
-        self.assertFalse(self.peer.set_parameter(name, value), name)
-        self.assertEqual(self.peer.parameter(name), before)
-
-
-class TestLifeCycle(unittest.TestCase):
-    """Nodes that are started, managed and stopped."""
-
-    def start(self, command):
-        """Start a node for this test, and a peer."""
-        peer = Peer(NAME)
-        self.addCleanup(peer.close)
-        node = RunningNode(command)
-        self.addCleanup(node.kill)
-        return node, peer
-
-    def test_every_edge(self):
-        """The node activates itself, obeys every transition, and is heard to its end at SIGINT."""
-        node, peer = self.start(RECORDER)
-        calls = LIFE[:3]
-        self.assertTrue(node.is_called(calls[-1]))
-        self.assertTrue(eventually(lambda: peer.state() == 'active'))
-        sleep(1.0 + 2.5 * PERIOD)
-        for transition, state, *called in (
-            ('deactivate', 'inactive', 'deactivate'),
-            ('activate', 'active', 'activate', 'update'),
-            ('deactivate', 'inactive', 'deactivate'),
-            ('cleanup', 'unconfigured', 'cleanup'),
-            ('configure', 'inactive', 'configure'),
-            ('cleanup', 'unconfigured', 'cleanup'),
-            ('configure', 'inactive', 'configure'),
-            ('activate', 'active', 'activate', 'update'),
-        ):
-            self.assertTrue(peer.change(transition), transition)
-            self.assertEqual(peer.state(), state)
-            calls += called
-            self.assertTrue(node.is_called(calls[-1], calls.count(calls[-1])))
-            self.assertEqual(node.calls(*LIFE), calls)
-        rate = float(node.words('rate')[0])
-        self.assertGreater(rate, 0.2 / PERIOD)
-        self.assertLess(rate, 1.5 / PERIOD)
-        self.assertEqual(node.stop(signal.SIGINT), 0)
-        self.assertEqual(node.calls(*LIFE), [*calls, 'deactivate', 'cleanup'])
-
-    def test_managed(self):
-        """Without autostart the node waits to be managed, and shuts down from any state."""
-        node, peer = self.start([*RECORDER, '-p', 'autostart:=false'])
-        self.assertTrue(eventually(lambda: peer.state() == 'unconfigured'))
-        sleep(1.0)
-        self.assertEqual(node.calls(), [])
-        given = {
-            'limit': 0,
-        }
-        for name, value in given.items():
-            self.assertTrue(peer.set_parameter(name, value), name)
-        for transition in ('configure', 'activate', 'shutdown'):
-            self.assertTrue(peer.change(transition))
-        self.assertTrue(node.is_called('cleanup'))
-        calls = ['configure', 'activate', 'deactivate', 'cleanup']
-        self.assertEqual(node.calls(*calls), calls)
-        self.assertEqual(peer.state(), 'finalized')
-        for name in given:
-            self.assertTrue(node.is_called('config.' + name), name)
-
-    def test_logic(self):
-        """The node runs with its own logic, and ends with exit code 0 at SIGTERM."""
-        node, peer = self.start(LOGIC)
-        self.assertTrue(eventually(lambda: peer.state() == 'active'))
-        self.assertEqual(node.stop(signal.SIGTERM), 0)
+    name = 'observer'
+    recorder = [os.environ.get('RECORDER')]
+    logic = [os.environ.get('NODE')]
+    frequency = 12.5  # Hz
+    interfaces = {
+        'in_status': ('/status', std_msgs.msg.String, 'subscription', 'reliable', 'volatile', 10),
+    }
+    parameters = {  # default, another value
+        'limit': (100, 0),
+    }
 
 
 if __name__ == '__main__':

@@ -3,33 +3,34 @@
 
 """A node that talks to the node under test."""
 
-from functools import partial
+from array import array
+from contextlib import suppress
+from math import modf
 import os
 import socket
 from threading import Thread
-from time import monotonic, sleep
 
 from action_msgs.msg import GoalStatus
+from builtin_interfaces.msg import Time
 from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState, GetState
 from rcl_interfaces.srv import GetParameters, SetParameters
 import rclpy
-from rclpy.action import ActionClient, get_action_server_names_and_types_by_node
-from rclpy.action import get_action_client_names_and_types_by_node
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
+from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.serialization import deserialize_message, serialize_message
+from rclpy.task import Future
+from rosgraph_msgs.msg import Clock
 from support.running import eventually, TIMEOUT
 
 
 def free_domain():
     """Return a ROS domain that is unused on this machine: its first DDS port is free."""
     for domain in (1 + (os.getpid() + number) % 100 for number in range(100)):
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as port:
-            try:
-                port.bind(('', 7410 + 250 * domain))
-                return domain
-            except OSError:
-                continue
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as port, suppress(OSError):
+            port.bind(('', 7410 + 250 * domain))
+            return domain
     raise RuntimeError('No ROS domain is free.')
 
 
@@ -38,151 +39,227 @@ os.environ['ROS_DOMAIN_ID'] = str(free_domain())
 
 
 class Peer:
-    """Publishers, subscriptions and clients for the node of a given full name."""
+    """Publishers, subscriptions, clients and servers."""
 
-    def __init__(self, node):
+    def __init__(self):
         """Join the graph."""
-        self.name = node
         self._context = rclpy.Context()
         rclpy.init(context=self._context)
-        self._node = rclpy.create_node('peer_of_' + node[1:], context=self._context)
+        self._node = rclpy.create_node('peer', context=self._context)
         self._executor = SingleThreadedExecutor(context=self._context)
         self._executor.add_node(self._node)
         self._clients = {}
-        self._thread = Thread(target=self._spin, daemon=True)
+        self._clock = self._node.create_publisher(Clock, '/clock', 10)
+        self._thread = Thread(target=self._executor.spin)
         self._thread.start()
-
-    def _spin(self):
-        try:
-            self._executor.spin()
-        except ExternalShutdownException:
-            pass
 
     def close(self):
         """Leave the graph."""
-        rclpy.shutdown(context=self._context)
-        self._thread.join()
         self._executor.shutdown()
+        self._thread.join()
         self._node.destroy_node()
+        rclpy.shutdown(context=self._context)
 
-    def publisher(self, topic):
-        """Return type, reliability and durability of the node's publisher to a topic."""
-        return self._endpoint(self._node.get_publishers_info_by_topic, topic)
-
-    def subscription(self, topic):
-        """Return type, reliability and durability of the node's subscription to a topic."""
-        return self._endpoint(self._node.get_subscriptions_info_by_topic, topic)
-
-    def _endpoint(self, find, topic):
-        def own():
-            return [info for info in find(topic) if '/' + info.node_name == self.name]
-
-        if not eventually(own):
-            return ()
-        info = own()[0]
-        qos = info.qos_profile
-        return info.topic_type, qos.reliability.name.lower(), qos.durability.name.lower()
-
-    def has(self, kind, name, type_):
-        """Return whether the node has a service or action, as a server or client."""
-        find = {
-            'service server': self._node.get_service_names_and_types_by_node,
-            'action server': partial(get_action_server_names_and_types_by_node, self._node),
-            'action client': partial(get_action_client_names_and_types_by_node, self._node),
-        }[kind]
-        return eventually(lambda: self.name[1:] in self._node.get_node_names()) and eventually(
-            lambda: (name, [type_]) in find(self.name[1:], '/')
-        )
-
-    def call(self, service_type, name, **fields):
-        """Return the response of a service, or None."""
-        if name not in self._clients:
-            client = self._node.create_client(service_type, name)
-            if not client.wait_for_service(TIMEOUT):
-                return None
-            self._be_discovered()
-            self._clients[name] = client
-        future = self._clients[name].call_async(service_type.Request(**fields))
+    def call(self, node, service_type, name, request):
+        """Return the response of a service of a node."""
+        future = self.send(node, service_type, name, request)
         return future.result() if eventually(future.done) else None
 
-    def _be_discovered(self):
-        """
-        Wait until the node has discovered all clients: until it responds to a newer one.
+    def send(self, node, service_type, name, request):
+        """Send a request to a node that is known to be discovered; return the future response."""
+        if name not in self._clients:
+            client = self._node.create_client(service_type, name)
+            assert client.wait_for_service(TIMEOUT), f'{name} is not served'
+            self._be_known(node)
+            self._clients[name] = client
+        return self._clients[name].call_async(request)
 
-        Fast DDS discovers clients in their order, and drops responses to those it does not know.
-        """
-        client = self._node.create_client(GetParameters, self.name + '/get_parameters')
+    def _be_known(self, node):
+        # Fast DDS discovers clients in their order, and drops responses to those it does not know.
+        newest = self._node.create_client(GetState, node.name + '/get_state')
+        assert eventually(lambda: eventually(newest.call_async(GetState.Request()).done, 0.5))
 
-        def is_known():
-            response = client.call_async(GetParameters.Request())
-            return eventually(response.done, timeout=0.5)
+    def state(self, node):
+        """Return the name of a node's lifecycle state."""
+        response = self.call(node, GetState, node.name + '/get_state', GetState.Request())
+        return response.current_state.label
 
-        eventually(is_known)
-        self._node.destroy_client(client)
-
-    def serve(self, service_type, name):
-        """Serve with empty responses."""
-        self._node.create_service(service_type, name, lambda request, response: response)
-
-    def execute(self, action_type, name):
-        """Send a goal and return whether it succeeds."""
-        # In the executor, as rclpy 9.1.2 adds the client to the node before it is complete.
-        created = self._executor.create_task(ActionClient, self._node, action_type, name)
-        if not eventually(created.done) or not created.result().wait_for_server(TIMEOUT):
-            return False
-        self._be_discovered()
-        sent = created.result().send_goal_async(action_type.Goal())
-        if not eventually(sent.done) or not sent.result().accepted:
-            return False
-        end = sent.result().get_result_async()
-        return eventually(end.done) and end.result().status == GoalStatus.STATUS_SUCCEEDED
-
-    def state(self):
-        """Return the name of the lifecycle state."""
-        response = self.call(GetState, self.name + '/get_state')
-        return response and response.current_state.label
-
-    def change(self, transition):
+    def change(self, node, transition):
         """Request a lifecycle transition by its name; return whether it succeeded."""
-        response = self.call(
-            ChangeState,
-            self.name + '/change_state',
-            transition=Transition(label=transition),
-        )
-        return response and response.success
+        request = ChangeState.Request(transition=Transition(label=transition))
+        return self.call(node, ChangeState, node.name + '/change_state', request).success
 
-    def parameter(self, name):
-        """Return the value of a parameter."""
-        response = self.call(GetParameters, self.name + '/get_parameters', names=[name])
-        return rclpy.parameter.parameter_value_to_python(response.values[0])
-
-    def set_parameter(self, name, value):
+    def set_parameter(self, node, name, value):
         """Set a parameter; return whether it was accepted."""
-        message = rclpy.parameter.Parameter(name, value=value).to_parameter_msg()
-        response = self.call(
-            SetParameters,
-            self.name + '/set_parameters',
-            parameters=[message],
-        )
+        parameter = rclpy.parameter.Parameter(name, value=value).to_parameter_msg()
+        request = SetParameters.Request(parameters=[parameter])
+        response = self.call(node, SetParameters, node.name + '/set_parameters', request)
         return response.results[0].successful
 
-    def subscribe(self, message_type, topic):
+    def set_time(self, seconds):
+        """Publish simulated time."""
+        fraction, whole = modf(seconds)
+        time = Time(sec=int(whole), nanosec=int(fraction * 1e9))
+        self._clock.publish(Clock(clock=time))
+
+    def parameter(self, node, name):
+        """Return the value of a parameter that is an integer."""
+        request = GetParameters.Request(names=[name])
+        response = self.call(node, GetParameters, node.name + '/get_parameters', request)
+        return response.values[0].integer_value
+
+    def has(self, node, kind, topic, type_, *policies):
+        """Return whether a node has a publisher or subscription of a type and QoS."""
+        wanted = f'{type_.__module__.split(".")[0]}/msg/{type_.__name__}', *policies
+        for info in getattr(self._node, f'get_{kind}s_info_by_topic')(topic):
+            qos = info.qos_profile.reliability, info.qos_profile.durability
+            found = info.topic_type, *(policy.name.lower() for policy in qos)
+            if f'{info.node_namespace}/{info.node_name}' == node.name:
+                return all(each in (None, other) for each, other in zip(wanted, found))
+        return False
+
+    @staticmethod
+    def _qos(reliability, durability):
+        return QoSProfile(
+            depth=1000,
+            reliability=ReliabilityPolicy[reliability.upper()],
+            durability=DurabilityPolicy[durability.upper()],
+        )
+
+    def subscribe(self, message_type, topic, reliability, durability):
         """Return a list that grows by the messages to a topic."""
         messages = []
-        qos = QoSProfile(depth=10, reliability=ReliabilityPolicy.BEST_EFFORT)
+        qos = self._qos(reliability or 'best_effort', durability or 'volatile')
         self._node.create_subscription(message_type, topic, messages.append, qos)
         return messages
 
-    def publish(self, message, topic, is_received):
-        """Publish a message until it is received; return how many times."""
-        qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        publisher = self._node.create_publisher(type(message), topic, qos)
-        eventually(publisher.get_subscription_count)
-        count = 0
-        end = monotonic() + TIMEOUT
-        while not is_received() and monotonic() < end:
-            publisher.publish(message)
-            count += 1
-            sleep(0.1)
-        self._node.destroy_publisher(publisher)
-        return count
+    def publisher(self, message_type, topic, reliability, durability):
+        """Return a publisher that has a subscription."""
+        qos = self._qos(reliability or 'reliable', durability or 'transient_local')
+        publisher = self._node.create_publisher(message_type, topic, qos)
+        assert eventually(publisher.get_subscription_count), f'{topic} has no subscription'
+        return publisher
+
+    def serve(self, service_type, name, response):
+        """Serve with a response; return a list that grows by the requests."""
+        requests = []
+
+        def serve(request, _):
+            requests.append(request)
+            return response
+
+        self._node.create_service(service_type, name, serve)
+        return requests
+
+    def goal(self, node, action_type, name, goal):
+        """Send a goal; return it, with its feedback, or None if it is rejected."""
+        if name not in self._clients:
+            # In the executor, as rclpy 9.1.2 adds the client to the node before it is complete.
+            created = self._executor.create_task(ActionClient, self._node, action_type, name)
+            assert eventually(created.done) and created.result().wait_for_server(TIMEOUT), name
+            self._be_known(node)
+            self._clients[name] = created.result()
+        feedback = []
+        sent = self._clients[name].send_goal_async(goal, lambda it: feedback.append(it.feedback))
+        assert eventually(sent.done), f'{name} does not answer a goal'
+        return SentGoal(sent.result(), feedback) if sent.result().accepted else None
+
+    def execute(self, action_type, name, feedback, result):
+        """Serve an action: send feedback and the result when told to, the result if canceled."""
+        return GoalServer(self._node, self._executor, action_type, name, feedback, result)
+
+
+def encode(message):
+    """Return a message, serialized, in hexadecimal."""
+    return serialize_message(message).hex()
+
+
+def decode(text, message_type):
+    """Return a message from hexadecimal."""
+    return deserialize_message(bytes.fromhex(text), message_type)
+
+
+def sample(message_type, number=3):
+    """Return a message with a number in its numbers, strings and arrays of numbers."""
+    message = message_type()
+    for name in message.get_fields_and_field_types():
+        value = getattr(message, name)
+        if hasattr(value, 'get_fields_and_field_types'):
+            value = sample(type(value), number)
+        elif isinstance(value, array):
+            value = array(value.typecode, [number])
+        elif isinstance(value, (bool, int, float)):
+            value = type(value)(number)
+        elif isinstance(value, str):
+            value = f's{number}'
+        setattr(message, name, value)
+    return message
+
+
+class SentGoal:
+    """A goal that a node executes."""
+
+    def __init__(self, handle, feedback):
+        """Wait for the result of an accepted goal."""
+        self.feedback = feedback
+        self.cancel = handle.cancel_goal_async
+        self._result = handle.get_result_async()
+
+    def end(self):
+        """Return the outcome and the result, when they are there."""
+        assert eventually(self._result.done), 'the goal has no result'
+        end = self._result.result()
+        words = {
+            GoalStatus.STATUS_SUCCEEDED: 'succeeded',
+            GoalStatus.STATUS_ABORTED: 'aborted',
+            GoalStatus.STATUS_CANCELED: 'canceled',
+        }
+        return words[end.status], end.result
+
+
+class GoalServer:
+    """An action server: `goals` are those it got, `cancels` the number of cancels."""
+
+    def __init__(self, node, executor, action_type, name, feedback, result):
+        """Serve an action."""
+        self.goals = []
+        self.cancels = 0
+        self._executor = executor
+        self._feedback = feedback
+        self._result = result
+        self._handle = None
+        self._end = Future()
+        self._server = ActionServer(
+            node,
+            action_type,
+            name,
+            self._execute,
+            goal_callback=self._accept,
+            cancel_callback=self._cancel,
+        )
+
+    def feed_back(self):
+        """Send feedback, which a client that is not yet discovered does not get."""
+        if self._handle:
+            self._handle.publish_feedback(self._feedback)
+
+    def finish(self):
+        """Let the goal succeed."""
+        self._executor.create_task(self._end.set_result, None)
+
+    def _accept(self, goal):
+        self.goals.append(goal)
+        self._end = Future(executor=self._executor)
+        self._end.add_done_callback(lambda _: self._executor.wake())  # rclpy 9.1.2 does not
+        return GoalResponse.ACCEPT
+
+    def _cancel(self, _):
+        self.cancels += 1
+        self._end.set_result(None)
+        return CancelResponse.ACCEPT
+
+    async def _execute(self, handle):
+        self._handle = handle
+        await self._end
+        handle.canceled() if handle.is_cancel_requested else handle.succeed()
+        return self._result

@@ -1,0 +1,32 @@
+"""How a node may differ from the one that the tests of its package are for, by the dictionary."""
+
+UNTESTED = {
+    "broadcaster name": "the logic alone knows it",
+    "client_library": "tests/ros/test_driver.py",
+    "description": "for people",
+    "diagnostics": "tests/contract",
+    "executable": "of the build files",
+    "history": "a middleware does not tell it",
+    "instance": "of the launch file",
+    "instance name": "of the launch file",
+    "listener name": "the logic alone knows it",
+}
+"""Interface kinds and attributes without a test in a package, and why."""
+UNTESTED_IN_ROS1 = UNTESTED | dict.fromkeys(
+    ("depth", "durability", "goal", "qos", "reliability"),
+    "ROS 1 has the tests of before",
+)
+
+
+def differences(model, untested):
+    """Yield each kind and attribute of a node, and the elements of two specs that differ in it."""
+    node = next(owner for owner in model.owners if owner.path == ("node",))
+    for owner in model.owners:
+        if owner.component != "node":
+            continue
+        if owner.kind and owner.kind not in untested:
+            yield owner.kind, [(owner, model.base(owner))], [(node, model.base(node))]
+        for name, base, values in model.variants(owner):
+            full = f"{owner.kind} {name}".strip()
+            if name not in untested and full not in untested:
+                yield full, [(owner, base)], [(owner, values)]
