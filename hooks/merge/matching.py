@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import count, takewhile
 
 from .blocks import Block, is_condition
@@ -21,7 +21,52 @@ def align(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Blo
     """Return three versions in which a key is that of one thing, at one place."""
     match(new, old)
     match(mine, old, new)
+    mine = _retitled(_unsplit(mine, old, new), old, new)
     return list(mine), wrap(old, mine, old, new), wrap(new, mine, old, new)
+
+
+_HEADING = re.compile(r"#+ ")
+
+
+def _unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
+    """Return sections in which a heading of the developer's does not part what is generated."""
+    base = {block.key: {*block.lines} - {"\n"} for block in old}
+    taken = {*base, *(block.key for block in new)}
+    whole: list[Block] = []
+    own: list[Block] = []
+    for block in mine:
+        if block.key in taken or not whole or not _HEADING.match(block.key):
+            whole, own = [*whole, *own, block], []
+            continue
+        own.append(block)
+        if base.get(whole[-1].key, set()) & {*block.lines}:
+            whole[-1].lines += [line for part in own for line in part.lines]
+            own = []
+    return [*whole, *own]
+
+
+def _retitled(mine: Blocks, old: Blocks, new: Blocks) -> Blocks:
+    """Match sections whose headings the developer has changed, and maybe the new version, too."""
+    sides = ({b.key: b for b in side if _HEADING.match(b.key)} for side in (mine, old, new))
+    ours, base, theirs = sides
+    for key, block in ours.items():
+        if key not in base and key not in theirs:
+            left = base.keys() - {one.key for one in mine}
+            was = _most_like(block, (o for k, o in base.items() if k in left))
+            came = _most_like(was, (n for k, n in theirs.items() if k not in base))
+            if was and came and was.key not in theirs:
+                came.key = was.key
+            if was and (came or was.key in theirs):
+                block.key = was.key
+    return mine
+
+
+def _most_like(block: Block | None, others: Iterable[Block]) -> Block | None:
+    """Return that of some blocks which has most of what a block holds."""
+    if block is None:
+        return None
+    alike = {_likeness(block, other): other for other in others}
+    return alike[max(alike)] if alike and max(alike) > ALIKE else None
 
 
 def match(blocks: Blocks, *versions: Blocks) -> None:
@@ -53,16 +98,22 @@ def _match(blocks: Blocks, free: dict[str, Block], known: Mapping[str, Blocks]) 
 
 
 def _match_changed(block: Block, free: dict[str, Block], known: Mapping[str, Blocks]) -> None:
-    """Match a condition that reads otherwise now, but most of what it holds is what it held."""
+    """Match a condition that reads otherwise now, but most of what it holds is what it held.
+
+    An import may be relative now.
+    """
+    if block.key.startswith("from ."):
+        ways = [key for key in free if key.endswith(f".{block.key[5:].lstrip('.')}")]
+        if len(ways) == 1:
+            _take_key(block, free[ways[0]], free)
     if is_condition(block) and _name(block.key) not in map(_name, known):
         inside = set(_names_in(block))
-        others = {
-            key: o for key, o in free.items() if is_condition(o) and _name(key) not in inside
-        }
-        alike = [(_likeness(block, other), key) for key, other in others.items()]
-        likeness, key = max(alike, default=(0, ""))
-        if likeness > 0.6:
-            _take_key(block, free[key], free)
+        alike = _most_like(
+            block,
+            (o for k, o in free.items() if is_condition(o) and _name(k) not in inside),
+        )
+        if alike:
+            _take_key(block, alike, free)
 
 
 def _names_in(block: Block) -> Iterator[str]:
@@ -77,8 +128,12 @@ def _likeness(one: Block, other: Block) -> float:
     return (ours & theirs).total() / max(ours.total(), 1)
 
 
+ALIKE = 0.6
+
+
 def _lines_in(block: Block) -> Counter[str]:
-    lines = "".join(child.text for child in block.children).split("\n")
+    inside = "".join(child.text for child in block.children) or "".join(block.lines[1:])
+    lines = inside.split("\n")
     return Counter(line.strip() for line in lines if line.strip())
 
 
@@ -131,7 +186,8 @@ def wrap(blocks: Blocks, mine: Blocks, *versions: Blocks) -> list[Block]:
             children = (version.children for version in known[block.key])
             inner = wrap(block.children, same.children, *children)
             block = Block(block.key, block.lines, inner, block.tail)
-            block = _set_like(same, block) if around else block
+            if around or _RELATIVE.match(same.text):
+                block = _set_like(same, block)
         level.append(block)
     return wrapped
 
@@ -156,9 +212,18 @@ def _inside(level: list[Block], key: str) -> list[Block]:
     return found.children
 
 
+_RELATIVE = re.compile(r"\s*from \.\S* import")
+
+
 def _set_like(same: Block, block: Block) -> Block:
-    """Return a block with the margin of another one, and as many empty lines above."""
+    """Return a block with the margin of another one, and as many empty lines above.
+
+    It is a relative import where that one is.
+    """
     shifted = _shifted(block, _margin(same) - _margin(block))
+    if relative := _RELATIVE.match(same.text):
+        head = relative[0].lstrip()
+        shifted.lines = [re.sub(r"\bfrom \S+ import", head, line) for line in shifted.lines]
     gaps, found = ([*takewhile(str.isspace, b.lines)] for b in (same, shifted))
     shifted.lines[: len(found)] = gaps
     return shifted

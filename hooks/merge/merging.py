@@ -7,6 +7,7 @@ version has it, and a block of the developer's own stays after the block it foll
 from __future__ import annotations
 
 import re
+import textwrap
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -186,9 +187,8 @@ class _Merger:
         In Python one that is empty cannot stay.
         """
         merged = self.block(mine, old, Block(mine.key, []))
-        held = {block.key for block in old.children}
-        own = [block.key for block in mine.children if block.key not in held]
-        if self.language is PYTHON and all(key.startswith("comment ") for key in own):
+        found = textwrap.dedent(lines.text(merged))
+        if self.language is PYTHON and not readable(PYTHON, [*lines.split(found)]):
             self.removed.append(block_name(mine.key))
             return []
         return merged
