@@ -4,7 +4,8 @@
     preflight    refuses what git could not bring back, before the first write
     transaction  takes a snapshot, puts the result in place, or restores the snapshot
     render       renders the old and the new version
-    renaming     which identifiers, paths and keys a rename exchanges; tokens, the words of code
+    renaming     which identifiers, paths and keys a rename exchanges; tokens, the words of code;
+                 origins, where these come from
     moves        the files that a new version of the model renames
     package      three versions of a package merged file by file
     merging      three versions of a file merged by block, lines inside of a block

@@ -114,8 +114,8 @@ class Laboratory:
         commit(folder, "Render")
         return folder
 
-    def pair(self, spec, new_spec, model, distros, version, old_version="1.0.0"):
-        """Render both sides of an update."""
+    def pair(self, spec, new_spec, model, distros, version, old_version="1.0.0", own=()):
+        """Render both sides of an update; `own` are paths of the developer's own files."""
         known = self.models[model]
         xmls = [specs.xml(one) for one in (spec, new_spec)]
         contexts = [
@@ -133,7 +133,7 @@ class Laboratory:
         renaming = Renaming()
         if any(mark.before != mark.after for mark in marks):
             marked_render = _tree(renderers[0].render(context, distros[0]))
-            renaming = plan(_tree(old), marked_render, marks, old)
+            renaming = plan(_tree(old), marked_render, marks, [*old, *own])
         source = self.versions[version]
         dictionary = load(source / model / "dictionary.yaml", source)
         layout = moved_files(contexts[1], dictionary) if version != old_version else {}
