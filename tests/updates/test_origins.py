@@ -95,9 +95,8 @@ CPP_OURS = {
     '#include "lab/reach_impl.hpp"\nusing lab::ReachImpl;\nReachImpl i;\ni.receive_say(m);\n': (
         '#include "lab/grasp_impl.hpp"\nusing lab::GraspImpl;\nGraspImpl i;\ni.receive_speak(m);\n'
     ),
-    "#include <lab/reach_impl.hpp>\nauto i = make_shared<lab::ReachImpl>();\ni->receive_say(m);\n": (
-        "#include <lab/grasp_impl.hpp>\nauto i = make_shared<lab::GraspImpl>();\n"
-        "i->receive_speak(m);\n"
+    "#include <lab/reach_impl.hpp>\nauto i = make<lab::ReachImpl>();\ni->receive_say(m);\n": (
+        "#include <lab/grasp_impl.hpp>\nauto i = make<lab::GraspImpl>();\ni->receive_speak(m);\n"
     ),
     "void f() {data_.in_goal = this->config_.gain + config->gain;}\n": (
         "void f() {data_.in_target = this->config_.factor + config->factor;}\n"
