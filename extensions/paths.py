@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from typing import Any
 
+from jinja2 import Environment
 from jinja2.ext import Extension
 
 _ITEM = re.compile(r"\[(\w+)\.(\w+)\]")
@@ -14,9 +17,14 @@ _PART = re.compile(r"\[spec\.(\w+)\]")
 class PathsExtension(Extension):
     """Turn `[node.name]_impl.py` into Copier's own way to make a file of each of `spec.nodes`.
 
+    `[topic.name]` does so for what stands inside of components, too: the file sees it as `topic`.
     A folder `[spec.arm]` is the package itself, for the part of the spec that the model's function
     `parts` gives for `arm`: what is in the folder sees it as `part`, and has its components.
     """
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        environment.filters["all_of"] = all_of
 
     def preprocess(self, source: str, name: str | None, filename: str | None = None) -> str:
         """Rewrite the name of a file or folder; a text that comes from a file has a name."""
@@ -28,6 +36,20 @@ class PathsExtension(Extension):
             return f"{{% yield part from {parts} %}}.{{% endyield %}}"
         # Inside of a folder of a component, the names are those of this component alone.
         spec = "(part if part is defined else spec)"
-        components = f"[{item[1]}] if {item[1]} is defined else {spec}.{item[1]}s"
+        components = f"[{item[1]}] if {item[1]} is defined else {spec} | all_of('{item[1]}')"
         shown = _ITEM.sub(r"{{ \1.\2 }}", source)
         return f"{{% yield {item[1]} from {components} %}}{shown}{{% endyield %}}"
+
+
+def all_of(spec: Mapping[str, Any], tag: str) -> list[Any]:
+    """Return the components of a tag, or what they have of a kind, each with its component."""
+    key = f"{tag}s"
+    if key in spec:
+        return list(spec[key])
+    components = [item for items in spec.values() if isinstance(items, list) for item in items]
+    return [
+        {**item, component["tag"]: component}
+        for component in components
+        if isinstance(component, Mapping)
+        for item in component.get(key, [])
+    ]

@@ -46,6 +46,7 @@ class SpecExtension(Extension):
             self.has_spec,
             self.has_file,
             self.package_name,
+            self.chosen_package,
             self.template_notes,
             self.begin_update,
             self.finish_update,
@@ -57,7 +58,7 @@ class SpecExtension(Extension):
             "default_ros_distro": lambda: self.hooks.ros.default_distro(os.environ),
         }
         self._register(self.hooks.model.public_functions(self.hooks.names))
-        for name in ("python", "qos", "text"):
+        for name in ("python", "cpp", "qos", "text"):
             self._register(self.hooks.model.load_functions(self.root / f"extensions/{name}.py"))
 
     def ros_distros(self, context: Context) -> list[str]:
@@ -131,6 +132,13 @@ class SpecExtension(Extension):
     def package_name(self, context: Context, spec: dict[str, Any]) -> str:
         """Return the name of the package, by whatever attribute the model's specs give it."""
         return str(self._model(context).name(spec))
+
+    def chosen_package(
+        self, context: Context, question: str, answer: str, own: str, spec: dict[str, Any]
+    ) -> str:
+        """Return the package that an answer names; the answer `own` is the package itself."""
+        name = self.package_name(context, spec)
+        return str(self.hooks.questions.chosen_package(question, answer, own, name))
 
     def template_notes(self, context: Context) -> list[str]:
         """Say that an update will not find a template whose path is relative."""

@@ -89,6 +89,9 @@ def _mark(pair: _Pair, marks: list[Mark], owner: int | None) -> int:
     item: Any = pair.before
     mark = f"zq{len(marks) - 1}x"
     item[pair.naming] = prefix + mark
+    for attribute in pair.attributes.values():
+        if attribute.same_as == pair.naming and item.get(attribute.name) == name:
+            item[attribute.name] = prefix + mark
     if "class_name" in item:
         item["class_name"] = class_name(mark)
     return len(marks) - 1
@@ -215,8 +218,15 @@ def _partners(old: Values, new: Values, kind: Component | Interface) -> Iterator
 
 def _attributes(pair: _Pair, before: Values, after: Values) -> Iterator[str]:
     """Compare the values of two items, but for their names."""
-    for name in pair.attributes:
-        if name != pair.naming and name in before and before[name] != after.get(name):
+    for name, attribute in pair.attributes.items():
+        source = attribute.same_as or name
+        is_told = name != source and (before.get(source), after.get(source)) == (
+            before.get(name),
+            after.get(name),
+        )
+        if name == pair.naming or name not in before or is_told:
+            continue
+        if before[name] != after.get(name):
             yield f"~ {pair.label}: {name} {_shown(before[name])} -> {_shown(after.get(name))}"
 
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import operator
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from .collisions import Checked, Filters, collisions
 from .dictionary import (
     DEPEND,
+    DEPEND_KIND,
     NAME_BEFORE,
     PACKAGE,
     WAS,
@@ -22,10 +23,11 @@ from .dictionary import (
 )
 from .endpoints import clashes
 from .faults import SpecError, allowed, first_of, quoted, shown
-from .formats import FORMATS, TYPES, comparable, dependency, split_type
+from .formats import FORMATS, FORMATS_OF_ROS, TYPES, comparable, dependency, split_type
 from .literals import literal
 from .names import class_name
 from .parse import Element
+from .ros import DEPENDENCY_KINDS
 
 Values = dict[str, Any]
 
@@ -36,7 +38,8 @@ class CheckedSpec:
 
     file: str
     package: Values = field(default_factory=dict)
-    depends: list[str] = field(default_factory=list)
+    depends: list[tuple[str, str]] = field(default_factory=list)
+    """Each package, after the kind of dependency that it is; nothing for one of the usual kind."""
     declared: set[str] = field(default_factory=set)
     """The types that the spec itself declares: `msg/PointArray`."""
     types: list[tuple[Element, str, tuple[str, str, str]]] = field(default_factory=list)
@@ -49,8 +52,9 @@ class CheckedSpec:
 
     @property
     def components(self) -> list[Checked]:
-        """The components, in the order of the file."""
-        return [element for element in self.elements if len(element.owners) == 1]
+        """The components that make something, in the order of the file."""
+        alone = [element for element in self.elements if len(element.owners) == 1]
+        return [element for element in alone if "class_name" in element.values]
 
     @property
     def interfaces(self) -> list[Checked]:
@@ -58,18 +62,22 @@ class CheckedSpec:
         return [element for element in self.elements if len(element.owners) > 1]
 
 
-def check(root: Element, dictionary: Dictionary, filters: Filters, file: str) -> CheckedSpec:
+def check(
+    root: Element, dictionary: Dictionary, filters: Filters, file: str, ros: int | None = None
+) -> CheckedSpec:
     """Check the whole spec; `file` is its name in messages, `filters` are those of templates.
+
+    Without a generation of ROS, names that only one of them refuses pass.
 
     Raises:
         SpecError: one line for every fault found, in the order of the file.
 
     """
-    checker = _Checker(dictionary, file)
+    checker = _Checker(dictionary, file, ros)
     checker.check_package(root)
     if not checker.faults:
         checker.check_own_types()
-        for element, fault in collisions(checker.spec.elements, dictionary.scopes, filters):
+        for element, fault in collisions(checker.spec.elements, dictionary.scopes, filters, ros):
             checker.fault(element, fault)
         for element, fault in clashes(checker.spec.interfaces, dictionary):
             checker.fault(element, fault)
@@ -80,8 +88,9 @@ def check(root: Element, dictionary: Dictionary, filters: Filters, file: str) ->
 
 
 class _Checker:
-    def __init__(self, dictionary: Dictionary, file: str) -> None:
+    def __init__(self, dictionary: Dictionary, file: str, ros: int | None) -> None:
         self.dictionary = dictionary
+        self.formats = {**FORMATS, **FORMATS_OF_ROS.get(ros or 0, {})}
         self.spec = CheckedSpec(file)
         self.faults: list[tuple[int, str]] = []
         self.owners: dict[tuple[Any, ...], Element] = {}
@@ -106,16 +115,19 @@ class _Checker:
                 values[components[tag].key].append(component)
             else:
                 self.unknown_tag(child, [*components, DEPEND])
-        if not any(values[component.key] for component in components.values()):
-            tags = " or ".join(f"<{name}>" for name in components)
+        needed = [component for component in components.values() if not component.is_plain]
+        if needed and not any(values[component.key] for component in needed):
+            tags = " or ".join(f"<{component.tag}>" for component in needed)
             self.fault(element, f"has no {tags}; it needs one at least")
         self.spec.package = values
 
     def component(self, element: Element, component: Component, package: Checked) -> Values:
-        values: Values = {"tag": component.tag}
         self.declaring = ""
-        given = self.values(element, component.attributes, (component.tag,))
-        values |= {**given, "class_name": class_name(str(next(iter(given.values()), "")))}
+        has_name = not component.is_plain
+        values = given = self.values(element, component.attributes, (component.tag,), has_name)
+        if not component.is_plain:
+            name = class_name(str(next(iter(given.values()), "")))
+            values = {"tag": component.tag, **given, "class_name": name}
         owner = self.checked(component.tag, element, {**values}, package)
         return values | self.interfaces(element, component, given, (package, owner))
 
@@ -186,10 +198,15 @@ class _Checker:
         return item
 
     def check_depend(self, element: Element) -> None:
-        if element.attributes or element.children:
-            self.fault(element, f"takes a package name alone: <{DEPEND}>std_msgs</{DEPEND}>")
+        kind = element.attributes.get(DEPEND_KIND, "")
+        if set(element.attributes) - {DEPEND_KIND} or element.children:
+            form = f'<{DEPEND}>std_msgs</{DEPEND}>, with {DEPEND_KIND}="exec" and the like'
+            self.fault(element, f"takes a package name: {form}")
+        elif kind not in ("", *DEPENDENCY_KINDS):
+            fault = f"unknown {quoted(kind)}; {allowed(kind, DEPENDENCY_KINDS)}"
+            self.fault(element, f"{DEPEND_KIND}: {fault}")
         try:
-            self.spec.depends.append(dependency(element.text))
+            self.spec.depends.append((kind, dependency(element.text)))
         except ValueError as error:
             self.fault(element, str(error))
 
@@ -212,12 +229,13 @@ class _Checker:
             given = element.attributes.get(name)
             if attribute.ignored or (given is None and name == WAS):
                 continue
-            values[name] = attribute.default if given is None else None
+            default = values.get(attribute.same_as) if attribute.same_as else attribute.default
+            values[name] = default if given is None else None
             if given is None and not attribute.optional:
                 self.fault(element, f'attribute "{name}" is missing{_doc(attribute)}')
             elif given is not None:
                 try:
-                    values[name] = value = _value(attribute, given, values)
+                    values[name] = value = _value(attribute, given, values, self.formats)
                     if attribute.format in TYPES and (parts := split_type(value)):
                         self.spec.types.append((element, name, parts))
                         self.holders[element] = self.declaring
@@ -286,7 +304,9 @@ def _holders(tag: str, kind: Component | Interface) -> Iterator[tuple[str, Itera
         yield each.kind, each.interfaces
 
 
-def _value(attribute: Attribute, text: str, values: Values) -> Any:
+def _value(
+    attribute: Attribute, text: str, values: Values, formats: Mapping[str, Callable[[str], Any]]
+) -> Any:
     """Return the value that a text gives; `values` are those of the attributes before it."""
     if attribute.choices:
         for word, others in attribute.choices.items():
@@ -297,8 +317,9 @@ def _value(attribute: Attribute, text: str, values: Values) -> Any:
         raise ValueError(f"{quoted(text)} does not match the pattern {attribute.pattern}")
     if attribute.format == "literal":
         type_name = values.get(attribute.of or "")
-        return None if type_name is None else literal(text, type_name)
-    value = FORMATS[attribute.format](text)
+        value = None if type_name is None else literal(text, type_name)
+        return text if attribute.as_written else value
+    value = formats[attribute.format](text)
     if not attribute.optional and value == "" and attribute.format not in ("raw", "string"):
         raise ValueError("must not be empty")
     if value in attribute.reserved:

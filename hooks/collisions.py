@@ -30,6 +30,8 @@ class Scope:
     reserved: Sequence[str] = ()
     """Forms or regular expressions of names, or meanings that `hooks.words` knows."""
     ignore_case: bool = False
+    ros: int | None = None
+    """The only generation of ROS in which there is such a place."""
 
     def place(self, item: Checked) -> Checked:
         """Return the innermost of what an element stands in that has such a place."""
@@ -48,10 +50,15 @@ class Checked:
 
 
 def collisions(
-    elements: Sequence[Checked], scopes: Sequence[Scope], filters: Filters
+    elements: Sequence[Checked], scopes: Sequence[Scope], filters: Filters, ros: int | None
 ) -> Iterator[tuple[Element, str]]:
-    """Yield each element that makes a name it cannot, and what is wrong with the name."""
+    """Yield each element that makes a name it cannot, and what is wrong with the name.
+
+    What counts in one generation of ROS alone is left out where `ros` is not that one.
+    """
     for scope in scopes:
+        if scope.ros not in (None, ros):
+            continue
         taken: dict[tuple[int, str], Element] = {}
         for item in elements:
             forms = scope.made_by.get(item.tag, ())
@@ -59,7 +66,7 @@ def collisions(
             owner = scope.place(item).element
             for form in forms:
                 name = _made(form, item, filters, scope)
-                why = next(filter(None, (_reservation(name, word) for word in reserved)), "")
+                why = next(filter(None, (_reservation(name, word, ros) for word in reserved)), "")
                 key = name.lower() if scope.ignore_case else name
                 first = taken.setdefault((id(owner), key), item.element)
                 if why:
@@ -73,9 +80,9 @@ def collisions(
                     yield item.element, f"{what}, as {also} does; rename one of them"
 
 
-def _reservation(name: str, reserved: str) -> str:
+def _reservation(name: str, reserved: str, ros: int | None) -> str:
     if reserved.startswith("a "):
-        found = meaning(name, [reserved])
+        found = meaning(name, [reserved], [ros] if ros else [])
         return f"{found}, so reserved" if found else ""
     return "reserved" if re.fullmatch(reserved, name) else ""
 

@@ -13,13 +13,16 @@ from .parse import Element
 from .ros import DISTROS, lacking_kind, nearest_available, translate_dependency
 
 Functions = dict[str, Callable[..., Any]]
+_COVERED = ("exec", "test")
+"""The kinds of dependencies that every usual one is, too."""
 
 
 def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
     """Return the context: the checked values, and what follows from them.
 
     `ros` is the generation (1 or 2), `kinds` the interface kinds in use, `depends` the packages
-    needed, `notes` what the user should know.
+    needed, `declared` those of them that the spec names itself, `other_depends` those of other
+    kinds, by kind, `notes` what the user should know.
 
     Raises:
         SpecError: the distribution is unknown or lacks a package or type, or a function of the
@@ -30,8 +33,9 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
         raise SpecError(f"ros_distro: unknown {quoted(distro)}; {allowed(distro, DISTROS)}")
     generation = DISTROS[distro]
     _check_kinds(spec)
-    translated = [translate_dependency(name, generation) for name in spec.depends]
-    found = {name for name, _ in translated if name}
+    translated = [(kind, *translate_dependency(name, generation)) for kind, name in spec.depends]
+    declared = {name for kind, name, _ in translated if name and not kind}
+    found = set(declared)
     found |= _call(functions, "dependencies_from_template", "the package", distro)
     for component in spec.components:
         arguments = (component.tag, component.values, distro)
@@ -54,12 +58,18 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
         if own_name in needed and not spec.declared:
             raise SpecError(f"{place}: needs {own_name}, which is this package; name another")
         found |= needed
-    notes = [note for _, note in translated if note] + list(_small_types(spec, generation))
+    others: dict[str, set[str]] = defaultdict(set)
+    for kind, package, _ in translated:
+        if kind and package and not (kind in _COVERED and package in found):
+            others[kind].add(package)
+    notes = [note for *_, note in translated if note] + list(_small_types(spec, generation))
     return {
         **spec.package,
         "ros": generation,
         "kinds": sorted({item.tag for item in spec.interfaces}),
         "depends": sorted(found - {own_name}),
+        "declared": sorted(declared - {own_name}),
+        "other_depends": {kind: sorted(others[kind] - {own_name}) for kind in sorted(others)},
         "notes": list(dict.fromkeys(notes)),
     }
 
@@ -97,7 +107,7 @@ def _call(functions: Functions, name: str, place: str, *arguments: Any) -> set[s
         result = functions[name](*arguments)
     except SpecError as error:
         if isinstance(error.__cause__, ValueError):  # the function refuses the spec
-            raise SpecError(f"{place}: {error.__cause__} (said by {name})") from error
+            raise SpecError(f"{place}: {error.__cause__}") from error
         raise SpecError(f"{error} (called for {place})") from error
     if not isinstance(result, list) or not all(isinstance(item, str) for item in result):
         raise SpecError(f"{name} for {place}: must return a list of package names, not {result!r}")

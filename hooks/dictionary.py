@@ -6,6 +6,7 @@ mapping, which says more than a name. docs/designers describes it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, field, fields
 from pathlib import Path
@@ -20,8 +21,9 @@ from .formats import FORMATS
 
 PACKAGE = "package"
 DEPEND = "depend"
+DEPEND_KIND = "kind"
 WAS = "was"
-RESERVED_KEYS = frozenset({"ros", "kinds", "depends", "notes"})
+RESERVED_KEYS = frozenset({"ros", "kinds", "declared", "depends", "other_depends", "notes"})
 """The keys of the context that the hook itself adds to the attributes of the package."""
 COMPONENT_KEYS = frozenset({"tag", "class_name"})
 """The keys that the hook itself adds to the attributes of a component."""
@@ -35,8 +37,10 @@ class Attribute:
     doc: str = ""
     optional: bool = False
     default: Any = None
+    same_as: str | None = None
     format: str = "text"
     of: str | None = None
+    as_written: bool = False
     choices: Mapping[str, list[str]] = field(default_factory=dict)
     pattern: str | None = None
     above: float | None = None
@@ -88,6 +92,8 @@ class Component:
     tag: str
     attributes: Mapping[str, Attribute]
     interfaces: Mapping[str, Interface]
+    is_plain: bool = False
+    """It says more of the package, and has no interface: the package needs none."""
 
     @property
     def naming(self) -> str | None:
@@ -137,8 +143,8 @@ def load(file: Path, root: Path) -> Dictionary:
     files: list[Path] = []
     content = _read(file, root, files)
     names = content.get("names") or {}
-    tags = [key.removesuffix("_interface") for key in content if key.endswith("_interface")]
-    own = {f"{tag}_{part}" for tag in tags for part in ("attributes", "interface")}
+    own = {key for key in content if re.fullmatch(r"(?!package_)\w+_(attributes|interface)", key)}
+    tags = list(dict.fromkeys(key.rpartition("_")[0] for key in content if key in own))
     forms = {"<component>_attributes", "<component>_interface"}
     _check_keys(str(file), content, _KEYS | own, own | _KEYS | forms)
     dictionary = Dictionary(
@@ -147,7 +153,8 @@ def load(file: Path, root: Path) -> Dictionary:
             tag: Component(
                 tag,
                 _attributes(f"{file}: {tag}", content.get(f"{tag}_attributes") or ["name"]),
-                _interfaces(str(file), content[f"{tag}_interface"]),
+                _interfaces(str(file), content.get(f"{tag}_interface")),
+                is_plain=f"{tag}_interface" not in content,
             )
             for tag in tags
         },
@@ -164,7 +171,8 @@ def load(file: Path, root: Path) -> Dictionary:
         _check_keys(place, {**dict.fromkeys(scope.owners), **scope.made_by}, owners)
     _check_hidden(file, PACKAGE, dictionary.package, {c.key for c in components} | RESERVED_KEYS)
     for component in components:
-        _check_inside(file, component.tag, component, COMPONENT_KEYS)
+        keys = frozenset() if component.is_plain else COMPONENT_KEYS
+        _check_inside(file, component.tag, component, keys)
     return dictionary
 
 
@@ -225,15 +233,16 @@ def _interface(file: str, kind: str, item: Any) -> Interface:
 
 def _scope(place: str, label: str, item: Any) -> Scope:
     """Read where names land, which is a mapping from tags to the names that they make there."""
-    own = ("in", "ignore_case", "reserved")
+    own = ("in", "ignore_case", "ros", "reserved")
     if not isinstance(item, dict) or not all(
-        isinstance(forms, list) for key, forms in item.items() if key not in own[:2]
+        isinstance(forms, list) for key, forms in item.items() if key not in own[:3]
     ):
         raise SpecError(f"{place}: must be a mapping with lists of names, or in and a tag")
     made_by = {tag: forms for tag, forms in item.items() if tag not in own}
     owners = item.get("in", PACKAGE)
     owners = owners if isinstance(owners, list) else [owners]
-    return Scope(label, owners, made_by, item.get("reserved", []), bool(item.get("ignore_case")))
+    options = {key: item[key] for key in ("reserved", "ignore_case", "ros") if key in item}
+    return Scope(label, owners, made_by, **options)
 
 
 def _attributes(place: str, items: Any) -> dict[str, Attribute]:
@@ -259,7 +268,7 @@ def _attribute(place: str, name: str, options: dict[str, Any]) -> Attribute:
         choices = options["choices"]
         choices = dict.fromkeys(choices) if isinstance(choices, list) else choices
         options["choices"] = {str(word): [*(others or ())] for word, others in choices.items()}
-    return Attribute(name, **{"optional": "default" in options, **options})
+    return Attribute(name, **{"optional": bool({"default", "same_as"} & set(options)), **options})
 
 
 def _check_keys(

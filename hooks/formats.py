@@ -86,6 +86,19 @@ email = _matching(  # catkin_pkg's own expression
     "not a mail address; allowed: name@host.domain",
 )
 
+version = _matching(
+    r"(0|[1-9][0-9]*)\.(0|[1-9][0-9]*)\.(0|[1-9][0-9]*)",
+    "not a version; allowed: three numbers, such as 1.2.0",
+)
+url = _matching(
+    r"https?://[^\s<>\"']+",
+    "not an address of the web; allowed: https://host/path, without blanks and quotes",
+)
+file_name = _matching(
+    r"[A-Za-z0-9_][A-Za-z0-9_.-]*",
+    'not a file name; allowed: letters, digits, "_", "." and "-", no "." or "-" first',
+)
+
 
 def ros_name(value: str) -> str:
     """A name in the ROS graph: relative, absolute (/a/b) or private (~/a, or ROS 1's ~a)."""
@@ -146,22 +159,21 @@ _SYNONYMS = {
 _BIGGEST_SIZE = 2**31 - 1
 
 
-def interface_name(value: str) -> str:
-    """The name of a message, service or action: words with capitals, as `SetString`."""
-    complaint = "not a name of a type; allowed: letters and digits, a capital first"
-    return _free(_match(r"[A-Z][A-Za-z0-9]*", value, complaint)[0], CPP_NAMES)
+def _name(
+    pattern: str, complaint: str, meanings: Iterable[str] = KEYWORDS
+) -> Callable[[str], str]:
+    return lambda value: _free(_match(pattern, value, f"{complaint} first")[0], meanings)
 
 
-def field_name(value: str) -> str:
-    """The name of a field: a-z, 0-9 and single underscores, a letter first."""
-    complaint = "not a field name; allowed: a-z, 0-9 and single underscores, a letter first"
-    return _free(_match(r"[a-z][a-z0-9]*(_[a-z0-9]+)*", value, complaint)[0], CPP_NAMES)
-
-
-def constant_name(value: str) -> str:
-    """The name of a constant: A-Z, 0-9 and single underscores, a letter first."""
-    complaint = "not a constant name; allowed: A-Z, 0-9 and single underscores, a letter first"
-    return _free(_match(r"[A-Z][A-Z0-9]*(_[A-Z0-9]+)*", value, complaint)[0], CPP_NAMES)
+# genmsg takes all names that are identifiers, rosidl those of its style.
+_WORD = r"[A-Za-z]\w*"
+_LETTERS = "allowed: letters, digits and underscores, a letter"
+interface_name = _name(_WORD, f"not a name of a type; {_LETTERS}")
+field_name = _name(_WORD, f"not a field name; {_LETTERS}", KEYWORDS[1:])
+constant_name = _name(_WORD, f"not a constant name; {_LETTERS}", KEYWORDS[1:])
+_interface_name = _name(
+    "[A-Z][A-Za-z0-9]*", "not a name of a type; allowed: letters and digits, a capital"
+)
 
 
 def field_type(value: str) -> str:
@@ -190,10 +202,7 @@ def field_type(value: str) -> str:
 def _message(type_: str) -> str:
     """Return a message type; one of the package itself has no package."""
     if "/" in type_ or ":" in type_:
-        parsed = _type("msg", "std_msgs/String")(type_)
-        check_capital(type_)
-        interface_name(parsed.split("/")[2])
-        return parsed
+        return _type("msg", "std_msgs/String")(type_)
     if not re.match("[A-Z]", type_):
         raise ValueError(f"{quoted(type_)} is no primitive type; {allowed(type_, PRIMITIVES)}")
     return interface_name(type_)
@@ -244,9 +253,17 @@ def boolean(value: str) -> bool:
 
 
 def whole(value: str) -> int:
-    """A whole number of any size."""
-    complaint = "not an int; allowed: a whole number, such as -3"
-    return int(_match(r"\s*[+-]?[0-9]+\s*", value, complaint)[0])
+    """A whole number of any size; with a zero before it one of base 16, 8 or 2, as `0xff`."""
+    complaint = "not an int; allowed: a whole number, such as -3 or 0xff"
+    digits = "0[xX][0-9a-fA-F]+|0[oO][0-7]+|0[bB][01]+|[0-9]+"
+    sign, word = _match(rf"\s*([+-]?)({digits})\s*", value, complaint).groups()
+    if re.fullmatch("0[0-9]+", word):
+        octal = f", or 0o{word.lstrip('0')} if it is octal" if re.fullmatch("[0-7]+", word) else ""
+        what = (
+            f"{quoted(value)} begins with 0, which C and YAML read in base 8, messages in base 10"
+        )
+        raise ValueError(f"{what}; write {sign}{int(word)}{octal}")
+    return int(sign + word, 0)
 
 
 def integer(value: str) -> int:
@@ -289,8 +306,26 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "string": raw,
     "email": email,
     "license": license_name,
+    "version": version,
+    "url": url,
+    "file_name": file_name,
 }
 """The names a dictionary may write after `format:`."""
+FORMATS_OF_ROS: dict[int, dict[str, Callable[[str], Any]]] = {
+    1: {},
+    2: {
+        "interface_name": _interface_name,
+        "field_name": _name(
+            "[a-z][a-z0-9]*(_[a-z0-9]+)*",
+            "not a field name; allowed: a-z, 0-9 and single underscores, a letter",
+        ),
+        "constant_name": _name(
+            "[A-Z][A-Z0-9]*(_[A-Z0-9]+)*",
+            "not a constant name; allowed: A-Z, 0-9 and single underscores, a letter",
+        ),
+    },
+}
+"""The formats that are stricter in a generation of ROS."""
 TYPES = ("message_type", "service_type", "action_type", "field_type")
 """The formats of types, which may be types that the spec itself declares."""
 

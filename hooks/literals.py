@@ -87,7 +87,7 @@ LITERALS: dict[str, Callable[[str], Any]] = {
     "double": double,
     "float32": _float32,
     "float64": number,
-    "byte": _between("byte", 0, 255),
+    "byte": _between("byte", -128, 255),  # with a sign in ROS 1, without in ROS 2
     "char": _between("char", 0, 255),
     "string": raw,
     "wstring": raw,

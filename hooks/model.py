@@ -18,6 +18,7 @@ from .complete import Functions, complete
 from .dictionary import Dictionary, load
 from .faults import SpecError
 from .parse import parse
+from .ros import DISTROS
 from .skeleton import skeleton
 
 
@@ -43,7 +44,8 @@ class Model:
             SpecError: the spec is not well-formed, or the dictionary does not allow it.
 
         """
-        context = complete(self._checked(xml, file), self.functions, distro)
+        checked = self._checked(xml, file, DISTROS.get(distro))
+        context = complete(checked, self.functions, distro)
         context["notes"] += contradictions(context, self.dictionary)
         return context
 
@@ -51,9 +53,9 @@ class Model:
         """Return where the elements of a spec are, by the labels of `hooks.changes`."""
         return places(self._checked(xml, file), self.dictionary)
 
-    def _checked(self, xml: bytes, file: str) -> CheckedSpec:
+    def _checked(self, xml: bytes, file: str, ros: int | None = None) -> CheckedSpec:
         filters = {**public_functions(names), **self.functions}
-        return check(parse(xml, file), self.dictionary, filters, file)
+        return check(parse(xml, file), self.dictionary, filters, file, ros)
 
     def name(self, context: Mapping[str, Any]) -> str:
         """Return the name of the package: the value of its first attribute."""

@@ -10,6 +10,7 @@ import yaml
 
 from .data import LOADER
 from .faults import SpecError, allowed, first_of, quoted, shown
+from .formats import package_name
 
 
 def check_options(given: Iterable[str], root: Path) -> None:
@@ -45,6 +46,24 @@ def check_choices(
         if name in answers and choices and str(answers[name]) not in choices:
             answer = str(answers[name])
             raise SpecError(f"{name}: unknown {quoted(answer)}; {allowed(answer, choices)}")
+
+
+def chosen_package(question: str, answer: str, own: str, name: str) -> str:
+    """Return the package that an answer names; the answer `own` is the package `name` itself.
+
+    Raises:
+        SpecError: it is no name of a package, or that of this package.
+
+    """
+    if answer == own:
+        return name
+    try:
+        chosen = package_name(answer)
+    except ValueError as error:
+        raise SpecError(f"{question}: {quoted(answer)} is {error}; or {own}") from None
+    if chosen == name:
+        raise SpecError(f"{question}: {quoted(name)} is this package; say {own}, or name another")
+    return chosen
 
 
 def _choices(question: Any) -> list[str]:

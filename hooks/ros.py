@@ -10,6 +10,9 @@ _ROS = load_data("ros.yaml")
 DISTROS: dict[str, int] = _ROS["distros"]
 """The ROS distributions that can be chosen, each with its generation."""
 
+DEPENDENCY_KINDS: list[str] = _ROS["dependency_kinds"]
+"""The kinds of dependencies that a package.xml knows besides the usual one."""
+
 
 def default_distro(environment: Mapping[str, str]) -> str:
     """Return the distribution that ROS_DISTRO names where it is one of ours."""

@@ -7,8 +7,9 @@ from collections.abc import Iterable, Mapping
 from string import Template
 from xml.sax.saxutils import quoteattr
 
-from .dictionary import DEPEND, PACKAGE, Attribute, Component, Dictionary, Interface
+from .dictionary import DEPEND, DEPEND_KIND, PACKAGE, Attribute, Component, Dictionary, Interface
 from .literals import spelled
+from .ros import DEPENDENCY_KINDS
 
 _WIDTH = 96
 
@@ -28,11 +29,17 @@ def skeleton(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
     ]
     told: list[Interface] = []
     for component in dictionary.components.values():
-        lines += _component(component, dictionary, told)
-    lines += ["", *_comment("A package that no interface above names:", "  ")]
-    return "\n".join(
-        [*lines, f"  <!-- <{DEPEND}>package_name</{DEPEND}> -->", f"</{PACKAGE}>", ""]
-    )
+        if not component.is_plain:
+            lines += _component(component, dictionary, told)
+    kinds = Attribute(DEPEND_KIND, choices=dict.fromkeys(DEPENDENCY_KINDS, []), optional=True)
+    lines += ["", *_comment("A package that no interface above names:", "  ", [kinds])]
+    lines += [f"  <!-- <{DEPEND}>package_name</{DEPEND}> -->"]
+    for component in dictionary.components.values():
+        if component.is_plain:
+            attributes = component.attributes.values()
+            lines += ["", *_comment(component.tag, "  ", attributes)]
+            lines += _tag(component.tag, attributes, "  <!-- ", "/> -->")
+    return "\n".join([*lines, f"</{PACKAGE}>", ""])
 
 
 def _component(component: Component, dictionary: Dictionary, told: list[Interface]) -> list[str]:
@@ -107,7 +114,9 @@ def _meaning(attribute: Attribute) -> str:
     words = [attribute.doc] if attribute.doc else []
     if attribute.choices:
         words.append("one of " + ", ".join(attribute.choices))
-    if attribute.optional:
+    if attribute.same_as:
+        words.append(f"default {attribute.same_as}")
+    elif attribute.optional:
         default = attribute.default
         words.append("optional" if default in (None, "") else f"default {spelled(default)}")
     return "; ".join(words)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import keyword
-import re
 import sys
 from collections.abc import Iterable
 
@@ -17,24 +16,23 @@ PACKAGES = (*CPP_NAMES, *MODULES, "a name of C or C++", "a package of ROS itself
 
 
 @functools.cache
-def _lists() -> dict[str, tuple[frozenset[str], re.Pattern[str]]]:
-    """Return for each meaning the words that have it, and a pattern for others that have it."""
-    words = {meaning: text.split() for meaning, text in load_data("words.yaml").items()}
-    words["a keyword of Python"] = list(keyword.kwlist)
-    words["a module of Python"] = list(sys.stdlib_module_names)
+def _lists() -> dict[str, frozenset[str]]:
+    """Return for each meaning the words that have it."""
+    texts = {**load_data("words.yaml"), **load_data("macros.yaml")}
     return {
-        meaning: (
-            frozenset(filter(str.isidentifier, found)),
-            re.compile("|".join(word for word in found if not word.isidentifier()) or r"(?!)"),
-        )
-        for meaning, found in words.items()
+        "a keyword of Python": frozenset(keyword.kwlist),
+        "a module of Python": frozenset(sys.stdlib_module_names),
+        **{meaning: frozenset(text.split()) for meaning, text in texts.items()},
     }
 
 
-def meaning(word: str, meanings: Iterable[str]) -> str:
-    """Return what a word means already, of the given meanings; nothing if it is free."""
+def meaning(word: str, meanings: Iterable[str], generations: Iterable[int] = (1, 2)) -> str:
+    """Return what a word means already, of the given meanings; nothing if it is free.
+
+    A word may have a meaning in one of the ROS generations alone.
+    """
     lists = _lists()
-    found = " and ".join(
-        each for each in meanings if word in lists[each][0] or lists[each][1].fullmatch(word)
-    )
+    forms = ("", *(f" in ROS {generation}" for generation in generations))
+    known = (each + form for each in meanings for form in forms)
+    found = " and ".join(each for each in known if word in lists.get(each, ()))
     return found.replace(" and a keyword of", " and")

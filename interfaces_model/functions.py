@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import json
 import re
 from typing import Any
-
-# Signs that rosidl, genmsg or what they generate would take for something else in a text.
-_ODD_SIGNS = re.compile(r"""["'#=\\]|\?\?|[^ -~]""")
 
 
 def dependencies_from_interface(
@@ -15,13 +11,18 @@ def dependencies_from_interface(
 ) -> list[str]:
     """Return the package of a field's type."""
     type_ = str(attributes.get("type", ""))
-    for key in ("default", "value"):
-        _check_value(type_, attributes.get(key), ros_distro)
-    if ros_distro == "noetic":
+    ros = 1 if ros_distro == "noetic" else 2
+    if ros == 1:
         _check_type(type_)
+    for key in ("default", "value"):
+        value = attributes.get(key)
+        for item in value if isinstance(value, list) else [value]:
+            _check_byte(type_, item, ros)
+            if isinstance(item, str) and (ros == 2 or key == "value"):
+                _check_text(item, isinstance(value, list), ros)
     base = _base(type_)
     if base in ("time", "duration"):
-        return [] if ros_distro == "noetic" else ["builtin_interfaces"]
+        return [] if ros == 1 else ["builtin_interfaces"]
     return [base.split("/")[0]] if "/" in base else []
 
 
@@ -36,15 +37,26 @@ def _check_type(type_: str) -> None:
         raise ValueError("type: ROS 1 has no wstring; the nearest it has is string")
 
 
-def _check_value(type_: str, value: Any, ros_distro: str) -> None:
-    for item in value if isinstance(value, list) else [value]:
-        if isinstance(item, str) and (sign := _ODD_SIGNS.search(item)):
-            allowed = "allowed: printable ASCII but for \" ' # = \\ ??"
-            raise ValueError(f"{sign[0]!r} cannot be written into an interface; {allowed}")
-        if isinstance(item, str) and item != item.strip():
-            raise ValueError(f"{item!r}: blanks at an end are lost in ROS 1; drop them")
-        if _base(type_) == "byte" and ros_distro == "noetic" and item is not None and item > 127:
-            raise ValueError(f"{item} is no byte of ROS 1; allowed: 0 to 127")
+def _check_byte(type_: str, value: Any, ros: int) -> None:
+    """Refuse what is no byte: rosidl has them from 0 on, genmsg with a sign."""
+    lowest, highest = (-128, 127) if ros == 1 else (0, 255)
+    number = int(value, 0) if isinstance(value, str) and _base(type_) == "byte" else value
+    if _base(type_) == "byte" and number is not None and not lowest <= number <= highest:
+        raise ValueError(f"{number} is no byte of ROS {ros}; allowed: {lowest} to {highest}")
+
+
+def _check_text(text: str, in_list: bool, ros: int) -> None:
+    """Refuse what genmsg, rosidl or the code they make would change."""
+    refused = {"a line break": r"[\n\r]", "a trigraph of C": r"\?\?[=/'()!<>-]"}
+    if ros == 1:
+        refused |= {"a backslash": r"\\", "a blank at an end": r"^\s|\s$"}
+    elif in_list:
+        refused |= {"a sign beyond U+FFFF in a list": r"[^\0-\uffff]"}
+    else:
+        refused |= {"a backslash before a quote or another": r'\\["\\]'}
+    for what, pattern in refused.items():
+        if re.search(pattern, text):
+            raise ValueError(f"{text!r} has {what}, which ROS {ros} would change; drop it")
 
 
 def members(spec: dict[str, Any]) -> list[dict[str, Any]]:
@@ -86,6 +98,11 @@ def files(spec: dict[str, Any]) -> list[str]:
     )
 
 
+def paragraphs(text: str) -> list[str]:
+    """Return what stands between the empty lines of a text."""
+    return re.split(r"\n\s*\n", text)
+
+
 def comment(text: str) -> str:
     r"""Return a text as it can stand in a comment of an interface.
 
@@ -103,19 +120,57 @@ def written_type(type_: str, spec: dict[str, Any]) -> str:
         base = f"builtin_interfaces/{base.capitalize()}"
     elif "/" in base:
         package, _, name = base.split("/")
-        base = name if package == spec["name"] else f"{package}/{name}"
+        # In ROS 1 a plain Header is that of std_msgs.
+        is_own = package == spec["name"] and (spec["ros"] == 2 or name != "Header")
+        base = name if is_own else f"{package}/{name}"
     return base + rest
 
 
-def written_value(value: Any, ros: int) -> str:
-    """Return a default or the value of a constant as rosidl or genmsg reads it."""
+def written_value(value: Any) -> str:
+    """Return a default as rosidl reads it."""
     if isinstance(value, list):
-        return f"[{', '.join(written_value(item, ros) for item in value)}]"
+        items = (_quoted(v, True) if isinstance(v, str) else written_value(v) for v in value)
+        return f"[{', '.join(items)}]"
     if isinstance(value, bool):
-        return str(value) if ros == 1 else str(value).lower()
-    if isinstance(value, str):
-        return value if ros == 1 else json.dumps(value)
-    return str(value)
+        return str(value).lower()
+    return _quoted(value, False) if isinstance(value, str) else str(value)
+
+
+def written_constant(constant: dict[str, Any], ros: int) -> str:
+    """Return the value of a constant as rosidl or genmsg reads it.
+
+    In ROS 1 the text counts, not the value: the checksum of a message is made of it.
+    """
+    text, type_ = str(constant["value"]), constant["type"]
+    if type_ in ("string", "wstring"):
+        return text if ros == 1 else _quoted(text, False)
+    word = text.strip()
+    if type_ == "bool" and (ros == 2 or word not in ("True", "False", "0", "1")):
+        is_true = word.lower() in ("true", "1", "yes", "on")
+        return written_value(is_true) if ros == 2 else str(is_true)
+    return str(int(word, 0)) if re.match("[+-]?0[a-z]", word, re.IGNORECASE) else word
+
+
+def _quoted(text: str, in_list: bool) -> str:
+    r"""Return a text in quotes, with `\x23` for signs that mean something to rosidl.
+
+    It reads a text two times; the items of a list, which it takes for Python's, once.
+    """
+
+    def escaped(sign: re.Match[str]) -> str:
+        code = ord(sign[0])
+        form = f"\\x{code:02x}" if code < 128 else f"\\u{code:04x}"
+        return form if in_list else f"\\{form}"
+
+    if in_list:
+        return f'"{re.sub(_ODD_IN_LIST, escaped, text)}"'
+    escaped_text = re.sub(_ODD, escaped, text).replace('"', '\\"')
+    return f'"{escaped_text}"'
+
+
+# rosidl drops blanks and quotes around the items of a list.
+_ODD = r"[#=\\\t]"
+_ODD_IN_LIST = _ODD + r"""|"|^[ ']|[^ -~]| $"""
 
 
 def cpp_header(name: str, folder: str, spec: dict[str, Any]) -> str:

@@ -40,17 +40,14 @@ def dependencies_from_interface(
 def parts(spec: dict[str, Any], language: str, ros_distro: str) -> list[dict[str, Any]]:
     """Return the spec of the nodes of one language, as its model sees it; none without nodes.
 
-    Packages of messages are those of the whole package, as are those that <depend> adds.
+    What <depend> adds is for both languages.
     """
     nodes = [node for node in spec["nodes"] if node["language"] == language]
     if not nodes:
         return []
-    own = set().union(*(_packages(node, ros_distro) for node in nodes))
-    others = [node for node in spec["nodes"] if node not in nodes]
-    foreign = set().union(*(_packages(node, ros_distro) for node in others))
-    types = {item["type"].split("/")[0] for _, item in _interfaces(spec) if "type" in item}
-    depends = [name for name in spec["depends"] if name in own | types or name not in foreign]
-    kinds = sorted({kind for kind, _ in _interfaces({"nodes": nodes})})
+    own = set(spec["declared"]).union(*(_packages(node, ros_distro) for node in nodes))
+    kinds = sorted({kind for kind, _ in _interfaces(nodes)})
+    depends = [name for name in spec["depends"] if name in own]
     return [{**spec, "nodes": nodes, "kinds": kinds, "depends": depends}]
 
 
@@ -86,16 +83,16 @@ def sort_lines(text: str) -> str:
 def _packages(node: dict[str, Any], ros_distro: str) -> set[str]:
     """Return the packages that a node needs with its interfaces."""
     packages = dependencies_from_component("node", node, ros_distro)
-    for kind, item in _interfaces({"nodes": [node]}):
+    for kind, item in _interfaces([node]):
         packages += dependencies_from_interface(kind, {**item, "node": node}, ros_distro)
     return set(packages)
 
 
-def _interfaces(spec: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
-    """Return the interfaces of all nodes, each with its kind."""
+def _interfaces(nodes: list[dict[str, Any]]) -> list[tuple[str, dict[str, Any]]]:
+    """Return the interfaces of nodes, each with its kind."""
     return [
         (key.removesuffix("s"), item)
-        for node in spec["nodes"]
+        for node in nodes
         for key, items in node.items()
         if isinstance(items, list)
         for item in items

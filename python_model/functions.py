@@ -44,6 +44,11 @@ def dependencies_from_interface(
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
 
 
+def launched(node: dict[str, Any]) -> list[str]:
+    """Return the names by which the launch file starts a node."""
+    return [instance["name"] for instance in node["instances"]] or [node["name"]]
+
+
 def logic_file(node: dict[str, Any], package: str) -> str:
     """Return where the logic of a node stands."""
     return f"{package}/{node['name']}_impl.py"

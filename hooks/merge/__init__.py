@@ -6,6 +6,9 @@
     render       renders the old and the new version
     renaming     which identifiers, paths and keys a rename exchanges; tokens, the words of code;
                  origins, where these come from
+    depth        the keys of YAML that another ROS puts below others
+    launch       what the developer wrote into a launch file, carried into that of another ROS
+    builds       the same for CMakeLists.txt and setup.py
     moves        the files that a new version of the model renames
     package      three versions of a package merged file by file
     merging      three versions of a file merged by block, lines inside of a block

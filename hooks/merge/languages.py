@@ -48,7 +48,7 @@ MARKDOWN = Language(
 _SUFFIXES = {
     PYTHON: ".py .cfg .pyi",
     CPP: ".cpp .hpp .h .hh .hxx .c .cc .cxx .ipp .tpp",
-    XML: ".xml .launch .test .urdf .xacro .xsd",
+    XML: ".xml .launch .test .urdf .xacro .xsd .ros_package",
     YAML: ".yaml .yml",
     CMAKE: ".cmake",
     MARKDOWN: ".md",

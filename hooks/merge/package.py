@@ -30,6 +30,10 @@ class Result:
     """By path, the generated file that the developer has moved there."""
     left: list[str] = field(default_factory=list)
     """The developer's files that left, by their paths of before."""
+    carried: dict[str, tuple[list[str], dict[int, tuple[str, ...]]]] = field(default_factory=dict)
+    """By path of before, the files that have lines of it now, and by number what of each."""
+    back: dict[str, list[str]] = field(default_factory=dict)
+    """By path, the parts that the developer had deleted from the file of another ROS."""
     removed: dict[str, list[str]] = field(default_factory=dict)
     """By path of before, the edited parts that left a file."""
     missing: dict[str, list[str]] = field(default_factory=dict)

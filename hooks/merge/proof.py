@@ -19,6 +19,8 @@ from .renaming import Renaming, rename
 from .tree import File, Tree
 
 _NAME_BEFORE = re.compile(rf"""\b{WAS}\s*=\s*("[^"]*"|'[^']*')""")
+_MARKUP = re.compile(r"""</?[\w:.-]+|[\w:.-]+(?=\s*=\s*["'])""")
+"""The tags and attributes of XML, which are not the developer's words."""
 _SCOPES = dict[str, list[str]]
 
 
@@ -28,8 +30,8 @@ class Proof:
 
     total: int = 0
     in_place: int = 0
-    named: int = 0
-    """Lines that left with what the summary says was removed."""
+    left: list[tuple[str, int, str]] = field(default_factory=list)
+    """Lines that left with what the summary says was removed: path, number, text of before."""
     lost: list[tuple[str, str]] = field(default_factory=list)
     """What should not be: files, by their paths after the update, and lines of them."""
 
@@ -37,7 +39,7 @@ class Proof:
     def sentence(self) -> str:
         """Say it in a line."""
         said = f"{self.in_place} of {self.total} of your lines are in their place"
-        return said + (f"; {self.named} left with what was removed" if self.named else "")
+        return said + (f"; {len(self.left)} left with what was removed" if self.left else "")
 
 
 def prove(mine: Tree, old: Tree, result: Result, found: Tree, renaming: Renaming) -> Proof:
@@ -74,20 +76,35 @@ def _prove_file(
         known = TEXT
     before, after = (_blocks(known, text, origin, renaming) for text in (old, ours))
     match(after, before)
-    lines = list(_developer_lines(known, after, before))
+    lines = [
+        (scope, line, _number(split(ours), number, line))
+        for scope, line, number in _developer_lines(known, after, before)
+    ]
     proof.total += len(lines)
-    if path in result.left:
-        proof.named += len(lines)
+    if path in result.left or path in result.carried:
+        targets, carried = result.carried.get(path, ([], {}))
+        text = "".join(tree[one].text or "" for one in targets if one in tree)
+        for _, line, number in lines:
+            if all(part in text for part in carried.get(number, ("\0",))):
+                proof.in_place += 1
+            else:
+                proof.left.append((path, number, line))
         return
     text = _my_side(_plain(found.text or "")) if found else ""
     there = _blocks(known, text, "", Renaming())
     if known is XML and target in result.conflicts:
         rename(there, there, renaming.keys.get(origin, {}))  # whose text has the names of before
     match(there, before, after)
-    _read_back(proof, target, known, lines, there, result.removed.get(path, []))
+    _read_back(proof, (path, target), known, lines, there, result.removed.get(path, []))
     changed = found is not None and target not in result.conflicts and text != ours
     if changed and _parses(known, ours) and not _parses(known, text):
         proof.lost.append((target, "cannot be read any more"))
+
+
+def _number(lines: list[str], number: int, line: str) -> int:
+    """Return the number of a line that has perhaps another one after the update."""
+    alike = [i for i, found in enumerate(lines) if found.strip() == line.strip()]
+    return 1 + min(alike, key=lambda i: abs(i - number), default=number)
 
 
 def places(mine: Tree, lost: list[tuple[str, str]], renaming: Renaming) -> Iterator[str]:
@@ -102,33 +119,36 @@ def places(mine: Tree, lost: list[tuple[str, str]], renaming: Renaming) -> Itera
 
 def _read_back(
     proof: Proof,
-    target: str,
+    paths: tuple[str, str],
     known: Language,
-    lines: list[tuple[str, str]],
+    lines: list[tuple[str, str, int]],
     found: list[Block],
     removed: list[str],
 ) -> None:
     scopes = _scopes(found).items()
     counts = {scope: Counter(map(known.key, inside)) for scope, inside in scopes}
-    for scope, line in lines:
+    for scope, line, number in lines:
         have = counts.get(scope, Counter())
         if have[known.key(line)]:
             have[known.key(line)] -= 1
             proof.in_place += 1
         elif any(name in scope for name in removed):
-            proof.named += 1
+            proof.left.append((paths[0], number, line))
         else:
-            proof.lost.append((target, line.strip()))
+            proof.lost.append((paths[1], line.strip()))
 
 
 def _developer_lines(
     known: Language, mine: list[Block], old: list[Block]
-) -> Iterator[tuple[str, str]]:
-    """Yield the lines that the developer wrote, each with the blocks it is in.
+) -> Iterator[tuple[str, str, int]]:
+    """Yield the lines that the developer wrote, each with the blocks it is in and its number.
 
     What a formatter made of generated lines is not the developer's.
     """
     before = _scopes(wrap(old, mine, old))
+    numbers: dict[str, list[int]] = {}
+    for number, (scope, _) in enumerate(walk(mine)):
+        numbers.setdefault(scope, []).append(number)
     for scope, inside in _scopes(mine).items():
         base = before.get(scope, [])
         if base and known.same("".join(inside), "".join(base)):
@@ -139,7 +159,9 @@ def _developer_lines(
             if tag in ("insert", "replace"):
                 if known.same("".join(base[start:end]), "".join(inside[first:last])):
                     continue
-                yield from ((scope, line) for line in inside[first:last] if line.strip())
+                for at in range(first, last):
+                    if inside[at].strip():
+                        yield scope, inside[at], numbers[scope][at]
 
 
 def _blocks(known: Language, text: str, path: str, renaming: Renaming) -> list[Block]:
@@ -192,10 +214,10 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
         if not (words or taken) or file.text is None:
             continue
         generated = set(split((new.get(path) or File(b"")).text or ""))
-        is_spec = path.endswith(SUFFIX)
         for number, line in enumerate(split(_plain(file.text)), 1):
             if line not in generated:
-                said = _NAME_BEFORE.sub("", line) if is_spec else line
+                said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
+                said = _MARKUP.sub(" ", said) if language(path, "") is XML else said
                 for word in sorted(words & set(re.findall(r"\w+", said))):
                     yield f"{path}:{number}: {word}"
                 for word in taken.get((path, line), ()):

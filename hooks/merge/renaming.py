@@ -15,6 +15,7 @@ from typing import Any
 from ..changes import GONE, Mark, marked
 from ..dictionary import Dictionary
 from .blocks import Block
+from .depth import Shift, shifts
 from .languages import CMAKE, CPP, PYTHON, YAML, Language, language
 from .lines import split
 from .origins import SELF, origins
@@ -53,6 +54,8 @@ class Renaming:
     names: list[tuple[str, str]] = field(default_factory=list)
     moved: dict[str, str] = field(default_factory=dict)
     """What the new version of the model renames."""
+    shifts: dict[str, Shift] = field(default_factory=dict)
+    """What gives a file the depth that its keys have in the new version."""
     _texts: dict[tuple[str, str], str] = field(default_factory=dict, repr=False, compare=False)
 
     def follow(self, moved: Mapping[str, str], old: Iterable[str], new: Collection[str]) -> None:
@@ -63,6 +66,10 @@ class Renaming:
             for path, target in moved.items()
             if path in before and path not in new and target in new and target not in before
         }
+
+    def move(self, old: Tree, new: Tree) -> None:
+        """Give the files of before the form that they have in another ROS."""
+        self.shifts = shifts(old, new, self.path)
 
     def path(self, path: str) -> str:
         """Return where a file of before the update is after it."""
@@ -80,8 +87,11 @@ class Renaming:
     def text(self, path: str, text: str) -> str:
         """Return a file with its identifiers exchanged."""
         if (path, text) not in self._texts:
-            self._texts[path, text] = self._exchanged(path, text)
+            self._texts[path, text] = self._shifted(path, self._exchanged(path, text))
         return self._texts[path, text]
+
+    def _shifted(self, path: str, text: str) -> str:
+        return self.shifts[path](text) if path in self.shifts else text
 
     def _exchanged(self, path: str, text: str) -> str:
         known = language(path, text)
@@ -137,7 +147,7 @@ class Renaming:
         exchanged = known.blocks(self.text(path, text))
         if path in self.keys:
             # Only the names of before tell two blocks apart, one of which has the other's name.
-            rename(exchanged, known.blocks(text), self.keys[path])
+            rename(exchanged, known.blocks(self._shifted(path, text)), self.keys[path])
         return exchanged
 
     def words(self) -> dict[str, str]:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from . import git
 from .blocks import Block
@@ -37,7 +38,14 @@ def report(
     conflicts = sorted(result.conflicts)
     files = [*_files(package, before, after, result), *_returned(package, before, after, result)]
     files += _removed(package, before, after, result)
+    files += _left_behind(package, proof.left)
+    files += _unnamed(after, proof.left)
     others = [f"missing   {path}{part and ': '}{part}" for path, part in _missing(result)]
+    others += [
+        f"back      {path}: {part}, which you had deleted"
+        for path, parts in sorted(result.back.items())
+        for part in parts
+    ]
     others += [f"still     {use}" for use in uses]
     others += [f"CONFLICT  {path}" for path in conflicts]
     if not changes and not files and not conflicts:
@@ -102,6 +110,32 @@ def _removed(package: Path, before: Tree, after: Tree, result: Result) -> Iterat
         if part or not (package / path).exists():
             what = f"{part} from {path}" if part else path
             yield f"removed   {what}      (see it again: git show {commit}:./{path})"
+
+
+def _left_behind(package: Path, left: Iterable[tuple[str, int, str]]) -> Iterator[str]:
+    """Name the developer's own lines among those that left, those of a place together."""
+    commit = git.last_commit(package)
+    places: list[tuple[str, list[int], str]] = []
+    for path, number, line in sorted(left):
+        if places and places[-1][0] == path and number <= places[-1][1][-1] + 2:
+            places[-1][1].append(number)
+        else:
+            places.append((path, [number], line.strip()))
+    for path, numbers, text in places:
+        where = f"{numbers[0]}-{numbers[-1]}" if len(numbers) > 1 else f"{numbers[0]}"
+        text = text if len(text) <= 60 else f"{text[:57]}..."
+        more = f" and {len(numbers) - 1} more" if len(numbers) > 1 else ""
+        yield f"left      {path}:{where}: {text}{more}      (git show {commit}:./{path})"
+
+
+def _unnamed(after: Tree, left: Iterable[tuple[str, int, str]]) -> Iterator[str]:
+    """Name the files that only lines which left have named: nothing builds or installs them."""
+    texts = {path: file.text for path, file in after.items() if file.text is not None}
+    words = {word for _, _, line in left for word in re.findall(r"[\w.-]+", line)}
+    for path in sorted(after):
+        name = PurePosixPath(path).name
+        if name in words and not any(name in text for text in texts.values()):
+            yield f"unnamed   {path}: only lines that left have named it"
 
 
 def _missing(result: Result) -> list[tuple[str, str]]:

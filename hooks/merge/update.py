@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 from typing import Any
 
 from ..changes import changed_answers, changes
 from ..dictionary import Dictionary
 from ..faults import SpecError
-from .package import merge_package
+from .builds import carry_build_files
+from .launch import carry_launch_files
+from .package import Result, merge_package
 from .proof import places, prove, uses
-from .renaming import plan_renames
+from .renaming import Renaming, plan_renames
 from .render import Renderer, begin, recorded_answers
 from .report import Report, report
 from .transaction import Guard, Snapshot, take
-from .tree import read_paths
+from .tree import Tree, read_paths
 
 
 class Update:
@@ -73,11 +75,15 @@ class Update:
         mine = {p: f for p, f in self.snapshot.files.items() if p != self.answers_file}
         renaming = plan_renames(self.answers, spec, dictionary, old.tree, mine, renderer)
         renaming.follow(moved, old.tree, new.tree)
+        renaming.move(old.tree, new.tree)
         trees = (mine, old.tree, new.tree, renaming, new.is_kept)
-        result = merge_package(*trees)
+        ros = [context.get("ros") for context in (self.answers.get("spec") or {}, spec)]
+
+        to_ros = int(ros[1] or 0) if ros[0] != ros[1] else None
+        result = join(*trees, to_ros)
         doubtful = prove(mine, old.tree, result, result.tree, renaming).lost
         if doubtful:
-            result = merge_package(*trees, unmerged={path for path, _ in doubtful})
+            result = join(*trees, to_ros, {path for path, _ in doubtful})
         self.snapshot.put(result, {self.answers_file}, inline)
         found = read_paths(self.package, result.tree)
         proof = prove(mine, old.tree, result, found, renaming)
@@ -92,3 +98,20 @@ class Update:
         said += changes(self.answers.get("spec") or {}, spec, dictionary)
         still = uses(mine, old.tree, new.tree, found, renaming)
         return report(self.package, self.snapshot.files, found, result, said, still, proof)
+
+
+def join(
+    mine: Tree,
+    old: Tree,
+    new: Tree,
+    renaming: Renaming,
+    is_kept: Callable[[str], bool],
+    to_ros: int | None = None,
+    unmerged: Collection[str] = (),
+) -> Result:
+    """Merge a package; in a move to another ROS, `to_ros`, carry what other files have there."""
+    result = merge_package(mine, old, new, renaming, is_kept, unmerged=unmerged)
+    if to_ros is not None:
+        carry_launch_files(mine, old, new, renaming, result, to_ros)
+        carry_build_files(mine, old, new, renaming, result, to_ros)
+    return result

@@ -6,20 +6,31 @@ import pytest
 
 from support import ros
 from support.contract import Peer, Stage, Variant
-from support.packages import MODELS
+from support.packages import MODELS, RUNTIME
 from support.processes import part
 
 VARIANTS = [
     pytest.param(
-        (model, version), id=f"{model}-{distro}", marks=getattr(pytest.mark, f"ros{version}")
+        (model, version, runtime),
+        id=f"{model}-{distro}{'' if runtime == 'inside' else '-shared'}",
+        marks=getattr(pytest.mark, f"ros{version}"),
     )
+    for runtime in ("inside", RUNTIME.stem)
     for version, distro in ((2, "kilted"), (1, "noetic"))
     for model in MODELS
 ]
+# models/test_runtime_model.py sees that the runtime of a workspace is the same, line by line.
+SHARED = ("test_order_and_threads", "test_everything_works_in_all_five", "test_exception")
 
 
-def pytest_collection_modifyitems(items):
-    """Begin with a part of each variant: while one process builds it, the others have others."""
+def pytest_collection_modifyitems(config, items):
+    """Begin with a part of each variant: while one process builds it, the others have others.
+
+    The runtime of a workspace has its part of the tests.
+    """
+    extra = [i for i in items if "-shared" in i.name and i.originalname not in SHARED]
+    config.hook.pytest_deselected(items=extra)
+    items[:] = [item for item in items if item not in extra]
     items.sort(key=lambda item: "variant" in item.fixturenames and part(item.nodeid))
 
 
@@ -39,11 +50,11 @@ def _ros2():
 @pytest.fixture(scope="session", params=VARIANTS)
 def variant(request, make, once):
     """Each model in each ROS, built."""
-    model, version = request.param
+    model, version, runtime = request.param
     ros_, underlay = request.getfixturevalue(f"_ros{version}")
     if (model, version) == ("cpp_model", 2) and not ros.has_package(ros_, "rclcpp"):
         pytest.skip("rclcpp is not installed: C++ in ROS 2 is not held to the contract here")
-    return Variant(model, ros_, make, once, underlay)
+    return Variant(model, ros_, make, once, underlay, runtime)
 
 
 @pytest.fixture(scope="session")

@@ -99,6 +99,17 @@ def stop_by_shutdown(stage, node):
     assert stage.state() == "finalized"
 
 
+def test_node_of_the_client_library(stage):
+    """What the logic makes of `passthrough.node` is there beside what the spec says."""
+    node = stage.start("clerk", "serve: open opened")
+    heard = stage.hear("door")
+    wait_for(
+        lambda: stage.call("greet").result() == "greeted" and "opened" in heard(),
+        lambda: f"heard nothing: {node.story()}",
+    )
+    assert node.stop() == 0
+
+
 STOPS = {
     "sigint": lambda stage, node: node.stop(signal.SIGINT),
     "sigterm": lambda stage, node: node.stop(signal.SIGTERM),
@@ -419,6 +430,46 @@ def test_random_signals(stage):
         del calls
 
 
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_signal_at_its_start(stage, number):
+    """A node ends with 0 from the moment on at which it handles signals."""
+    stops = []
+    for _ in range(SIGNALS):
+        node = stage.start("probe")
+        wait_for(node.handles_signals, node.story)
+        time.sleep(random.uniform(0.0, 0.05))
+        stops.append(node.stop(number))
+        node.check()
+    assert stops == [0] * SIGNALS
+
+
+def test_signal_while_importing(stage):
+    """One SIGINT ends the process, though an import swallows what Python makes of it."""
+    only_python(stage, "C++ imports nothing")
+    only_ros1(stage, "in ROS 2 the start script is not of the package")
+    node = stage.start("probe", "importing: block 1")
+    node.wait("importing")
+    node.stop()
+    assert node.methods() == []
+    node.ended_well = False
+
+
+def test_stop_without_a_master(stage):
+    only_ros1(stage, "ROS 2 has no master")
+    if stage.variant.is_python:
+        pytest.skip("does not apply: rospy waits for its master before there is a node")
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        use_master(stage, f"http://127.0.0.1:{free.getsockname()[1]}")
+        node = stage.start("probe")
+        node.wait_log("Failed to contact master")
+        begin = time.monotonic()
+        assert node.stop() == 0, node.story()
+    assert time.monotonic() - begin < 5.0
+    assert node.methods() == []
+    node.expect("[ERROR]")
+
+
 def test_kill_at_its_start(stage):
     """A node that `rosnode kill` finds while it starts ends with 0, in order."""
     only_ros1(stage, "ROS 2 has no rosnode kill")
@@ -504,6 +555,43 @@ def test_stop_while_the_master_is_asked(stage, parameter):
     assert node.methods() == []
 
 
+def test_call_with_a_frozen_master(stage):
+    """It ends in time, answered where the server is known; the node stops as ever."""
+    only_ros1(stage, "ROS 2 has no master")
+    stage.serve()
+    with relayed_master(stage) as master:
+        node = stage.active()
+        node.tell("once update: call 5")
+        assert node.value("update", "call") == "yes", node.story()
+        master.hold()
+        node.tell("once update: call 4")
+        node.wait("update", "call", count=2)
+        assert node.events("update", "call")[-1]["value"] == "yes", node.story()
+        node.tell("deactivate: publish STOP")
+        assert node.stop() == (0 if stage.variant.is_python else 1), node.story()
+        assert node.methods() == LIFE, node.story()
+        node.ended_well = stage.variant.is_python
+
+
+def test_calls_while_the_master_does_not_answer(stage):
+    """They end in time and leave nothing."""
+    only_ros1(stage, "ROS 2 has no master")
+    only_python(stage, "a caller of C++ has one thread")
+    with relayed_master(stage) as master:
+        node = stage.active()
+        asked = master.hold("lookupService", stage.name("ask"))
+        asked.wait()
+        node.tell("once update: call 0.1")
+        node.wait("update", "call")
+        before = measure(node)
+        node.tell(*[f"once update: call 0.1{number}" for number in range(6)])
+        wait_for(lambda: len(node.events("update", "call")) == 7, node.story)
+        time.sleep(0.5)
+        assert_no_growth(before, measure(node), node)
+        asked.release()
+        assert node.stop() == 0, node.story()
+
+
 # Exceptions
 
 
@@ -530,6 +618,15 @@ def test_exception(stage, where):
     assert node.methods() == expected, node.story()
     if where not in LIFE:
         wait_for(lambda: heard() == ["STOP"], lambda: f"heard {heard()}: {node.story()}")
+    node.expect("Traceback", "[ERROR]", "[FATAL]", "Exception")
+
+
+def test_exception_in_the_constructor(stage):
+    """No method of the logic is called; the process ends with 1 and says why."""
+    node = stage.start("probe", "constructor: throw")
+    assert node.exit(SOON) == 1, node.story()
+    assert "thrown on purpose" in node.log(), node.story()
+    assert node.methods() == [], node.story()
     node.expect("Traceback", "[ERROR]", "[FATAL]", "Exception")
 
 
@@ -587,7 +684,48 @@ def test_parameter_of_a_wrong_type(stage):
     assert node.exit() == 1, node.story()
     assert "limit" in node.log(), node.story()
     assert node.methods() == []
-    node.expect("Traceback", "[ERROR]", "[FATAL]", "Exception", "terminate called")
+    node.expect("[ERROR]", "[FATAL]")
+
+
+@pytest.mark.parametrize("value", ["-1", ".nan", ".inf"])
+def test_stop_timeout_out_of_range(stage, value):
+    """The process ends with 1 and names it."""
+    node = stage.start("probe", stop_timeout=value)
+    assert node.exit() == 1, node.story()
+    assert "stop_timeout" in node.log(), node.story()
+    assert node.methods() == []
+    node.expect("[ERROR]", "[FATAL]")
+
+
+def test_unknown_log_level(stage):
+    only_ros1(stage, "in ROS 2 a log level is an argument")
+    node = stage.active(log_level="loud")
+    node.wait_log("log_level must be debug, info, warn, error or fatal")
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf"), -float("inf"), 101.0])
+def test_parameter_that_is_out_of_range(stage, value):
+    """It is refused, when the node is started with it and later on."""
+    only_ros2(stage, "in ROS 1 dynamic_reconfigure brings it into the range")
+    node = stage.start("gauge")
+    node.wait("update")
+    assert not stage.peer.set_parameter(node=stage.name("gauge"), name="gain", value=value)
+    assert node.stop() == 0
+    node = stage.start("gauge", gain=str(value).replace("nan", ".nan").replace("inf", ".inf"))
+    assert node.exit() == 1, node.story()
+    assert "gain" in node.log(), node.story()
+    node.expect("[ERROR]", "[FATAL]")
+
+
+def test_parameter_of_an_unknown_type(stage):
+    """What rclpy cannot read does not end the node."""
+    only_ros2(stage, "ROS 1 takes any")
+    only_python(stage, "rclcpp ends the process")
+    node = stage.active()
+    stage.peer.set_unknown_parameter(node=stage.name("probe"), name="gain")
+    count = len(node.events("update", "begin"))
+    node.wait("update", count=count + 5)
+    node.expect("Traceback", "[ERROR]", "Exception")
 
 
 def test_exception_by_transition(stage):
@@ -1355,6 +1493,27 @@ def test_missed_cycles(stage):
     wait_for(lambda: len(node.events("update", "block")) == 2, node.story)
     time.sleep(0.3)
     assert len(re.findall("(?i).*missed.*", node.log())) == 1, node.log()
+
+
+def test_missed_cycles_of_several_lives(stage):
+    """The next warning may come 10 s after the last one, in whichever activation."""
+    only_ros2(stage, "a node of ROS 1 has one life")
+    node = stage.active("update: block 0.1")
+    node.wait_log("missed")
+    for life in range(2, 5):
+        assert stage.transition("deactivate", "cleanup", "configure", "activate"), node.story()
+        wait_for(lambda: len(node.events("activate", "end")) == life, node.story)  # noqa: B023
+        node.wait("update", "end", count=len(node.events("update", "end")) + 3)
+    assert len(re.findall("(?i)missed", node.log())) == 1, node.story()
+
+
+def test_no_cycle_before_the_clock(stage, simulated):
+    node = start_simulated(stage)
+    node.wait("activate", "end")
+    time.sleep(0.5)
+    assert not node.events("update"), node.story()
+    advance(simulated, 10.0, node, 3)
+    assert node.stop() == 0
 
 
 @pytest.mark.parametrize("seconds", [0.0, 0.01])

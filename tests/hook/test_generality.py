@@ -21,6 +21,7 @@ GENERAL = {*FORMATS, *QOS, *vars(Attribute)["__dataclass_fields__"], PACKAGE, DE
 # Tags of interfaces that are words of Python and of ROS as well.
 EVERYDAY = {"message", "service", "services", "action", "actions", "request", "response", "goal"}
 EVERYDAY |= {"result", "feedback", "field", "fields", "constant", "constants", "messages"}
+EVERYDAY |= {"folder", "folders"}
 
 
 def our_words():
@@ -82,7 +83,7 @@ def test_questions_name_nothing_of_ours():
 def test_page_tells_every_filter():
     page = (ROOT / "docs/designers.md").read_text()
     filters = public_functions(names)
-    for file in ("python", "qos", "text"):
+    for file in ("python", "cpp", "qos", "text"):
         filters |= load_functions(ROOT / f"extensions/{file}.py")
     assert len(filters) > 20
     for name in filters:

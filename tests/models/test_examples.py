@@ -23,6 +23,8 @@ WHOLE = [
 PARTS = [
     "contact_analysis/python_model/kilted",
     "contact_analysis/cpp_model/kilted",
+    "driver/python_model/kilted",
+    "driver/cpp_model/kilted",
     "serving/python_model/kilted",
     "serving/cpp_model/kilted",
     "driving/mixed_model/kilted",
@@ -56,7 +58,12 @@ def test_change_of_a_template_is_seen(own_collection):
     """In text, in mode, and where a file comes or goes."""
     examples = own_collection / "examples"
     shutil.copytree(EXAMPLES, examples, dirs_exist_ok=True)
-    for spec in ("contact_analysis", "contact_msgs", "driving"):  # two specs tell as much as five
+    for spec in (
+        "contact_analysis",
+        "contact_msgs",
+        "driver",
+        "driving",
+    ):  # two specs tell as much as six
         shutil.rmtree(examples / spec)
         (examples / f"{spec}.ros_package").unlink()
     template = own_collection / "python_model/template"
@@ -119,7 +126,8 @@ def test_every_spec_has_its_packages(made):
 def test_answers_tell_nothing_of_a_machine(package, made):
     """Those of the parts are not shown, but made alike."""
     recorded = answers(made / package)
-    assert set(recorded) == {"_src_path", "ci", "ros_distro", "spec"}
+    asked = {"runtime"} if "nodes" in recorded["spec"] else set()
+    assert set(recorded) == {"_src_path", "ci", "ros_distro", "spec"} | asked
     assert recorded["_src_path"] == f"gh:org/{package.split('/')[1]}"
     file = EXAMPLES / package / ".copier-answers.yml"
     assert file.exists() == (package in WHOLE)

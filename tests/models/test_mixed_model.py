@@ -1,6 +1,7 @@
 """mixed_model makes each node as the model of its language does, and says nothing again."""
 
 import re
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import pytest
@@ -51,7 +52,7 @@ def test_files_of_a_language_are_those_of_its_model(language):
     assert included == expected
     for name, source in found.items():
         # ROS 2 starts a node in Python by the program that ROS 1 has.
-        assert source.endswith(name) or name == "scripts/[node.name].jinja"
+        assert source.endswith(name) or name == "scripts/[node.executable].jinja"
         mode = (MIXED / f"[spec.{language}]" / name).stat().st_mode
         assert mode == (ROOT / source).stat().st_mode, name
 
@@ -79,16 +80,14 @@ def context(spec, distro="kilted"):
 
 def test_each_part_is_what_its_model_sees():
     functions, spec = context(DRIVING)
-    for language, others in (("python", {"rclcpp"}), ("cpp", {"rclpy", "builtin_interfaces"})):
+    for language in LANGUAGES:
         (part,) = functions["parts"](spec, language, "kilted")
         alone = re.sub(f'<node (?![^>]*"{language}").*?</node>', "", DRIVING, flags=re.DOTALL)
         alone = re.sub(' language="[a-z]+"', "", alone)
         own = Model(ROOT / f"{language}_model", ROOT).context(alone.encode(), "spec", "kilted")
         assert part["kinds"] == own["kinds"]
         assert [node["name"] for node in part["nodes"]] == [node["name"] for node in own["nodes"]]
-        # The messages of the other language are at hand as well.
-        assert set(part["depends"]) - set(own["depends"]) <= {"std_srvs"}
-        assert not others & set(part["depends"])
+        assert part["depends"] == own["depends"]
         assert functions["parts"](part, language, "kilted")[0]["nodes"] == part["nodes"]
     only = re.sub(r"<node [^>]*python.*?</node>", "", DRIVING, flags=re.DOTALL)
     functions, spec = context(only)
@@ -100,6 +99,45 @@ def test_what_depend_adds_is_for_both_languages():
     functions, spec = context(DRIVING.replace("</package>", "<depend>nav_msgs</depend></package>"))
     for language in LANGUAGES:
         assert "nav_msgs" in functions["parts"](spec, language, "kilted")[0]["depends"]
+
+
+# Packages that a node in Python alone needs, of messages and of its runtime.
+PYTHON_ALONE = """
+    <serviceServer name="reset" type="std_srvs::SetBool"/>
+    <directSubscriber name="map" type="nav_msgs::OccupancyGrid"/>
+    <serviceClient name="ask" type="std_srvs::Empty"/>
+    <actionClient name="go" type="control_msgs::FollowJointTrajectory"/>
+    <dynParameter name="gain" type="double" value="1.0"/>
+    <listener name="tf"/>
+  </node>"""
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_what_python_alone_needs_is_not_built_with(render, distro):
+    """It is there to run: no target in C++ is linked with it, none of its users gets it."""
+    spec = DRIVING.replace(' name="stop" type="std_srvs', ' name="stop" type="diagnostic_msgs')
+    spec = spec.replace("</node>", PYTHON_ALONE, 1)
+    package = render(spec, model="mixed_model", ros_distro=distro)
+    cmake = (package / "CMakeLists.txt").read_text()
+    names = {"std_srvs", "nav_msgs", "control_msgs", "tf2_msgs"}
+    names |= {"roslaunch", "rospy", "actionlib", "rosgraph"} if distro == "noetic" else {"rclpy"}
+    tree = ET.parse(package / "package.xml").getroot()
+    for name in names:
+        assert not re.search(rf"\b{name}\b", cmake), name
+        assert {e.tag for e in tree if e.text == name} == {"exec_depend"}, name
+    assert {e.tag for e in tree if e.text == "diagnostic_msgs"} == {"depend"}
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize("model", ["cpp_model", "mixed_model"])
+def test_what_starts_nodes_is_for_running_alone(render, model, distro):
+    spec = DRIVING if model == "mixed_model" else re.sub(' language="[a-z]+"', "", DRIVING)
+    package = render(spec, model=model, ros_distro=distro)
+    tree = ET.parse(package / "package.xml").getroot()
+    tags = {(e.text, e.tag) for e in tree if "launch" in (e.text or "") and "depend" in e.tag}
+    names = {"roslaunch"} if distro == "noetic" else {"launch_ros", "launch_xml"}
+    assert tags == {(name, "exec_depend") for name in names}
+    assert not re.search("roslaunch|launch_", (package / "CMakeLists.txt").read_text())
 
 
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])

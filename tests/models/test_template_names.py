@@ -15,7 +15,7 @@ FILES = git(ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
 TEMPLATES = sorted(name for name in FILES if re.match(r"\w+_model/template/", name))
 PARTS = [name for name in FILES if re.search(r"\.jinja$|^shared/gitignore$", name)]
 MODELS = sorted(file.parent for file in ROOT.glob("*_model/dictionary.yaml"))
-LONGEST_PATH = 96
+LONGEST_PATH = 101
 LONGEST_FILE = 300
 
 
@@ -66,7 +66,11 @@ TEMPLATE = {
     "copier.yml": """
 spec:
   type: json
-  default: {nodes: [{name: a, places: [{name: x}]}, {name: b, places: []}], places: [{name: y}]}
+  default:
+    nodes:
+      - {tag: node, name: a, places: [{name: x}], topics: [{name: s/t}]}
+      - {tag: node, name: b, places: []}
+    places: [{name: y}]
 words: {type: str, default: "see [node.name] or a[node.name]"}
 _subdirectory: template
 _envops: {undefined: jinja2.StrictUndefined}
@@ -78,6 +82,7 @@ _jinja_extensions:
         "[node.name] {{ node.name }}"
     ),
     "template/[place.name].jinja": "{{ place.name }}{% include 'part' %}",
+    "template/in/[topic.name].txt.jinja": "{{ topic.name }} of {{ topic.node.name }}",
     "template/whole.txt.jinja": (
         "a[node.name]\n{% set node = {'name': 3} %}{{ 'abcd'[node.name] }} {{ words }}"
     ),
@@ -104,6 +109,7 @@ def test_names_for_each_component(tmp_path):
         "a_one/y.a.txt": "[node.name] a",
         "b_one/y.b.txt": "[node.name] b",
         "y": "y[node.name]",
+        "in/s/t.txt": "s/t of a",
         "whole.txt": "a[node.name]\nd see [node.name] or a[node.name]",
         "[plain]_[0].txt": "plain",
     }

@@ -1,15 +1,17 @@
 """Figure 1 of the paper, its interfaces and a written logic: two packages in one workspace."""
 
+import itertools
 import shutil
 
 import pytest
 
 from support import ros
-from support.packages import fill_in_contacts
+from support.packages import fill_in_contacts, shared_runtime
 from support.repository import EXAMPLES
 
 INTERFACES = EXAMPLES / "contact_msgs.ros_package"
 FIGURE = EXAMPLES / "contact_analysis.ros_package"
+FOLDERS = ("src", "build", "install")
 
 
 @pytest.fixture(scope="module")
@@ -22,21 +24,34 @@ def ros2_workspace(tmp_path_factory):
     return tmp_path_factory.mktemp("ros2_figure")
 
 
-def build(ros_, put, model, workspace, options):
+@pytest.fixture(params=["inside", "shared"])
+def put_figure(request, put, make):
+    """Put the package into a workspace, with the runtime inside or beside it."""
+
+    def run(model, distro, workspace):
+        for name, folder in itertools.product(("contact_analysis", "node_runtime"), FOLDERS):
+            shutil.rmtree(workspace / folder / name, ignore_errors=True)
+        if request.param == "inside":
+            put(FIGURE, model, distro, workspace)
+        else:
+            shared_runtime(make, model, workspace, distro, FIGURE)
+
+    return run
+
+
+def build(ros_, put, put_figure, model, workspace, options):
     """Build both packages; the interfaces once, for the nodes in each language."""
     if not (workspace / "src/contact_msgs").exists():
         put(INTERFACES, "interfaces_model", ros_.distro, workspace)
-    for folder in ("src", "build", "install"):
-        shutil.rmtree(workspace / folder / "contact_analysis", ignore_errors=True)
-    put(FIGURE, model, ros_.distro, workspace)
+    put_figure(model, ros_.distro, workspace)
     fill_in_contacts(workspace / "src/contact_analysis", model)
     printed = ros_.run(f"{ros_.build_command} {options}", workspace, timeout=1800).stdout
     assert "warning:" not in printed, printed
 
 
 @pytest.mark.ros1
-def test_figure_in_ros1(ros1, put, model, ros1_workspace, tmp_path):
-    build(ros1, put, model, ros1_workspace, "-DCATKIN_ENABLE_TESTING=OFF")
+def test_figure_in_ros1(ros1, put, put_figure, model, ros1_workspace, tmp_path):
+    build(ros1, put, put_figure, model, ros1_workspace, "-DCATKIN_ENABLE_TESTING=OFF")
     with ros.master(ros1):
         for part in ("learn", "remember"):
             launch = "roslaunch contact_analysis contact_analysis.launch"
@@ -46,10 +61,10 @@ def test_figure_in_ros1(ros1, put, model, ros1_workspace, tmp_path):
 
 
 @pytest.mark.ros2
-def test_figure_in_ros2(ros2, put, model, ros2_workspace, tmp_path):
+def test_figure_in_ros2(ros2, put, put_figure, model, ros2_workspace, tmp_path):
     if model == "cpp_model" and not ros.has_package(ros2, "rclcpp"):
         pytest.skip("rclcpp is not installed")
-    build(ros2, put, model, ros2_workspace, "--cmake-args -DBUILD_TESTING=OFF")
+    build(ros2, put, put_figure, model, ros2_workspace, "--cmake-args -DBUILD_TESTING=OFF")
     for part in ("learn", "remember"):
         with ros.nodes(ros2, ros2_workspace, "contact_analysis", "contact_evaluate") as (log,):
             ros2.talk(ros2_workspace, "contact_analysis", part, str(tmp_path))

@@ -4,7 +4,6 @@ import itertools
 import json
 import os
 import re
-import shutil
 import signal
 import subprocess
 import threading
@@ -13,7 +12,7 @@ from concurrent.futures import Future
 from pathlib import Path
 
 from support import ros
-from support.packages import without_tf
+from support.packages import shared_runtime, without_tf
 
 CONTRACT = Path(__file__).parents[1] / "contract"
 METHODS = ("configure", "activate", "update", "deactivate", "cleanup")
@@ -50,14 +49,16 @@ def wait_for(condition, what, timeout=TIMEOUT):
 class Variant:
     """A model in a ROS: the package of the contract, built."""
 
-    def __init__(self, model, ros_, make, once, underlay=None):
+    def __init__(self, model, ros_, make, once, underlay=None, runtime="inside"):
         self.model = model
+        self.runtime = runtime
         self.ros = ros_
         self.is_ros2 = ros_.environment["ROS_VERSION"] == "2"
         self.is_python = model == "python_model"
         self.has_tf = ros.has(ros_, "tf2_ros")
         self.workspace = once(
-            f"contract_{model}_{ros_.distro}", lambda folder: self._build(folder, make, underlay)
+            f"contract_{model}_{ros_.distro}_{runtime}",
+            lambda folder: self._build(folder, make, underlay),
         )
         printed = subprocess.run(
             ros_.command("env -0", self.workspace),
@@ -74,10 +75,16 @@ class Variant:
         file = workspace / "contract.ros_package"
         file.write_text(spec if self.has_tf else without_tf(spec))
         package = workspace / "src/contract"
-        make(package, file, model=self.model, ros_distro=self.ros.distro)
+        if self.runtime == "inside":
+            make(package, file, model=self.model, ros_distro=self.ros.distro)
+        else:
+            shared_runtime(make, self.model, workspace, self.ros.distro, file)
         folders = {".py": "contract", ".hpp": "include/contract", ".cpp": "src"}
         for source in (CONTRACT / "logic").glob("*.py" if self.is_python else "*.[hc]pp"):
-            shutil.copy(source, package / folders[source.suffix])
+            text = source.read_text()
+            if self.runtime != "inside":
+                text = text.replace("contract.ros.", f"{self.runtime}.ros.")
+            (package / folders[source.suffix] / source.name).write_text(text)
         option = "--cmake-args -DBUILD_TESTING=OFF" if self.is_ros2 else ""
         self.ros.run(f"{self.ros.build_command} {option}", workspace, underlay, timeout=1800)
 
@@ -275,6 +282,11 @@ class Node(Program):
     def thread_ids(self):
         """Return the numbers of the threads, in the order of their start."""
         return sorted(int(task.name) for task in self._proc("task").iterdir())
+
+    def handles_signals(self):
+        """Return whether the process handles SIGTERM."""
+        line = re.search(r"SigCgt:\s+(\w+)", self._proc("status").read_text())
+        return bool(int(line[1], 16) >> (signal.SIGTERM - 1) & 1)
 
     def files(self):
         return len(list(self._proc("fd").iterdir()))

@@ -37,6 +37,10 @@ class Renderer:
             "model": self.model,
             "ros_distro": distro,
             "ci": "none",
+            "runtime": "inside",
+            "runtime_package": spec["name"],
+            "runtime_headers": "" if "nodes" in spec else f"{spec['name']}/",
+            "runtime_version": "0.1.0",
             "ros1": "." if spec["ros"] == 1 else "",
             "ros2": "." if spec["ros"] == 2 else "",
             "spec_file": "",
@@ -68,7 +72,7 @@ class Renderer:
     def components(self, source, spec, values):
         """Yield each path that a template file gives, and the component it is for."""
         item = re.search(r"\[(\w+)\.", source)
-        components = spec[f"{item[1]}s"] if item else [None]
+        components = self.env.filters["all_of"](spec, item[1]) if item else [None]
         for component in components:
             more = {item[1]: component} if item else {}
             form = re.sub(r"\[(\w+\.\w+)\]", r"{{ \1 }}", source)

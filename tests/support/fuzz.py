@@ -221,6 +221,9 @@ class Author(Random):
             "package_name": lambda: self.choice([*["arm", "pkg", "my_arm", "on"] * 20, "test"]),
             "email": lambda: "a@example.org",
             "license": lambda: self.choice(["MIT", "Apache-2.0", "Our own", "BSD"]),
+            "version": lambda: self.choice(["1.2.0", "0.0.1", "10.20.30"]),
+            "url": lambda: f"https://example.org/{self.word()}?a=1&b=2",
+            "file_name": lambda: self.choice([self.word(), "joy-teleop", "listener.py", "2d"]),
             "bool": lambda: self.literal("bool"),
             "int": lambda: self.choice(NUMBERS if self.seldom(30) else ["1", "10", "1000"]),
         }

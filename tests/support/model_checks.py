@@ -45,6 +45,9 @@ SAMPLES = {
     "string": ("some string", "other string"),
     "email": ("ada@example.org", "bob@example.org"),
     "license": ("MIT", "Apache-2.0"),
+    "version": ("1.2.0", "0.1.3"),
+    "url": ("https://example.org/some", "https://example.org/other"),
+    "file_name": ("some-file", "other.file"),
 }
 
 
@@ -157,7 +160,10 @@ class Model:
         own = [item for item in elements if item[0].path]
         needed = [(owner, self.base(owner)) for owner in self.owners if owner.path]
         holders = {owner.path[:size] for owner, _ in own for size in range(1, len(owner.path))}
-        holders |= {owner.path[:1] for owner, _ in own or needed}
+        made = {tag for tag, item in self.hook.dictionary.components.items() if not item.is_plain}
+        has_one = any(owner.component in made for owner, _ in own)
+        holders |= {owner.path[:1] for owner, _ in own}
+        holders |= set() if has_one else {(tag,) for tag in made}
         placed = []
         for item in sorted(own + needed, key=lambda item: len(item[0].path)):
             path = item[0].path

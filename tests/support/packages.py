@@ -9,6 +9,7 @@ from support.repository import EXAMPLES, ROOT, commit, git
 
 DATA = ROOT / "tests/data"
 HOSTILE = DATA / "hostile.ros_package"
+RUNTIME = DATA / "node_runtime.ros_package"
 SPECS = {
     "paper": EXAMPLES / "contact_analysis.ros_package",
     "all kinds": EXAMPLES / "all_kinds.ros_package",
@@ -79,3 +80,17 @@ def answers(package):
 
 def files(package, pattern):
     return [path for path in package.rglob(pattern) if ".git" not in path.parts]
+
+
+def shared_runtime(make, model, workspace, distro, *specs):
+    """Put a runtime into a workspace, and packages of specs that share it.
+
+    In ROS 1 it is for both languages; a ROS 2 may lack what C++ needs.
+    """
+    language = "both" if distro == "noetic" else model.removesuffix("_model")
+    spec = workspace / RUNTIME.name
+    spec.write_text(RUNTIME.read_text().replace("/>", f' language="{language}"/>'))
+    make(workspace / "src" / spec.stem, spec, model="runtime_model", ros_distro=distro)
+    for spec in specs:
+        data = {"model": model, "ros_distro": distro, "runtime": RUNTIME.stem}
+        make(workspace / "src" / spec.stem, spec, **data)

@@ -230,7 +230,9 @@ def test_moved_file_of_a_renamed_node_is_renamed():
     """The developer has moved it; a rename of its node exchanges what is in it."""
     new = OLD.replace("Reach", "Grasp")
     renaming = Renaming(
-        paths={PATH: "arm/grasp_impl.py"}, in_file={PATH: {"ReachImpl": "GraspImpl"}}
+        paths={PATH: "arm/grasp_impl.py"},
+        in_file={PATH: {"ReachImpl": "GraspImpl"}},
+        vocabulary={PATH: {"ReachImpl"}},
     )
     trees = [{path: File(t.encode())} for path, t in (("arm/logic/mine.py", MINE), (PATH, OLD))]
     new_tree = {"arm/grasp_impl.py": File(new.encode())}

@@ -172,3 +172,36 @@ def test_uses_of_what_left_are_said_where_its_name_is_taken(arm, update):
     assert f"still     arm/reach_impl.py:{number}: {taken}" in said
     assert f"still     arm/helper.py:2: {taken}" in said
     assert said.count(taken) == 2
+
+
+FIELDS = """<package name="m_msgs" author="A" author_email="a@b.org" description="The name"
+  license="MIT">
+  <message name="Pose">
+    <field name="name" type="string"/>
+  </message>
+  <message name="Other" description="Another, without a type">
+    <field name="name" type="string"/>
+    <field name="type" type="string"/>
+  </message>
+</package>
+"""
+
+
+def test_words_of_xml_are_no_uses_of_a_name(render, update):
+    """A field may have the name of an attribute or of a tag."""
+    package = render(FIELDS, model="interfaces_model", name="m_msgs")
+    (package / "view.launch").write_text('<launch>\n  <arg name="a" doc="name"/>\n</launch>\n')
+    commit(package, "Launch")
+    said = update(
+        package,
+        ('<field name="name"', '<field name="label" was="name"'),
+        ('<field name="type"', '<field name="kind" was="type"'),
+    )
+    still = re.findall("still +(.*)", said)
+    spec = "m_msgs.ros_package"
+    assert still == [
+        f"{spec}:1: name",
+        f"{spec}:6: type",
+        f"{spec}:7: name",
+        "view.launch:2: name",
+    ]

@@ -81,7 +81,7 @@ def test_removed_logic_is_said(arm, update_with):
     end = SPEC.index('  <node name="watch"')
     said = update_with((SPEC[start:end], ""))
     assert "- node reach" in said
-    (line,) = (line for line in said.splitlines() if "arm/reach_impl.py" in line)
+    (line,) = (line for line in said.splitlines() if "removed   arm/reach_impl.py" in line)
     command = line.partition("git show ")[2].rstrip(")")
     assert "config.gain * data.in_goal.data" in git(arm, "show", command)
     assert before != command.partition(":")[0]

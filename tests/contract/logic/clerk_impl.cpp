@@ -16,9 +16,29 @@ ClerkImpl::ClerkImpl(const ClerkPassthrough & passthrough)
           passthrough_.pub_say->publish(message);
           return std::string("null");
         }},
+      {"open", [this](const auto & a) {return open(a.at(0));}},
       {"sleep", [this](const auto & a) {return json(passthrough_.sleep(std::stod(a.at(0))));}},
     })
 {
+}
+
+/// Publish by the client library, on a topic that the spec does not know.
+std::string ClerkImpl::open(const std::string & text)
+{
+  clerk_types::PubSay message;
+  message.data = text;
+#ifdef ROSCPP_ROS_H
+  if (!door_) {
+    door_ = passthrough_.node->advertise<clerk_types::PubSay>("door", 1);
+  }
+  door_.publish(message);
+#else
+  if (!door_) {
+    door_ = rclcpp::create_publisher<clerk_types::PubSay>(*passthrough_.node, "door", 1);
+  }
+  door_->publish(message);
+#endif
+  return "null";
 }
 
 bool ClerkImpl::configure(const ClerkConfig &)

@@ -1,6 +1,8 @@
 #ifndef CONTRACT__CLERK_IMPL_HPP_
 #define CONTRACT__CLERK_IMPL_HPP_
 
+#include <string>
+
 #include "contract/behaviour.hpp"
 #include "contract/clerk_interface.hpp"
 
@@ -21,7 +23,14 @@ public:
   void cleanup();
 
 private:
+  std::string open(const std::string & text);
+
   ClerkPassthrough passthrough_;
+#ifdef ROSCPP_ROS_H
+  ros::Publisher door_;
+#else
+  rclcpp::Publisher<clerk_types::PubSay>::SharedPtr door_;
+#endif
   Behaviour behaviour_;
 };
 

@@ -7,13 +7,24 @@ from std_msgs.msg import String
 class ClerkImpl:
     def __init__(self, passthrough):
         self.say = passthrough.pub_say
+        self.node = passthrough.node
+        self.door = None
         self.run = Behaviour(
             "clerk",
             {
                 "publish": lambda text: self.say.publish(String(data=text)),
+                "open": self.open,
                 "sleep": lambda seconds: passthrough.sleep(float(seconds)),
             },
         ).run
+
+    def open(self, text):
+        """Publish by the client library, on a topic that the spec does not know."""
+        if self.door is None and hasattr(self.node, "create_publisher"):
+            self.door = self.node.create_publisher(String, "door", 1)
+        elif self.door is None:
+            self.door = self.node.Publisher("door", String, queue_size=1)
+        self.door.publish(String(data=text))
 
     def configure(self, config):
         return self.run("configure")

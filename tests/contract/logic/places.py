@@ -4,6 +4,7 @@ Places in the package where a test can hold a thread: before and after some of i
 A moment between two threads becomes as long as the test likes.
 """
 
+import contextlib
 from functools import wraps
 from threading import current_thread
 
@@ -48,3 +49,6 @@ if hasattr(Goal, "end"):
 Stop.asks = Stop.requested.fget
 add(Stop, "asks", lambda: f"asking for the stop in {thread()}")
 Stop.requested = property(Stop.asks)
+
+with contextlib.suppress(KeyboardInterrupt):
+    _places.at("importing")

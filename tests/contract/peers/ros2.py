@@ -243,6 +243,18 @@ class Peer:
         )
         return answer.results[0].successful
 
+    def set_unknown_parameter(self, node, name):
+        """Set a parameter to a value of a type that ROS does not know."""
+        parameter = Parameter(name, value=0).to_parameter_msg()
+        parameter.value.type = 99
+        with contextlib.suppress(AssertionError):  # it may not be answered
+            self.request(
+                f"{node}/set_parameters",
+                "rcl_interfaces/srv/SetParameters",
+                timeout=2.0,
+                parameters=[parameter],
+            )
+
     def set_parameters_atomically(self, node, values):
         answer = self.request(
             f"{node}/set_parameters_atomically",

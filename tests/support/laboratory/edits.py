@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from hooks.merge.tree import LINK, File, encode
+from support.laboratory.judge import COUNTERPARTS
 
 FOREIGN = b"caf\xe9".decode(errors="surrogateescape")
 """A word in an encoding that is not UTF-8."""
@@ -55,8 +56,13 @@ class Edited:
             for first, (last, name) in self.around.items()
             if re.search(rf"\b{first}\b", everything)
         }
+
+        def place(mark, path):
+            places = [path, *COUNTERPARTS.get(path, ())]
+            return next((p for p in places if re.search(rf"\b{mark}\b", texts.get(p, ""))), path)
+
         self.lines = {
-            mark: (at(path), renamed.get(path, {}).get(function, function))
+            mark: (place(mark, at(path)), renamed.get(path, {}).get(function, function))
             for mark, (path, function) in self.lines.items()
             if re.search(rf"\b{mark}\b", everything)
         }

@@ -12,6 +12,10 @@ import yaml
 
 CONFLICT = "<<<<<<< before updating"
 LINK = "120000"
+LAUNCH_FILES = ("launch/lab.launch", "launch/lab.launch.xml")
+BUILD_FILES = ("CMakeLists.txt", "setup.py")
+COUNTERPARTS = {path: files for files in (LAUNCH_FILES, BUILD_FILES) for path in files}
+"""Files that take lines from one another in a move to the other ROS."""
 
 
 def judge(edited, old, new, tree, said, missing, moves, callbacks):
@@ -21,7 +25,8 @@ def judge(edited, old, new, tree, said, missing, moves, callbacks):
         edited: what the developer did.
         old, new: the texts of the renders, by path.
         tree: the files of the package after the update, each with `text`, `data` and `mode`.
-        said: what the summary says left: `path`, or `path: function` (or key, element, section).
+        said: what the summary says left: `path`, or `path: function` (or key, element, section),
+            or a mark.
         missing: what it says the developer has deleted, in the same form.
         moves: the paths that a rename, or the model, gives to paths of before.
         callbacks: the names that a rename gives to functions of before, by path of before.
@@ -79,7 +84,10 @@ def _line(marks, mark, path, function, target, result, said, callbacks):
     if not found:
         parts = [part for part in said if part.startswith(f"{path}: ")]
         gone = path in said or f"{path}: {function}" in said or (not function and parts)
+        gone = gone or mark in said
         return [] if gone else [f"{path}: {mark} is lost"]
+    if len(found) == 1 and found[0] != target and found[0] in COUNTERPARTS.get(target, ()):
+        return []  # in the file of the other ROS, which has no functions
     if found != [target]:
         return [f"{path}: {mark} is in {', '.join(found)}"]
     lines = result[target].split("\n")

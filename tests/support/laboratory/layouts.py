@@ -3,16 +3,18 @@
 import re
 
 FLAT = (
-    (r"(\{\{ spec\.name \}\})\.ros import", r"\1 import"),
-    (r"(\{\{ spec\.name \}\})\.ros\.", r"\1."),
-    (r"(\{\{ spec\.name \}\})/ros/", r"\1/"),
-    (r"(spec\.name ~ ')/ros/", r"\1/"),
+    (r"(\{\{ runtime_package \}\})\.ros import", r"\1 import"),
+    (r"(\{\{ runtime_package \}\})\.ros\.", r"\1."),
+    (r"(\{\{ (?:spec\.name|runtime_package) \}\})/ros/", r"\1/"),
+    (r"(runtime_package ~ ')/ros/", r"\1/"),
     (r"(?m)^(from )support\.", r"\1"),
     (r"\./support/", "./"),
     (r"'support', ('recorder\.py')", r"\1"),
+    (r"\b(ros/)?timing\.hpp", r"\1loop.hpp"),
     (r"test/support/(fakes|\[node\.name\]_harness)\.hpp", r"test/\1.hpp"),
 )
 """What says in templates where files are, now and before."""
+RENAMED = {"goal_sender.py": "ros_action_client.py", "timing.hpp": "loop.hpp"}
 
 
 def flatten(collection):
@@ -34,6 +36,6 @@ def flatten(collection):
         for folder in folders:
             for file in folder.iterdir():
                 file.rename(folder.parent / file.name)
-        senders = [*template.rglob("goal_sender.py.jinja")]
-        for file in senders:
-            file.rename(file.with_name("ros_action_client.py.jinja"))
+        for now, before in RENAMED.items():
+            for file in [*template.rglob(f"{now}.jinja")]:
+                file.rename(file.with_name(f"{before}.jinja"))

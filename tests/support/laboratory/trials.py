@@ -138,6 +138,7 @@ class Laboratory:
         dictionary = load(source / model / "dictionary.yaml", source)
         layout = moved_files(contexts[1], dictionary) if version != old_version else {}
         renaming.follow(layout, old, new)
+        renaming.move(_tree(old), _tree(new))
         kept = {path for path in {*old, *new} if path.endswith((".ros_package", "CHANGELOG.md"))}
         return Pair(
             spec, new_spec, old, new, renaming, kept.__contains__, len({*distros}) > 1, layout
@@ -198,7 +199,10 @@ def chain(random, laboratory, model, distro, length, counts, check=None):
         tree.pop(ANSWERS)
         texts = _texts(package)
         parts = re.findall(r"^removed   (.+?)(?: from (\S+))?  ", said, re.MULTILINE)
-        gone = {f"{path}: {part.rpartition('::')[2]}" if path else part for part, path in parts}
+        behind = marks_left(said, edited)
+        gone = behind | {
+            f"{path}: {part.rpartition('::')[2]}" if path else part for part, path in parts
+        }
         parts = re.findall(r"^missing   (\S+?)(?:: (.+))?$", said, re.MULTILINE)
         missing = {f"{path}: {part.rpartition('::')[2]}" if part else path for path, part in parts}
         places, names = moves(pair, edited), renamed(pair, edited)
@@ -216,6 +220,15 @@ def chain(random, laboratory, model, distro, length, counts, check=None):
         commit(package, f"Update {number}")
         edited.follow(texts, places, names)
         spec, distro, version = new_spec, new_distro, new_version
+
+
+def marks_left(said, edited):
+    """Return the marks of the lines that the summary says were left behind."""
+    found = set()
+    for path, first, last in re.findall(r"^left +(.+?):(\d+)(?:-(\d+))?: ", said, re.MULTILINE):
+        lines = edited.texts[path].split("\n")[int(first) - 1 : int(last or first)]
+        found |= set(re.findall(r"\bmine_\d+\b", "\n".join(lines)))
+    return found
 
 
 def settled(text):
@@ -413,8 +426,8 @@ REWRITTEN = {
     "Start operating; return": "Begin to work; return",
     "\n## Lifecycle": "\n## Support\n\nAsk the authors.\n\n## Lifecycle",
     "/config/{{ node.name }}.yaml": "/config/{{ node.name }}_params.yaml",
-    "{{ spec.name }}.ros.worker import": "{{ spec.name }}.ros.jobs import",
-    '"ros/inbox.hpp"': '"ros/mailbox.hpp"',
+    "{{ runtime_package }}.ros.worker import": "{{ runtime_package }}.ros.jobs import",
+    "{{ runtime_headers }}ros/inbox.hpp": "{{ runtime_headers }}ros/mailbox.hpp",
     "\n  'inbox':": "\n  'mailbox':",
     '/worker.py.jinja"': '/jobs.py.jinja"',
     '/inbox.hpp.jinja"': '/mailbox.hpp.jinja"',

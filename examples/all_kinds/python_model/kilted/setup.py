@@ -1,11 +1,21 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-from glob import glob
+import os
 
 from setuptools import find_packages, setup
 
 package_name = 'all_kinds'
+
+
+def installed(folder):
+    """Return where the files of a folder and its subfolders are installed."""
+    return [
+        (os.path.join('share', package_name, path), [os.path.join(path, file) for file in files])
+        for path, _, files in os.walk(folder)
+        if not path.endswith('__pycache__')
+    ]
+
 
 setup(
     name=package_name,
@@ -15,8 +25,8 @@ setup(
     data_files=[
         ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
         ('share/' + package_name, ['package.xml']),
-        ('share/' + package_name + '/config', glob('config/*')),
-        ('share/' + package_name + '/launch', glob('launch/*')),
+        *installed('config'),
+        *installed('launch'),
     ],
     install_requires=['setuptools'],
     extras_require={'test': ['pytest']},

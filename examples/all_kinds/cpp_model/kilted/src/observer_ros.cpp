@@ -36,11 +36,12 @@ public:
   /// Create publishers and clients, then the logic.
   ObserverSession(
     ManagedNode & node,
-    const SharedConfig & config)
+    const SharedConfig & config,
+    const std::shared_ptr<Loop> & loop)
   : config_(config),
     calls_(node.calls()),
     sleeper_(node.get_clock(), node.stop()),
-    loop_(sleeper_, FREQUENCY, node.get_logger())
+    loop_(loop)
   {
     ObserverPassthrough passthrough;
     passthrough.log = make_logger(node.get_logger());
@@ -55,7 +56,7 @@ public:
   void cleanup() override {impl_->cleanup();}
 
   /// Run the update loop until the node stops.
-  void work() override {loop_.run([this] {update();});}
+  void work() override {loop_->run([this] {update();});}
 
   /// Create subscriptions and servers.
   void connect([[maybe_unused]] ManagedNode & node) override
@@ -83,7 +84,7 @@ private:
   SharedConfig config_;
   std::shared_ptr<Calls> calls_;
   Sleeper sleeper_;
-  Loop loop_;
+  std::shared_ptr<Loop> loop_;
   ObserverData data_;
   Inbox<observer_types::InStatus> in_status_;
   Topics topics_;
@@ -104,10 +105,9 @@ public:
       [this](const std::vector<rclcpp::Parameter> &) {
         std::atomic_store(config_.get(), read_config());
       });
-    fix_while_configured(
-      {
-        "limit",
-      });
+    fixed_ = {
+      "limit",
+    };
   }
 
   ~ObserverNode() override {end();}
@@ -115,14 +115,14 @@ public:
 private:
   std::shared_ptr<Session> make_session() override
   {
-    return std::make_shared<ObserverSession>(*this, config_);
+    return std::make_shared<ObserverSession>(*this, config_, loop_);
   }
 
   void declare_parameters()
   {
     using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
     const ObserverConfig config;
-    declare_parameter(
+    declare(
       "limit",
       config.limit,
       Descriptor().set__description("How many to keep"));
@@ -140,6 +140,8 @@ private:
     std::make_shared<std::shared_ptr<const ObserverConfig>>(
     std::make_shared<const ObserverConfig>());
   std::shared_ptr<void> parameters_callback_;
+  std::shared_ptr<Loop> loop_ =
+    std::make_shared<Loop>(Sleeper(get_clock(), stop()), FREQUENCY, get_logger());
 };
 
 /// Run the node in a process of its own.

@@ -50,11 +50,12 @@ public:
   /// Create publishers and clients, then the logic.
   WorkerSession(
     ManagedNode & node,
-    const SharedConfig & config)
+    const SharedConfig & config,
+    const std::shared_ptr<Loop> & loop)
   : config_(config),
     calls_(node.calls()),
     sleeper_(node.get_clock(), node.stop()),
-    loop_(sleeper_, FREQUENCY, node.get_logger())
+    loop_(loop)
   {
     WorkerPassthrough passthrough;
     passthrough.log = make_logger(node.get_logger());
@@ -101,7 +102,7 @@ public:
   void cleanup() override {impl_->cleanup();}
 
   /// Run the update loop until the node stops.
-  void work() override {loop_.run([this] {update();});}
+  void work() override {loop_->run([this] {update();});}
 
   /// Create subscriptions and servers.
   void connect([[maybe_unused]] ManagedNode & node) override
@@ -204,7 +205,7 @@ private:
   SharedConfig config_;
   std::shared_ptr<Calls> calls_;
   Sleeper sleeper_;
-  Loop loop_;
+  std::shared_ptr<Loop> loop_;
   WorkerData data_;
   Inbox<worker_types::InSpeed> in_speed_;
   Inbox<worker_types::InCounter> in_counter_;
@@ -232,11 +233,10 @@ public:
       [this](const std::vector<rclcpp::Parameter> &) {
         std::atomic_store(config_.get(), read_config());
       });
-    fix_while_configured(
-      {
-        "prefix",
-        "weights",
-      });
+    fixed_ = {
+      "prefix",
+      "weights",
+    };
   }
 
   ~WorkerNode() override {end();}
@@ -244,40 +244,40 @@ public:
 private:
   std::shared_ptr<Session> make_session() override
   {
-    return std::make_shared<WorkerSession>(*this, config_);
+    return std::make_shared<WorkerSession>(*this, config_, loop_);
   }
 
   void declare_parameters()
   {
     using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
     const WorkerConfig config;
-    declare_parameter(
+    declare(
       "prefix",
       config.prefix,
       Descriptor().set__description("What stands before a status, e.g. \"a\" < 'b' and so on"));
-    declare_parameter(
+    declare(
       "weights",
       config.weights,
       Descriptor().set__description("Weights of the inputs"));
-    declare_parameter(
+    declare(
       "gain",
       config.gain,
       between<double>(
         0.0,
         10.0,
         Descriptor().set__description("Gain of the output")));
-    declare_parameter(
+    declare(
       "step",
       config.step,
       between<std::int64_t>(
         1,
         std::numeric_limits<std::int64_t>::max(),
         Descriptor().set__description("How far to count in a cycle")));
-    declare_parameter(
+    declare(
       "verbose",
       config.verbose,
       Descriptor().set__description("Whether to say more"));
-    declare_parameter(
+    declare(
       "label",
       config.label,
       Descriptor().set__description("Name in the status"));
@@ -300,6 +300,8 @@ private:
     std::make_shared<std::shared_ptr<const WorkerConfig>>(
     std::make_shared<const WorkerConfig>());
   std::shared_ptr<void> parameters_callback_;
+  std::shared_ptr<Loop> loop_ =
+    std::make_shared<Loop>(Sleeper(get_clock(), stop()), FREQUENCY, get_logger());
 };
 
 /// Run the node in a process of its own.

@@ -41,7 +41,7 @@ class ObserverNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters."""
         super().__init__('observer', **options)
-        self.declare_parameter(
+        self._declare(
             'limit',
             100,
             ParameterDescriptor(

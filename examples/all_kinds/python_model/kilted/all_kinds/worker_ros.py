@@ -48,21 +48,21 @@ class WorkerNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters and create what lives as long as the node."""
         super().__init__('worker', **options)
-        self.declare_parameter(
+        self._declare(
             'prefix',
             'it\'s "said" <so> & für immer',
             ParameterDescriptor(
                 description='What stands before a status, e.g. "a" < \'b\' and so on',
             ),
         )
-        self.declare_parameter(
+        self._declare(
             'weights',
             (0.5, 1.0, 2000.0),
             ParameterDescriptor(
                 description='Weights of the inputs',
             ),
         )
-        self.declare_parameter(
+        self._declare(
             'gain',
             1.5,
             ParameterDescriptor(
@@ -75,7 +75,7 @@ class WorkerNode(ManagedNode):
                 ],
             ),
         )
-        self.declare_parameter(
+        self._declare(
             'step',
             1,
             ParameterDescriptor(
@@ -89,14 +89,14 @@ class WorkerNode(ManagedNode):
                 ],
             ),
         )
-        self.declare_parameter(
+        self._declare(
             'verbose',
             False,
             ParameterDescriptor(
                 description='Whether to say more',
             ),
         )
-        self.declare_parameter(
+        self._declare(
             'label',
             'worker',
             ParameterDescriptor(

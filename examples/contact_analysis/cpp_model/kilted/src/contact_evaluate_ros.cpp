@@ -42,11 +42,12 @@ public:
   /// Create publishers and clients, then the logic.
   ContactEvaluateSession(
     ManagedNode & node,
-    const SharedConfig & config)
+    const SharedConfig & config,
+    const std::shared_ptr<Loop> & loop)
   : config_(config),
     calls_(node.calls()),
     sleeper_(node.get_clock(), node.stop()),
-    loop_(sleeper_, FREQUENCY, node.get_logger())
+    loop_(loop)
   {
     ContactEvaluatePassthrough passthrough;
     passthrough.log = make_logger(node.get_logger());
@@ -66,7 +67,7 @@ public:
   void cleanup() override {impl_->cleanup();}
 
   /// Run the update loop until the node stops.
-  void work() override {loop_.run([this] {update();});}
+  void work() override {loop_->run([this] {update();});}
 
   /// Create subscriptions and servers.
   void connect([[maybe_unused]] ManagedNode & node) override
@@ -147,7 +148,7 @@ private:
   SharedConfig config_;
   std::shared_ptr<Calls> calls_;
   Sleeper sleeper_;
-  Loop loop_;
+  std::shared_ptr<Loop> loop_;
   ContactEvaluateData data_;
   Inbox<contact_evaluate_types::InCop> in_cop_;
   Topics topics_;
@@ -170,10 +171,9 @@ public:
       [this](const std::vector<rclcpp::Parameter> &) {
         std::atomic_store(config_.get(), read_config());
       });
-    fix_while_configured(
-      {
-        "samples",
-      });
+    fixed_ = {
+      "samples",
+    };
   }
 
   ~ContactEvaluateNode() override {end();}
@@ -181,18 +181,18 @@ public:
 private:
   std::shared_ptr<Session> make_session() override
   {
-    return std::make_shared<ContactEvaluateSession>(*this, config_);
+    return std::make_shared<ContactEvaluateSession>(*this, config_, loop_);
   }
 
   void declare_parameters()
   {
     using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
     const ContactEvaluateConfig config;
-    declare_parameter(
+    declare(
       "samples",
       config.samples,
       Descriptor().set__description("number of samples accumulated for learning"));
-    declare_parameter(
+    declare(
       "pub_sample",
       config.pub_sample,
       Descriptor().set__description("Whether cop sampled should be published"));
@@ -211,6 +211,8 @@ private:
     std::make_shared<std::shared_ptr<const ContactEvaluateConfig>>(
     std::make_shared<const ContactEvaluateConfig>());
   std::shared_ptr<void> parameters_callback_;
+  std::shared_ptr<Loop> loop_ =
+    std::make_shared<Loop>(Sleeper(get_clock(), stop()), FREQUENCY, get_logger());
 };
 
 /// Run the node in a process of its own.

@@ -45,14 +45,14 @@ class ContactEvaluateNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters and create what lives as long as the node."""
         super().__init__('contact_evaluate', **options)
-        self.declare_parameter(
+        self._declare(
             'samples',
             200,
             ParameterDescriptor(
                 description='number of samples accumulated for learning',
             ),
         )
-        self.declare_parameter(
+        self._declare(
             'pub_sample',
             True,
             ParameterDescriptor(

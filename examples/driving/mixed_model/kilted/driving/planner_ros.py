@@ -41,7 +41,7 @@ class PlannerNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters."""
         super().__init__('planner', **options)
-        self.declare_parameter(
+        self._declare(
             'speed_limit',
             1.0,
             ParameterDescriptor(

@@ -40,11 +40,12 @@ public:
   /// Create publishers and clients, then the logic.
   ControllerSession(
     ManagedNode & node,
-    const SharedConfig & config)
+    const SharedConfig & config,
+    const std::shared_ptr<Loop> & loop)
   : config_(config),
     calls_(node.calls()),
     sleeper_(node.get_clock(), node.stop()),
-    loop_(sleeper_, FREQUENCY, node.get_logger())
+    loop_(loop)
   {
     ControllerPassthrough passthrough;
     passthrough.log = make_logger(node.get_logger());
@@ -62,7 +63,7 @@ public:
   void cleanup() override {impl_->cleanup();}
 
   /// Run the update loop until the node stops.
-  void work() override {loop_.run([this] {update();});}
+  void work() override {loop_->run([this] {update();});}
 
   /// Create subscriptions and servers.
   void connect([[maybe_unused]] ManagedNode & node) override
@@ -110,7 +111,7 @@ private:
   SharedConfig config_;
   std::shared_ptr<Calls> calls_;
   Sleeper sleeper_;
-  Loop loop_;
+  std::shared_ptr<Loop> loop_;
   ControllerData data_;
   Inbox<controller_types::InTargetSpeed> in_target_speed_;
   Topics topics_;
@@ -133,10 +134,9 @@ public:
       [this](const std::vector<rclcpp::Parameter> &) {
         std::atomic_store(config_.get(), read_config());
       });
-    fix_while_configured(
-      {
-        "speed_limit",
-      });
+    fixed_ = {
+      "speed_limit",
+    };
   }
 
   ~ControllerNode() override {end();}
@@ -144,14 +144,14 @@ public:
 private:
   std::shared_ptr<Session> make_session() override
   {
-    return std::make_shared<ControllerSession>(*this, config_);
+    return std::make_shared<ControllerSession>(*this, config_, loop_);
   }
 
   void declare_parameters()
   {
     using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
     const ControllerConfig config;
-    declare_parameter(
+    declare(
       "speed_limit",
       config.speed_limit,
       Descriptor().set__description("Highest speed, m/s"));
@@ -169,6 +169,8 @@ private:
     std::make_shared<std::shared_ptr<const ControllerConfig>>(
     std::make_shared<const ControllerConfig>());
   std::shared_ptr<void> parameters_callback_;
+  std::shared_ptr<Loop> loop_ =
+    std::make_shared<Loop>(Sleeper(get_clock(), stop()), FREQUENCY, get_logger());
 };
 
 /// Run the node in a process of its own.

@@ -132,11 +132,10 @@ public:
       [this](const std::vector<rclcpp::Parameter> &) {
         std::atomic_store(config_.get(), read_config());
       });
-    fix_while_configured(
-      {
-        "greeting",
-        "patience",
-      });
+    fixed_ = {
+      "greeting",
+      "patience",
+    };
   }
 
   ~ClerkNode() override {end();}
@@ -151,11 +150,11 @@ private:
   {
     using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
     const ClerkConfig config;
-    declare_parameter(
+    declare(
       "greeting",
       config.greeting,
       Descriptor().set__description("What to say"));
-    declare_parameter(
+    declare(
       "patience",
       config.patience,
       Descriptor().set__description("Time for a step, s"));

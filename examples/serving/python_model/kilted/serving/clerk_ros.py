@@ -39,14 +39,14 @@ class ClerkNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters and create what lives as long as the node."""
         super().__init__('clerk', **options)
-        self.declare_parameter(
+        self._declare(
             'greeting',
             'hello',
             ParameterDescriptor(
                 description='What to say',
             ),
         )
-        self.declare_parameter(
+        self._declare(
             'patience',
             0.5,
             ParameterDescriptor(

@@ -4,9 +4,11 @@
 #ifndef ROS__MANAGED_NODE_HPP_
 #define ROS__MANAGED_NODE_HPP_
 
-#include <algorithm>
+#include <semaphore.h>
+
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +20,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -83,6 +86,8 @@ public:
   : LifecycleNode(name, options),
     context_(get_node_base_interface()->get_context())
   {
+    checked_ = add_on_set_parameters_callback(
+      [this](const std::vector<rclcpp::Parameter> & parameters) {return check(parameters);});
     rcl_interfaces::msg::ParameterDescriptor autostart;
     autostart.description = "Whether the node configures and activates itself.";
     autostart.read_only = true;
@@ -91,7 +96,7 @@ public:
     stop_timeout.description = "Time that the logic has to return when the node stops, s";
     stop_timeout.floating_point_range.resize(1);
     stop_timeout.floating_point_range[0].to_value = 3600.0;
-    declare_parameter("stop_timeout", 2.0, stop_timeout);
+    declare("stop_timeout", 2.0, stop_timeout);
     // Communication still works in this callback.
     pre_shutdown_ = context_->add_pre_shutdown_callback([this] {end();});
     if (get_parameter("autostart").as_bool()) {
@@ -111,7 +116,7 @@ public:
     logic_.end_by(Stop::deadline(timeouts::RETURN));
   }
 
-  /// Shut the context down after a failure, and let a second signal end the process at once.
+  /// Shut the context down after a failure.
   void be_alone() {is_alone_ = true;}
 
   /// Return whether the node failed, or could not stop.
@@ -202,10 +207,6 @@ protected:
   void end()
   {
     is_ending_ = true;
-    if (is_alone_) {  // a second signal ends the process at once
-      std::signal(SIGINT, SIG_DFL);
-      std::signal(SIGTERM, SIG_DFL);
-    }
     stop_->request(false);
     const std::lock_guard<std::mutex> lock(transition_mutex_);
     while (state() != State::PRIMARY_STATE_FINALIZED) {
@@ -222,23 +223,41 @@ protected:
     }
   }
 
-  /// Refuse to change these parameters, unless the node is unconfigured.
-  void fix_while_configured(const std::vector<std::string> & names)
+  template<typename Value>
+  void declare(
+    const std::string & name,
+    const Value & value,
+    const rcl_interfaces::msg::ParameterDescriptor & descriptor)
   {
-    fixed_parameters_ = add_on_set_parameters_callback(
-      [this, names](const std::vector<rclcpp::Parameter> & parameters) {
-        rcl_interfaces::msg::SetParametersResult result;
-        result.successful = true;
-        for (const auto & parameter : parameters) {
-          const auto found = std::find(names.begin(), names.end(), parameter.get_name());
-          if (found != names.end() && state() != State::PRIMARY_STATE_UNCONFIGURED) {
-            result.successful = false;
-            result.reason = *found + " can be changed only while the node is unconfigured.";
-          }
-        }
-        return result;
-      });
+    if (!descriptor.floating_point_range.empty()) {
+      ranged_.insert(name);
+    }
+    declare_parameter(name, value, descriptor);
   }
+
+  /// Refuse NaN and infinity, which pass every range of rclcpp 29.3; and changes of what is fixed.
+  rcl_interfaces::msg::SetParametersResult check(
+    const std::vector<rclcpp::Parameter> & parameters)
+  {
+    rcl_interfaces::msg::SetParametersResult result;
+    result.successful = true;
+    for (const auto & parameter : parameters) {
+      const auto & name = parameter.get_name();
+      const bool is_double = parameter.get_type() == rclcpp::PARAMETER_DOUBLE;
+      if (is_double && ranged_.count(name) > 0 && !std::isfinite(parameter.as_double())) {
+        result.successful = false;
+        result.reason = name + " must be a finite number.";
+      }
+      if (fixed_.count(name) > 0 && state() != State::PRIMARY_STATE_UNCONFIGURED) {
+        result.successful = false;
+        result.reason = name + " can be changed only while the node is unconfigured.";
+      }
+    }
+    return result;
+  }
+
+  /// Parameters that can be changed only while the node is unconfigured.
+  std::set<std::string> fixed_;
 
 private:
   using State = lifecycle_msgs::msg::State;
@@ -441,7 +460,8 @@ private:
   rclcpp::Context::SharedPtr context_;
   rclcpp::PreShutdownCallbackHandle pre_shutdown_;
   rclcpp::TimerBase::SharedPtr start_timer_;
-  std::shared_ptr<void> fixed_parameters_;
+  std::shared_ptr<void> checked_;
+  std::set<std::string> ranged_;  // parameters
   std::shared_ptr<Stop> stop_ = std::make_shared<Stop>();
   std::shared_ptr<Calls> calls_ = std::make_shared<Calls>(
     [logger = get_logger()](const std::string & method, const std::string & error) {
@@ -478,13 +498,74 @@ inline Logger make_logger(const rclcpp::Logger & logger)
     });
 }
 
+/// Shuts ROS down at the first SIGINT or SIGTERM; a second one ends the process at once.
+///
+/// The handlers of rclcpp 29.3 write to the log, where a signal may wait for ever for a lock that
+/// its own thread holds (ros2/rclcpp#2982).
+class StopRequests
+{
+public:
+  StopRequests()
+  {
+    sem_init(&wake_up(), 0, 0);
+    std::signal(SIGINT, handle_signal);
+    std::signal(SIGTERM, handle_signal);
+  }
+
+  StopRequests(const StopRequests &) = delete;
+  StopRequests & operator=(const StopRequests &) = delete;
+
+  ~StopRequests()
+  {
+    ended_ = true;
+    sem_post(&wake_up());
+    if (thread_.joinable()) {
+      thread_.join();
+    }
+  }
+
+  /// Obey from now on, also those that have come before.
+  void obey()
+  {
+    thread_ = std::thread(
+      [this] {
+        name_this_thread("stop_requests");
+        while (sem_wait(&wake_up()) != 0) {
+        }
+        if (!ended_) {
+          rclcpp::shutdown(nullptr, "it has been told to stop");
+        }
+      });
+  }
+
+private:
+  /// A semaphore, since a signal handler may do no more than post it.
+  static sem_t & wake_up()
+  {
+    static sem_t semaphore;
+    return semaphore;
+  }
+
+  static void handle_signal(int)
+  {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+    sem_post(&wake_up());
+  }
+
+  std::atomic<bool> ended_{false};
+  std::thread thread_;
+};
+
 /// Run a node alone in its process until a signal or a failure; return the exit code.
 template<typename Node>
 int run_node(int argc, char ** argv)
 {
   bool is_ready = false;
   try {
-    rclcpp::init(argc, argv);
+    StopRequests requests;
+    rclcpp::init(argc, argv, rclcpp::InitOptions(), rclcpp::SignalHandlerOptions::None);
+    requests.obey();
     is_ready = true;
     auto node = std::make_shared<Node>(rclcpp::NodeOptions());
     node->be_alone();

@@ -43,6 +43,13 @@ public:
   rclcpp::Time now() const {return clock_->now();}
   bool is_simulated() const {return clock_->ros_time_is_active();}
 
+  /// Wait for the first /clock where time is simulated; return false when the node stops.
+  bool wait_for_start() const
+  {
+    const auto has_started = [this] {return !is_simulated() || now().nanoseconds() > 0;};
+    return stop_->wait(has_started, [] {return std::chrono::hours(1);});
+  }
+
   bool sleep_for(double seconds) const
   {
     const auto duration = rclcpp::Duration::from_seconds(std::clamp(seconds, 0.0, 1e9));
@@ -76,10 +83,7 @@ private:
 class Loop
 {
 public:
-  Loop(
-    const Sleeper & sleeper,
-    double frequency,
-    const rclcpp::Logger & logger)
+  Loop(const Sleeper & sleeper, double frequency, const rclcpp::Logger & logger)
   : sleeper_(sleeper),
     frequency_(frequency),
     period_(rclcpp::Duration::from_seconds(1.0 / frequency)),
@@ -90,6 +94,9 @@ public:
   /// Run cycles until the node stops.
   void run(const std::function<void()> & cycle)
   {
+    if (!sleeper_.wait_for_start()) {
+      return;
+    }
     auto due = sleeper_.now();
     while (sleeper_.sleep_until(due, period_)) {
       if (sleeper_.is_simulated()) {

@@ -172,7 +172,9 @@ int run_node(int argc, char ** argv, const std::string & name)
   std::unique_ptr<Node> node;
   try {
     ros::start();  // else the destructor of a node that fails to be made ends the log
-    node = std::make_unique<Node>(supervisor);
+    if (!supervisor.stopping()) {  // ros::start returns when a node that has no master is stopped
+      node = std::make_unique<Node>(supervisor);
+    }
   } catch (const std::exception & error) {
     supervisor.fail(error.what());
   }

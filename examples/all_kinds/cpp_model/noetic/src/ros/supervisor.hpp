@@ -4,12 +4,12 @@
 #ifndef ROS__SUPERVISOR_HPP_
 #define ROS__SUPERVISOR_HPP_
 
-#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 
 #include "ros/console.h"
@@ -31,8 +31,11 @@ public:
   /// Set how long the logic may take to return, once the node stops.
   void set_stop_timeout(double seconds)
   {
+    if (!(seconds >= 0.0 && seconds <= 3600.0)) {
+      throw std::invalid_argument("Parameter stop_timeout must be from 0 to 3600 s.");
+    }
     const std::lock_guard<std::mutex> lock(mutex_);
-    stop_timeout_ = Seconds(std::clamp(seconds, 0.0, 86400.0));
+    stop_timeout_ = Seconds(seconds);
   }
 
   /// Return how long the node may take to end: `stop_timeout` for each thing that it waits for.

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from concurrent.futures import wait
 from contextlib import ExitStack
+from math import isfinite
 from time import monotonic
 import traceback
 from typing import Any, Callable, Optional, Sequence
@@ -57,7 +58,9 @@ class ManagedNode(LifecycleNode):
     def __init__(self, name: str, **options: Any) -> None:
         """Declare the parameters that every node has."""
         super().__init__(name, **options)
-        self.declare_parameter(
+        self._ranged: set[str] = set()
+        self.add_on_set_parameters_callback(self._check_parameters)
+        self._declare(
             'autostart',
             True,
             ParameterDescriptor(
@@ -65,7 +68,7 @@ class ManagedNode(LifecycleNode):
                 read_only=True,
             ),
         )
-        self.declare_parameter(
+        self._declare(
             'stop_timeout',
             timeouts.STOP_TIMEOUT,
             ParameterDescriptor(
@@ -82,6 +85,7 @@ class ManagedNode(LifecycleNode):
         self._config: Any = None
         self._impl: Any = None
         self._is_configured = False
+        self._is_destroyed = False
         self._ack_deadline = 0.0
         self._configured = ExitStack()
         self._active = ExitStack()
@@ -100,7 +104,6 @@ class ManagedNode(LifecycleNode):
         # rclpy 9.1.2 runs transitions in the executor; they would block it while they wait for the
         # logic, which may wait for a response that the executor receives.
         self._transitions = Worker('transitions')
-        self.add_on_set_parameters_callback(self._check_parameters)
         self._change_state = self._service_change_state.callback
         self._service_change_state.callback = self._change_state_in_thread
 
@@ -134,6 +137,9 @@ class ManagedNode(LifecycleNode):
 
     def destroy_node(self) -> None:
         """Shut down, then destroy the node."""
+        if self._is_destroyed:
+            return
+        self._is_destroyed = True
         self.end()
         self._logic.close()
         self._transitions.close()
@@ -198,13 +204,22 @@ class ManagedNode(LifecycleNode):
             self._threads[method] = CallbackThread(self, name, method)
         return self._threads[method]
 
+    def _declare(self, name: str, value: Any, descriptor: ParameterDescriptor) -> None:
+        if descriptor.floating_point_range:
+            self._ranged.add(name)
+        self.declare_parameter(name, value, descriptor)
+
     def _check_parameters(self, parameters: list[Parameter[Any]]) -> SetParametersResult:
-        """Refuse to change what configure has read."""
-        names = [item.name for item in parameters if item.name in self.fixed_parameters]
-        if not names or self.state == 'unconfigured':
-            return SetParametersResult(successful=True)
-        reason = f'{", ".join(names)} can be changed only while the node is unconfigured.'
-        return SetParametersResult(successful=False, reason=reason)
+        """Refuse NaN and infinity, which pass every range of rclpy 9.1.2."""
+        for parameter in parameters:
+            name, value = parameter.name, parameter.value
+            if name in self._ranged and isinstance(value, float) and not isfinite(value):
+                reason = f'{name} must be a finite number.'
+                return SetParametersResult(successful=False, reason=reason)
+            if name in self.fixed_parameters and self.state != 'unconfigured':
+                reason = f'{name} can be changed only while the node is unconfigured.'
+                return SetParametersResult(successful=False, reason=reason)
+        return SetParametersResult(successful=True)
 
     def _apply_parameters(self, _parameters: list[Parameter[Any]]) -> None:
         """Update the configuration with the changed parameters."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 from queue import Empty, SimpleQueue
 import signal
 from threading import Event, Thread
-from time import sleep
+import traceback
 from typing import Any, Callable, Optional
 
 from all_kinds.ros import timeouts
@@ -16,8 +16,9 @@ from all_kinds.ros.callbacks import NoResponse
 from all_kinds.ros.managed_node import ManagedNode
 from all_kinds.ros.worker import show_name
 import rclpy
-from rclpy.exceptions import InvalidHandle
+from rclpy.exceptions import InvalidHandle, ParameterException
 from rclpy.executors import Executor, ExternalShutdownException, SingleThreadedExecutor
+from rclpy.logging import get_logger
 from rclpy.signals import SignalHandlerOptions
 
 
@@ -38,7 +39,11 @@ def run(node_type: Callable[[], ManagedNode], args: Optional[list[str]] = None) 
     signal.signal(signal.SIGTERM, end)
     rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
     rclpy.get_default_context().on_shutdown(lambda: ends.put('shutdown'))
-    node = node_type()
+    try:
+        node = node_type()
+    except ParameterException as error:
+        get_logger(node_type.__name__).fatal(str(error))
+        return 1
     node.on_failure = lambda: ends.put('failure')
     executor = SingleThreadedExecutor()
     executor.add_node(node)
@@ -49,7 +54,6 @@ def run(node_type: Callable[[], ManagedNode], args: Optional[list[str]] = None) 
         node.start()
     wait_for(ends)
     has_returned = node.end()
-    sleep(timeouts.SHUTDOWN_DELAY)
     executor.create_task(done.set)  # spin_once() returns only after it has executed something
     spinning.join()
     executor.shutdown()
@@ -78,5 +82,5 @@ def spin(executor: Executor, node: ManagedNode, done: Event) -> None:
             return
         except (InvalidHandle, NoResponse):
             pass  # InvalidHandle: destroyed meanwhile; NoResponse: in the log already
-        except Exception as error:
-            node.fail(error)
+        except Exception:  # of rclpy, as the logic runs in other threads
+            node.get_logger().error(traceback.format_exc())

@@ -44,6 +44,10 @@ class RosTime:
         """Return the time as a stamp for messages."""
         return self._clock.now().to_msg()
 
+    def wait_for_start(self) -> None:
+        """Wait for the first /clock where time is simulated, or until the node stops."""
+        self._stop.wait_for(lambda: not self.simulated or self.now() > 0.0, inf)
+
     def sleep(self, seconds: float) -> bool:
         """Wait, again if simulated time jumps back; return False at once when the node stops."""
         start = self.now()

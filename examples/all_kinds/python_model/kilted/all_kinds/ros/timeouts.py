@@ -8,7 +8,6 @@ DISCOVERY_PERIOD = 0.02  # between two checks whether the server of a call is av
 RETURN_TIMEOUT = 0.2  # for deactivate and cleanup to return once their waits have ended
 SERVER_CHECK_PERIOD = 0.5  # between two checks whether the servers of all clients are available
 SERVER_LOST_TIMEOUT = 2.0  # for an action server to come back before its goals are lost
-SHUTDOWN_DELAY = 0.2  # for the last responses and results to be sent before ROS shuts down
 SIGNAL_CHECK_PERIOD = 0.5  # between two chances for Python to call signal handlers
 STOP_TIMEOUT = 2.0  # default of the parameter stop_timeout
 WARNING_PERIOD = 10.0  # between two warnings about the same thing

@@ -40,6 +40,7 @@ class Loop:
     def run(self, stop: Stop) -> None:
         """Loop until the node stops."""
         period = 1.0 / self._frequency
+        self._time.wait_for_start()
         due = self._now()
         while not stop.requested:
             if self._time.simulated:

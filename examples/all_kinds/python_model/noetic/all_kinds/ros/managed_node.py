@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from concurrent.futures import Future, wait
 import logging
-from time import sleep
+from time import monotonic, sleep
 import traceback
 from typing import Any, Callable, Optional
 
@@ -52,7 +52,9 @@ class ManagedNode:
         self._servers: dict[str, Any] = {}
         self._watcher = Worker('watch')
         # Read now, as the master may be gone when the node stops.
-        self._timeout = float(rospy.get_param('~stop_timeout', timeouts.STOP_TIMEOUT))
+        self._timeout = read_parameter('stop_timeout', timeouts.STOP_TIMEOUT)
+        if not 0.0 <= self._timeout <= 3600.0:
+            raise rospy.ROSInitException('Parameter stop_timeout must be from 0 to 3600 s.')
         self._logic = LogicThread(self.stop, lambda: self._timeout, self._log.error, self.fail)
         self._transitions = Worker('transitions')
 
@@ -179,13 +181,16 @@ class ManagedNode:
 
     def _watch_servers(self) -> None:
         """Warn about servers that are not available; give up the goals of a lost one."""
+        look_due = monotonic()
         while not rospy.is_shutdown():
             for client in self._action_clients:
                 client.watch()
-            servers = list(self._servers.items())  # a copy, as configure adds some
-            missing = ', '.join(name for name, client in servers if not client.is_ready())
-            if missing and self.state == 'active':
-                rospy.logwarn_throttle(timeouts.WARNING_PERIOD, f'Waiting for {missing}.')
+            if monotonic() >= look_due:
+                servers = list(self._servers.items())  # a copy, as configure adds some
+                missing = ', '.join(name for name, client in servers if not client.is_ready())
+                if missing and self.state == 'active':
+                    rospy.logwarn_throttle(timeouts.WARNING_PERIOD, f'Waiting for {missing}.')
+                look_due = monotonic() + timeouts.MISSING_CHECK_PERIOD
             sleep(timeouts.SERVER_CHECK_PERIOD)
 
 

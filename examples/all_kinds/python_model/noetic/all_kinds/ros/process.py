@@ -72,7 +72,11 @@ def live(node_type: Callable[[], ManagedNode], ends: SimpleQueue[Any]) -> bool:
     creator.close()
     if wait_for(ends) is not creation:
         return True
-    node: ManagedNode = creation.result()
+    try:
+        node: ManagedNode = creation.result()
+    except rospy.ROSInitException as error:
+        rospy.logfatal('%s', error)
+        return False
     node.on_failure = lambda: ends.put('failure')
     node.start()
     wait_for(ends)
@@ -83,7 +87,11 @@ def live(node_type: Callable[[], ManagedNode], ends: SimpleQueue[Any]) -> bool:
 
 def create(node_type: Callable[[], ManagedNode]) -> ManagedNode:
     """Create the node and set the level of its log, as the parameters say."""
-    logging.getLogger('rosout').setLevel(rospy.get_param('~log_level', 'info').upper())
+    level = rospy.get_param('~log_level', 'info')
+    if level in ('debug', 'info', 'warn', 'error', 'fatal'):
+        logging.getLogger('rosout').setLevel(level.upper())
+    else:
+        rospy.logwarn('log_level must be debug, info, warn, error or fatal.')
     return node_type()
 
 

@@ -5,8 +5,9 @@
 
 CONNECT_TIMEOUT = 1.0  # for a service server to accept a connection
 DISCOVERY_PERIOD = 0.1  # between two checks whether the server of a call is available
+MISSING_CHECK_PERIOD = 2.0  # between two looks for missing servers, each of which asks the master
 RETURN_TIMEOUT = 0.2  # for deactivate and cleanup to return once their waits have ended
-SERVER_CHECK_PERIOD = 0.5  # between two checks whether the servers of all clients are available
+SERVER_CHECK_PERIOD = 0.5  # between two checks whether the servers of goals are available
 SERVER_LOST_TIMEOUT = 1.0  # for an action server to come back before its goals are lost
 SHUTDOWN_DELAY = 0.2  # for the last messages and results to be sent before ROS shuts down
 SIGNAL_CHECK_PERIOD = 0.5  # between two chances for Python to call signal handlers

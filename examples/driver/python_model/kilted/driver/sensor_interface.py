@@ -1,0 +1,53 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""
+The interface between ROS and the logic of sensor.
+
+Generated from driver.ros_package; change the interface there.
+"""
+
+from dataclasses import dataclass
+from typing import Callable
+
+from driver.ros.protocols import (
+    Log,
+    Node,
+    Publisher,
+    Stamp,
+)
+import std_msgs.msg
+
+# Message, service and action types, under the same names in ROS 1 and ROS 2.
+PubReading = std_msgs.msg.Float64
+
+
+@dataclass(frozen=True)
+class SensorConfig:
+    """A snapshot of the node's parameters."""
+
+    # Where the sensor is
+    device: str = '/dev/ttyUSB0'
+
+
+@dataclass
+class SensorPassthrough:
+    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
+
+    # The node's logger: log.debug(text), log.info, log.warning, log.error.
+    log: Log
+
+    # Returns the ROS time in seconds.
+    now: Callable[[], float]
+
+    # Returns the ROS time as a stamp for messages.
+    stamp: Callable[[], Stamp]
+
+    # Waits that many seconds of ROS time; returns False at once when the node stops.
+    sleep: Callable[[float], bool]
+
+    # The node of rclpy, for what the spec cannot say: the logic looks after what it makes of it.
+    node: Node
+
+    # What was measured, m
+    pub_reading: Publisher[PubReading]

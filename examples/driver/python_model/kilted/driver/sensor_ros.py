@@ -1,0 +1,78 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""
+The node sensor: its lifecycle and its ROS interfaces.
+
+Generated from driver.ros_package; the logic is in sensor_impl.py.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+from driver.ros.managed_node import ManagedNode
+from driver.ros.process import run
+from driver.sensor_impl import SensorImpl
+from driver.sensor_interface import (
+    SensorConfig,
+    SensorPassthrough,
+)
+from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.qos import QoSProfile, ReliabilityPolicy
+import std_msgs.msg
+
+
+class SensorNode(ManagedNode):
+    """
+    A managed node that runs the callbacks of its logic while it is active.
+
+    Publishers exist from configure to cleanup.
+    """
+
+    fixed_parameters = [
+        'device',
+    ]
+
+    def __init__(self, **options: Any) -> None:
+        """Declare the parameters."""
+        super().__init__('sensor', **options)
+        self._declare(
+            'device',
+            '/dev/ttyUSB0',
+            ParameterDescriptor(
+                description='Where the sensor is',
+            ),
+        )
+
+    def _read_config(self) -> SensorConfig:
+        """Return the current parameters."""
+        return SensorConfig(
+            device=self.get_parameter('device').value,
+        )
+
+    def _connect_senders(self) -> None:
+        """Create publishers and clients, then the logic."""
+        self._impl = SensorImpl(
+            SensorPassthrough(
+                log=self.get_logger(),
+                now=self._time.now,
+                stamp=self._time.stamp,
+                sleep=self._time.sleep,
+                node=self,
+                pub_reading=self._advertise(
+                    std_msgs.msg.Float64,
+                    'reading',
+                    QoSProfile(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5),
+                ),
+            ),
+        )
+
+    def _connect_receivers(self) -> None:
+        """Create subscriptions and servers."""
+        # This node has none.
+
+
+def main(args: Optional[list[str]] = None) -> int:
+    """Run the node until it is told to stop; return the exit code of the process."""
+    return run(SensorNode, args)

@@ -1,0 +1,370 @@
+"""What the developer wrote into build files, carried into those of another ROS.
+
+The new file is the model's, and sound: items are put into its lists, commands where all that they
+use stands above them. What means nothing in the other ROS stays behind.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from difflib import SequenceMatcher
+
+from ..data import load_data
+from .blocks import Block
+from .languages import CMAKE
+from .launch import keys
+from .lines import plain, split
+from .matching import match
+from .package import Result
+from .renaming import Renaming
+from .tree import LINK, File, Tree, encode
+
+_KNOWN = load_data("builds.yaml")
+_CMAKE, _SETUP = "CMakeLists.txt", "setup.py"
+_INSTALL = re.compile(
+    r"install\(\s*(FILES|PROGRAMS|DIRECTORY)\s+([^()]*?)\s+DESTINATION\s+(\S+?)\s*\)\s*"
+)
+_ENTRY = re.compile(
+    r"""\('(share|lib)/' \+ package_name(?: \+ '/([\w/.-]+)')?, (glob\('\2/\*'\)|\[[^]\n]*\])\),"""
+)
+_PROJECT = {"share": "share/${PROJECT_NAME}", "lib": "lib/${PROJECT_NAME}"}
+# Commands with a list of packages, in ROS 1 and ROS 2 in one order; and the word before it.
+_DEPENDENCIES = {
+    1: ("generate_messages", "catkin_package"),
+    2: ("rosidl_generate_interfaces", "ament_export_dependencies"),
+}
+_WORDS = {1: ("DEPENDENCIES", "CATKIN_DEPENDS"), 2: ("DEPENDENCIES", "")}
+_Lines = dict[int, tuple[str, ...]]
+
+
+def carry_build_files(
+    mine: Tree, old: Tree, new: Tree, renaming: Renaming, result: Result, ros: int
+) -> None:
+    """Make build files those of a ROS, `ros`, with what was written into the other ones."""
+    paths = [
+        path
+        for path in (_CMAKE, _SETUP)
+        if path in mine and path in old and mine[path] != old[path]
+        if mine[path].mode != LINK and mine[path].text is not None
+    ]
+    files = {path: new[path] for path in (_CMAKE, _SETUP) if path in new}
+    try:
+        carrier = _Carrier({path: file.text or "" for path, file in files.items()}, ros)
+        found = {}
+        for path in paths:
+            ours, base = (
+                renaming.text(path, plain(side[path].text or "")) for side in (mine, old)
+            )
+            found[path] = carrier.file(path, ours, base)
+            result.back[path] = carrier.back
+        texts = carrier.texts()
+        CMAKE.blocks(texts.get(_CMAKE, ""))
+    except (ValueError, RecursionError):
+        return  # the merge by block stands
+    for path in paths:
+        result.carried[path] = ([_CMAKE, _SETUP], found[path])
+        for said in (result.conflicts, result.rejected, result.settled, result.removed):
+            said.pop(path, None)
+    for path, file in files.items() if paths else ():
+        if path in mine and mine[path] != old.get(path) and path not in paths:
+            continue
+        result.missing.pop(path, None)
+        text = texts[path]
+        is_crlf = path in mine and "\r\n" in (mine[path].text or "")
+        result.tree[path] = File(
+            encode(text.replace("\n", "\r\n") if is_crlf else text), file.mode
+        )
+
+
+class _Carrier:
+    """Build files of a ROS, into which is put what was written into those of the other one."""
+
+    def __init__(self, texts: dict[str, str], ros: int) -> None:
+        self.ros = ros
+        self.new = CMAKE.blocks(texts.get(_CMAKE, ""))
+        self.setup = split(texts.get(_SETUP, ""))
+        self.has_cmake = _CMAKE in texts
+        self.lines: _Lines = {}
+        self.back: list[str] = []
+        """What the developer had deleted."""
+
+    def texts(self) -> dict[str, str]:
+        return {_CMAKE: "".join(b.text for b in self.new), _SETUP: "".join(self.setup)}
+
+    def file(self, path: str, mine: str, old: str) -> _Lines:
+        """Carry what `mine` has more than `old`; return the lines that came along, and as what."""
+        self.lines, self.back = {}, []
+        if path == _SETUP:
+            for number, line, _, _ in _own_lines(split(mine), split(old)):
+                self._entry(number + 1, line)
+        else:
+            blocks, base = CMAKE.blocks(mine), CMAKE.blocks(old)
+            match(blocks, base)
+            gone = set(keys(base)) - set(keys(blocks))
+            has = set(keys(CMAKE.blocks(self.texts()[_CMAKE])))
+            self.back = sorted(key for key in gone & has if " " in key)
+            self._commands(blocks, base, self.new, 1, is_top=True)
+        return self.lines
+
+    def _commands(
+        self,
+        mine: Sequence[Block],
+        old: Sequence[Block],
+        new: list[Block],
+        number: int,
+        is_top: bool = False,
+    ) -> None:
+        known = {block.key: block for block in old}
+        generated = set(keys(old))
+        there = {block.key: block for block in new}
+        for block in mine:
+            base = known.get(block.key)
+            if base is None and is_top and generated.isdisjoint(keys([block])):
+                self._command(block, number)
+            elif base and block.children and block.key in there:
+                inner = number + len(block.lines)
+                self._commands(block.children, base.children, there[block.key].children, inner)
+            elif base and base.text != block.text and not block.children:
+                for at, line, before, replaced in _own_lines(block.lines, base.lines):
+                    self._item(block.key, line, before, replaced, number + at, new)
+            number += len(split(block.text))
+
+    def _command(self, block: Block, number: int) -> None:
+        """Put a command of the developer's where all that it uses stands above."""
+        text = self._translated(block.text)
+        code = re.sub(r"(?m)^\s*#.*\n?", "", text).strip()
+        name = re.match(r"\w*", code)[0].lower()  # type: ignore[index]
+        installed = _INSTALL.fullmatch(code)
+        package = re.fullmatch(r"find_package\(\s*(\w+)[^()]*\)", code)
+        if package and self.ros == 1 and self._component(package[1]):
+            self._note(number, block.text, package[1])
+        elif any(block.key == key for key, _, _ in _KNOWN["lists"]) or block.key.startswith(
+            _DEPENDENCIES[3 - self.ros]
+        ):
+            self._list(block, number)
+        elif re.search(_KNOWN["foreign"][3 - self.ros], code):
+            return
+        elif not self.has_cmake:
+            if installed and (entry := self._as_entry(installed)):
+                self._note(number, block.text, entry)
+        elif self._has_target(code, name):
+            last = [i for i, b in enumerate(self.new) if b.key.startswith("find_package")]
+            at = max(last, default=-1) + 1
+            if not re.match(_KNOWN["first"], name):
+                at = len(self.new)
+                while at and re.match(_KNOWN["last"], self.new[at - 1].key):
+                    at -= 1
+            is_first = re.match(_KNOWN["first"], name)
+            self.new.insert(
+                at,
+                Block(
+                    f"find_package own {number}" if is_first else f"own {number}",
+                    split(text if text.endswith("\n") else text + "\n"),
+                ),
+            )
+            for i, line in enumerate(split(block.text)):
+                self._note(number + i, line, self._translated(line).strip())
+
+    def _list(self, block: Block, number: int) -> None:
+        """Put the items of a list of the developer's into the one that stands for it."""
+        frame = re.compile(r"\w+\(|FILES|\)")
+        for i, line in enumerate(split(block.text)):
+            if not frame.fullmatch(line.strip()):
+                self._item(block.key, line, "", "", number + i, self.new)
+        for i, line in enumerate(split(block.text)):
+            if frame.fullmatch(line.strip()):
+                self._note(number + i, line, "(")
+
+    def _has_target(self, code: str, name: str) -> bool:
+        """Say whether the target that a command is about is there."""
+        if not re.match(
+            r"(target_|set_target_properties|add_dependencies|install\(\s*TARGETS)", code
+        ):
+            return True
+        target = re.match(r"\w+\(\s*(?:TARGETS\s+)?([^\s)]+)", code)[1]  # type: ignore[index]
+        text = self.texts()[_CMAKE]
+        return bool(re.search(rf"add_(library|executable)\(\s*{re.escape(target)}[\s)]", text))
+
+    def _translated(self, text: str) -> str:
+        for pair in _KNOWN["destinations"]:
+            before, after = pair if self.ros == 2 else reversed(pair)
+            form = rf"(DESTINATION\s+){re.escape(before)}(?=[\s/)]|$)"
+            text = re.sub(form, lambda m, after=after: m[1] + after, text)  # type: ignore[misc]
+        return text.replace("catkin_install_python(", "install(") if self.ros == 2 else text
+
+    def _item(
+        self, key: str, line: str, before: str, replaced: str, number: int, new: list[Block]
+    ) -> None:
+        """Put an item of a generated command into that command, or the one that stands for it."""
+        item = line.strip()
+        command = next((block for block in new if block.key == key), None)
+        for first, second, folder in _KNOWN["lists"]:
+            source, target = (first, second) if self.ros == 2 else (second, first)
+            prefix = folder if self.ros == 1 else ""
+            if key == source and item.startswith(prefix) and item.endswith(f".{folder[:-1]}"):
+                name = folder + item if self.ros == 2 else item.removeprefix(folder)
+                self._listed(target, name, f".{folder[:-1]}")
+                self._note(number, line, name)
+                return
+        if key.startswith(_DEPENDENCIES[3 - self.ros]):
+            self._dependency(key, item, number, line)
+        elif key == "find_package catkin" and self.ros == 2 and re.fullmatch(r"\w+", item):
+            self._package(item)
+            self._note(number, line, f"find_package({item} REQUIRED)")
+        elif key.startswith(("target_link_libraries", "add_executable", "add_library")):
+            self._part(key, item, number, line)
+        elif re.search(_KNOWN["foreign"][3 - self.ros], self._translated(item)):
+            return
+        elif key == "install DIRECTORY" and not self.has_cmake:
+            if re.fullmatch(r"[\w/.-]+", item) and item.upper() != item:
+                entry = f"('share/' + package_name + '/{item}', glob('{item}/*')),"
+                self._note(number, line, self._in_setup(entry))
+        elif command and replaced.strip() and replaced in command.lines:
+            command.lines[command.lines.index(replaced)] = line
+            self._note(number, line, item)
+        elif command and not replaced and (at := _index(command.lines, before)) is not None:
+            command.lines.insert(at + 1, line)
+            self._note(number, line, item)
+
+    def _dependency(self, key: str, item: str, number: int, line: str) -> None:
+        """Put a package into the list of those that messages contain, or that users need."""
+        if not re.fullmatch(r"[a-z]\w*|(CATKIN_)?DEPENDS|DEPENDENCIES", item):
+            return
+        at = next(
+            i for i, known in enumerate(_DEPENDENCIES[3 - self.ros]) if key.startswith(known)
+        )
+        target, word = _DEPENDENCIES[self.ros][at], _WORDS[self.ros][at]
+        command = next((block for block in self.new if block.key.startswith(target)), None)
+        if command is None:
+            return
+        if item.isupper():
+            self._note(number, line, word or target)
+            return
+        lines = command.lines
+        if word and _index(lines, word) is None:
+            lines.insert(len(lines) - 1, f"  {word}\n")
+        place = _index_of(lines, word or target) + 1
+        if not any(found.strip() == item for found in lines[place:]):
+            lines.insert(place, f"{'    ' if word else '  '}{item}\n")
+        self._note(number, line, item)
+
+    def _part(self, key: str, item: str, number: int, line: str) -> None:
+        """Put a library or a source to the target that stands for another one."""
+        name, _, target = key.partition(" ")
+        targets = re.match(r"\$\{(\w+)_TARGETS\}$|(\w+)::\w+$", item)
+        package = targets and (targets[1] or targets[2])
+        if package and self.ros == 1 and self._has_component(package):
+            self._note(number, line, package)  # catkin links all of its components
+            return
+        if re.search(_KNOWN["foreign"][3 - self.ros], item) or item in ("PUBLIC", "PRIVATE"):
+            return
+        names = (name,) if name.startswith("target") else ("add_executable", "add_library")
+        for command in self.new:
+            if command.key in [f"{one} {target}" for one in names]:
+                lines = command.lines
+                public = _index(lines, "  PUBLIC\n")
+                at = len(lines) - 1 if public is None else public + 1
+                margin = "  " if public is None else "    "
+                lines.insert(at, f"{margin}{item}\n")
+                self._note(number, line, item)
+                return
+
+    def _listed(self, key: str, name: str, suffix: str) -> None:
+        """Put a file into the list of those like it; without a list, make one."""
+        command = next((block for block in self.new if block.key == key), None)
+        if command is None:
+            at = next(i for i, b in enumerate(self.new) if b.key.startswith("generate_messages"))
+            start = key.replace(" ", "(\n  ")
+            self.new.insert(at, Block(key, [f"\n{start}\n", f"    {name}\n", ")\n"]))
+            return
+        last = [i for i, line in enumerate(command.lines) if line.strip().endswith(suffix)]
+        at = last[-1] if last else _index_of(command.lines, key.split()[0])
+        margin = re.match(r" *", command.lines[at])[0] if last else "  "  # type: ignore[index]
+        command.lines.insert(at + 1, f"{margin}{name}\n")
+
+    def _package(self, name: str) -> None:
+        """Find a package, and link every target of a node with it, as catkin does."""
+        last = [i for i, block in enumerate(self.new) if block.key.startswith("find_package")]
+        key = f"find_package {name}"
+        if not any(block.key == key for block in self.new):
+            self.new.insert(last[-1] + 1, Block(key, [f"find_package({name} REQUIRED)\n"]))
+            for command in self.new:
+                public = _index(command.lines, "  PUBLIC\n")
+                if command.key.startswith("target_link_libraries ${PROJECT_NAME}_") and public:
+                    command.lines.insert(public + 1, f"    ${{{name}_TARGETS}}\n")
+
+    def _component(self, name: str) -> bool:
+        """Make a package a component of catkin, if it can be one."""
+        catkin = next((b for b in self.new if b.key == "find_package catkin"), None)
+        if catkin is None or not re.fullmatch(_KNOWN["components"], name):
+            return False
+        if not self._has_component(name) and len(catkin.lines) > 1:
+            catkin.lines.insert(_index_of(catkin.lines, "COMPONENTS") + 1, f"  {name}\n")
+        return self._has_component(name)
+
+    def _has_component(self, name: str) -> bool:
+        catkin = next((b for b in self.new if b.key == "find_package catkin"), None)
+        return catkin is not None and f"  {name}\n" in catkin.lines
+
+    def _as_entry(self, installed: re.Match[str]) -> str:
+        """Put what CMake installs into setup.py; return the line there."""
+        kind, files, place = installed.groups()
+        base = next((key for key, value in _PROJECT.items() if value == place), None)
+        names = files.split()
+        if not base or "$" in files or (kind == "DIRECTORY" and (len(names) > 1 or base == "lib")):
+            return ""
+        if kind == "DIRECTORY":
+            name = names[0].rstrip("/")
+            return self._in_setup(f"('share/' + package_name + '/{name}', glob('{name}/*')),")
+        listed = ", ".join(repr(name) for name in names)
+        return self._in_setup(f"('{base}/' + package_name, [{listed}]),")
+
+    def _in_setup(self, entry: str) -> str:
+        start = _index_of(self.setup, "data_files=[")
+        end = next(i for i, line in enumerate(self.setup) if i > start and line == "    ],\n")
+        self.setup.insert(end, f"        {entry}\n")
+        return entry
+
+    def _entry(self, number: int, line: str) -> None:
+        """Put a line of setup.py about what is installed into CMake, or into setup.py."""
+        found = _ENTRY.fullmatch(line.strip())
+        directory = next((b for b in self.new if b.key == "install DIRECTORY"), None)
+        if not found or directory is None:
+            return
+        base, folder, files = found.groups()
+        if folder and base == "share" and files.startswith("glob"):
+            at = max(i for i, text in enumerate(directory.lines) if text.startswith("    "))
+            directory.lines.insert(at + 1, f"    {folder}\n")
+            self._note(number, line, folder)
+        elif not folder:
+            kind = "PROGRAMS" if base == "lib" else "FILES"
+            names = " ".join(re.findall(r"'([^']+)'", files))
+            text = f"install({kind} {names} DESTINATION {_PROJECT[base]})\n"
+            at = self.new.index(directory) + 1
+            self.new.insert(at, Block(f"own {number}", ["\n", self._translated(text)]))
+            self._note(number, line, self._translated(text).strip())
+
+    def _note(self, number: int, text: str, as_what: str) -> None:
+        for i, line in enumerate(split(text)):
+            if line.strip() and (line.lstrip()[0] != "#" or line.strip() == as_what):
+                self.lines[number + i] = (as_what,)
+
+
+def _own_lines(mine: Sequence[str], old: Sequence[str]) -> Iterator[tuple[int, str, str, str]]:
+    """Yield each line of the developer's: its place, itself, the one before, the one replaced."""
+    matcher = SequenceMatcher(None, old, mine, autojunk=False)
+    for tag, start, end, first, last in matcher.get_opcodes():
+        for at in range(first, last) if tag in ("insert", "replace") else ():
+            same = start + at - first
+            replaced = old[same] if same < end else ""
+            if mine[at].strip():
+                yield at, mine[at], mine[at - 1] if at else "", replaced
+
+
+def _index(lines: Sequence[str], line: str) -> int | None:
+    return next((i for i, found in enumerate(lines) if found.strip() == line.strip()), None)
+
+
+def _index_of(lines: Sequence[str], part: str) -> int:
+    return next((i for i, line in enumerate(lines) if part in line), 0)

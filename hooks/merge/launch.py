@@ -1,0 +1,283 @@
+"""What the developer wrote into a launch file, carried into that of another ROS.
+
+The two are different files, with other generated elements. An element of the developer's is put
+where the other file has the element that it stands in; an attribute is exchanged in the element
+that has it. What means nothing in the other ROS stays behind.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from ..data import load_data
+from .blocks import Block
+from .languages import XML
+from .lines import plain, split
+from .matching import match
+from .package import Result
+from .renaming import Renaming
+from .tree import File, Tree, encode
+
+_KNOWN = load_data("launch.yaml")
+_TAG = re.compile(r"""<(?P<tag>[\w:.-]+)(?P<inside>(?:"[^"]*"|'[^']*'|[^'">])*)>""")
+_COMMENT = re.compile(r"(<!--.*?-->)", re.DOTALL)
+_ATTRIBUTE = re.compile(r"""([\w:.-]+)(\s*=\s*)("[^"]*"|'[^']*')""")
+_SUBSTITUTION = re.compile(r"\$\(\s*([\w-]+)")
+INNER = ("include",)
+"""Elements whose inside is about another file."""
+_ARGUMENT = re.compile(r"""<arg\s+name="(\w+)"\s+value="\$\((?:arg|var) \1\)"\s*/>""")
+
+
+class ForeignError(Exception):
+    """Something has no meaning in the other ROS."""
+
+
+@dataclass
+class Carried:
+    """A launch file of the new ROS, and which lines of the old one are in it, as what."""
+
+    text: str
+    lines: dict[int, tuple[str, ...]]
+    back: list[str]
+    """What the developer had deleted from the old one."""
+
+
+def carry_launch_files(
+    mine: Tree, old: Tree, new: Tree, renaming: Renaming, result: Result, ros: int
+) -> None:
+    """Carry what the developer wrote into the launch files that a ROS, `ros`, calls otherwise."""
+    before, after = (_KNOWN["suffixes"][n] for n in (3 - ros, ros))
+    for path in result.left:
+        if not path.endswith(before) or path not in old:
+            continue
+        target = renaming.path(path).removesuffix(before) + after
+        if target not in new or result.tree.get(target) != new[target]:
+            continue
+        with contextlib.suppress(ValueError, RecursionError):
+            ours, base = (
+                renaming.blocks(XML, path, plain(side[path].text or "")) for side in (mine, old)
+            )
+            carried = carry(ours, base, new[target].text or "", ros)
+            result.back[target] = carried.back
+            XML.blocks(carried.text)
+            result.tree[target] = File(encode(carried.text), new[target].mode)
+            result.carried[path] = ([target], carried.lines)
+
+
+def carry(mine: Sequence[Block], old: Sequence[Block], new: str, ros: int) -> Carried:
+    """Carry what `mine` has more than `old` into a file of another ROS, which is `new`."""
+    carrier = _Carrier(XML.blocks(new), ros)
+    match(mine, old)
+    carrier.children(mine, old, [], 1)
+    has = set(keys(XML.blocks(new)))
+    back = [
+        key
+        for key in sorted(Counter(keys(old)) - Counter(keys(mine)))
+        if key in has and " " in key
+    ]
+    return Carried("".join(block.text for block in carrier.new), carrier.lines, back)
+
+
+def keys(blocks: Sequence[Block]) -> Iterator[str]:
+    """Yield the keys of blocks, and of those inside of them."""
+    for block in blocks:
+        yield block.key
+        yield from keys(block.children)
+
+
+class _Carrier:
+    def __init__(self, new: list[Block], ros: int) -> None:
+        self.new, self.ros = new, ros
+        self.lines: dict[int, tuple[str, ...]] = {}
+
+    def children(
+        self, mine: Sequence[Block], old: Sequence[Block], around: list[Block], number: int
+    ) -> None:
+        """Carry what is in elements, `around`; `number` is that of the first line of it."""
+        known = {block.key: block for block in old}
+        generated = set(keys(old))
+        before: list[Block] = []
+        for block in mine:
+            base = known.get(block.key)
+            with contextlib.suppress(ForeignError):
+                if base is None and generated.isdisjoint(keys([block])):
+                    self._insert(block, around, before, number)
+                elif base and block.lines != base.lines:
+                    self._set_attributes(block, base, number)
+            if block.children:
+                inner = number + len(block.lines)
+                if base:
+                    self.children(block.children, base.children, [*around, block], inner)
+                elif not generated.isdisjoint(keys([block])):  # around what is generated
+                    self.children(block.children, old, around, inner)
+            before.append(block)
+            number += len(split(block.text))
+
+    def _insert(self, block: Block, around: list[Block], before: list[Block], number: int) -> None:
+        text = translate(block.text, self.ros)
+        passed = _ARGUMENT.fullmatch(block.text.strip())
+        if passed and any(_found(self.new, f"arg {passed[1]}")):
+            self._note(number, text)  # the generated file passes its arguments on by itself
+            return
+        places = list(self._places(block, around, before))
+        if not places:
+            raise ForeignError
+        for level, at in places:
+            beside = level[max(at - 1, 0)] if level else block
+            shifted = _with_margin(text, _margin(beside))
+            if not any(same.key == block.key for same in level):
+                level.insert(at, Block(block.key, split(shifted)))
+        self._note(number, text)
+
+    def _note(self, number: int, text: str) -> None:
+        self.lines |= {number + i: (line.strip(),) for i, line in enumerate(split(text))}
+
+    def _places(
+        self, block: Block, around: list[Block], before: list[Block]
+    ) -> Iterator[tuple[list[Block], int]]:
+        """Yield the levels of the new file where an element belongs, each with its place."""
+        outer = around[-1].key if len(around) > 1 else ""
+        found = [same for same in _found(self.new, outer) if same.children]
+        if outer and (found or not outer.startswith("group")):
+            tag = block.key.split()[0]
+            for same in found:
+                if tag in _KNOWN["holds"].get(same.key.split()[0], [tag]):
+                    yield same.children, len(same.children)
+            return
+        (root,) = (one for one in self.new if one.key == "launch")
+        if block.key.startswith("arg "):
+            names = [child.key.startswith("arg ") for child in root.children]
+            yield root.children, len(names) - names[::-1].index(True) if any(names) else 0
+            return
+        for sibling in reversed(before):
+            for level in _levels([root]):
+                keys = [child.key for child in level]
+                if sibling.key in keys and not sibling.key.startswith("arg "):
+                    yield level, keys.index(sibling.key) + 1
+                    return
+        yield root.children, len(root.children)
+
+    def _set_attributes(self, block: Block, base: Block, number: int) -> None:
+        """Give an element of the new file the attributes that the developer has changed."""
+        ours, theirs = map(_attributes, ("".join(block.lines), "".join(base.lines)))
+        tag = block.key.split()[0]
+        changed = {
+            name: _attribute(tag, name, value, self.ros)
+            for name, value in ours.items()
+            if theirs.get(name) != value
+        }
+        found = list(_found(self.new, block.key)) if theirs.keys() <= ours.keys() else []
+        for same in found:
+            text = "".join(same.lines)
+            for name, value in changed.values():
+                if same.key == block.key or name in _attributes(text):
+                    text = _with_attribute(text, name, value)
+            same.lines = split(text)
+        for i, line in enumerate(block.lines if found else ()):
+            new = [f"{n}={v}" for name, (n, v) in changed.items() if name in _attributes(line)]
+            if new:
+                self.lines[number + i] = tuple(new)
+
+
+def _levels(blocks: list[Block]) -> Iterator[list[Block]]:
+    for block in blocks:
+        yield block.children
+        yield from _levels(block.children)
+
+
+def _found(blocks: Sequence[Block], key: str) -> Iterator[Block]:
+    """Yield the outermost elements of a name: `node a` and `composable_node a` are of one."""
+    tag, _, name = key.partition(" ")
+    for block in blocks:
+        other, _, same = block.key.partition(" ")
+        if same == name and (tag.endswith(other) or other.endswith(tag)):
+            yield block
+    for level in [[*block.children] for block in blocks if block.key.split(" ")[0] not in INNER]:
+        yield from _found(level, key)
+
+
+def translate(text: str, ros: int) -> str:
+    """Return elements as a ROS writes them.
+
+    Raises:
+        ForeignError: it cannot.
+
+    """
+
+    def tag(match: re.Match[str]) -> str:
+        name = match["tag"]
+        if name not in _KNOWN["tags"]:
+            raise ForeignError
+        inside = _ATTRIBUTE.sub(
+            lambda m: "{}{}{}".format(*_attribute_with(name, m, ros)), match["inside"]
+        )
+        return f"<{name}{inside}>"
+
+    parts = _COMMENT.split(text)
+    return "".join(part if part.startswith("<!--") else _TAG.sub(tag, part) for part in parts)
+
+
+def _attribute_with(tag: str, match: re.Match[str], ros: int) -> tuple[str, str, str]:
+    name, value = _attribute(tag, match[1], match[3], ros)
+    return name, match[2], value
+
+
+def _attribute(tag: str, name: str, value: str, ros: int) -> tuple[str, str]:
+    """Return an attribute as a ROS writes it."""
+    names: dict[str, str] = {}
+    for known in _KNOWN["tags"].get(tag, []):
+        pair = known if isinstance(known, dict) else {known: known}
+        names |= pair if ros == 2 else {new: old for old, new in pair.items()}
+    if name not in names:
+        raise ForeignError
+    words: Mapping[str, str] = _KNOWN["substitutions"]
+    words = words if ros == 2 else {new: old for old, new in words.items()}
+
+    def substitution(match: re.Match[str]) -> str:
+        if match[1] not in words:
+            raise ForeignError
+        return f"$({words[match[1]]}"
+
+    value = _SUBSTITUTION.sub(substitution, value)
+    if (tag, name) == ("include", "file"):
+        value = _file(value, ros)
+    return names[name], value
+
+
+def _file(value: str, ros: int) -> str:
+    """Return the file of an include: by custom, packages of both ROS differ in the suffix."""
+    before, after = (str(_KNOWN["suffixes"][n]) for n in (3 - ros, ros))
+    if not value[1:-1].endswith(before):
+        raise ForeignError
+    return value[:-1].removesuffix(before) + after + value[-1]
+
+
+def _attributes(text: str) -> dict[str, str]:
+    return {name: value for name, _, value in _ATTRIBUTE.findall(_COMMENT.sub("", text))}
+
+
+def _with_attribute(text: str, name: str, value: str) -> str:
+    """Return an element with an attribute, in the place of the one it has."""
+    form = rf"""(?<=\s){re.escape(name)}\s*=\s*("[^"]*"|'[^']*')"""
+    if re.search(form, text):
+        return re.sub(form, lambda _: f"{name}={value}", text, count=1)
+    return re.sub(r"\s*(/?>)", lambda m: f" {name}={value}{m[1]}", text, count=1)
+
+
+def _margin(block: Block) -> int:
+    line = next((line for line in split(block.text) if line.strip()), "")
+    return len(line) - len(line.lstrip())
+
+
+def _with_margin(text: str, margin: int) -> str:
+    lines = split(text if text.endswith("\n") else text + "\n")
+    first = next((line for line in lines if line.strip()), "")
+    by = margin - (len(first) - len(first.lstrip()))
+    return "".join(
+        " " * max(0, len(line) - len(line.lstrip()) + by) + line.lstrip() if line.strip() else line
+        for line in lines
+    )

@@ -1,0 +1,40 @@
+"""The runtime as a package: its parts in each language, and what they need."""
+
+from __future__ import annotations
+
+import runpy
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+_ROOT = next(
+    folder for folder in Path(__file__).parents if (folder / "cpp_model/functions.py").exists()
+)
+_MODELS = {
+    language: runpy.run_path(str(_ROOT / f"{language}_model/functions.py"))
+    for language in ("python", "cpp")
+}
+_SHARED = next(folder for folder in Path(__file__).parents if (folder / "shared").exists())
+_KINDS = sorted(
+    yaml.safe_load((_SHARED / "shared/dictionary.yaml").read_text("utf-8"))["node_interface"]
+)
+# A node that uses all of the runtime, as functions and templates of the other models ask for it.
+_PARAMETER = {"name": "", "value": 0, "min": 0, "max": 0}
+_NODE = {"frequency": 1.0, "diagnostics": True, "dynParameters": [_PARAMETER]}
+
+
+def parts(spec: dict[str, Any], language: str, ros_distro: str) -> list[dict[str, Any]]:
+    """Return the spec of a node with every interface, if the runtime is for its language."""
+    if spec["language"] not in (language, "both"):
+        return []
+    functions = _MODELS[language]
+    depends = {
+        *functions["dependencies_from_template"](ros_distro),
+        *functions["dependencies_from_component"]("node", _NODE, ros_distro),
+    }
+    for kind in _KINDS:
+        depends.update(functions["dependencies_from_interface"](kind, _PARAMETER, ros_distro))
+    unused = {"launch_ros", "launch_xml", "roslaunch", "rclcpp_components", *spec["depends"]}
+    own = {"nodes": [_NODE], "kinds": _KINDS, "depends": sorted(depends - unused)}
+    return [{**spec, **own}]
