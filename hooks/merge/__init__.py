@@ -16,6 +16,7 @@
     lines        three lists of lines merged
     languages    what a file consists of: blocks of Python, C++, XML, YAML, CMake, Markdown
     proof        finds every line of the developer again
+    recount      the second proof: counts all lines, without the blocks and their matching
     report       says what became of the files
     tree, git    files in memory; git
 

@@ -28,6 +28,8 @@ class Outcome:
     """The edited blocks that left, because the new version has no such thing."""
     missing: list[str] = field(default_factory=list)
     """The blocks of the new version that the developer has deleted."""
+    own: list[str] = field(default_factory=list)
+    """The blocks that both sides have made, of which the developer's stays."""
 
     @property
     def conflict(self) -> bool:
@@ -65,7 +67,7 @@ def merge(path: str, mine: Version, old: Version | None, new: Version) -> Outcom
             sides = align(mine.read(known), base, new.read(known))
             merged = merger.sequence(*sides)
             if readable(known, merged):
-                return Outcome(merged, merger.removed, list(_deleted(*sides)))
+                return Outcome(merged, merger.removed, list(_deleted(*sides)), merger.own)
         except (ValueError, RecursionError):
             pass
     if old is None:
@@ -136,10 +138,15 @@ _LOOSE = re.compile(
 """Blocks that are known by what they say, or that nobody misses."""
 
 
+_UNNAMED = re.compile(r"from |import |install |list ")
+"""Blocks of which there may be several with one key."""
+
+
 class _Merger:
     def __init__(self, known: Language) -> None:
         self.language = known
         self.removed: list[str] = []
+        self.own: list[str] = []
 
     def sequence(
         self,
@@ -165,10 +172,15 @@ class _Merger:
         return merged
 
     def block(self, mine: Block, old: Block | None, new: Block) -> Merged:
-        """Merge one block; the developer's counts where there was none before."""
+        """Merge one block; where there was none before, both stay, or what has one name once."""
         if old is None:
             old = Block(mine.key, mine.lines, [], mine.tail)
             if not (mine.children and new.children):
+                if self.is_same(mine, new):
+                    return list(lines.split(mine.text))
+                if _UNNAMED.match(mine.key):
+                    return list(lines.split(new.text + mine.text))
+                self.own.append(block_name(mine.key))
                 return list(lines.split(mine.text))
             new = Block(new.key, mine.lines, new.children, mine.tail)
         if self.is_same(new, old):

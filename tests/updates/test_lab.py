@@ -201,6 +201,7 @@ def test_the_judge_sees_a_wrong_merge(pairs, mutant):
     for pair in pairs * (40 if mutant in OF_HABITS else 4):
         assert trial(random, pair, Counts(), ways=ways) == []
         complaints = trial(random, pair, Counts(), spoil, ways=ways)
+        complaints = [said for said in complaints if not said.startswith("proof: ")]
         assert complaints or not spoiled[-1], f"{mutant.__name__} was not seen"
         if sum(spoiled) == 3:
             break
