@@ -20,6 +20,11 @@ _HOLDERS = re.compile(r"_?(config|data|passthrough)_?")
 """What the logic calls the objects that hold parameters and messages."""
 
 
+def is_holder(name: str) -> bool:
+    """Say whether an object is one of these by its name."""
+    return bool(_HOLDERS.fullmatch(name))
+
+
 @dataclass
 class Origins:
     """What the code of a file says of its names."""
@@ -51,7 +56,7 @@ class Origins:
         if all(part in known or part in self.ours for part in word.chain):
             return True
         is_own = len(word.chain) == 1 or (len(word.chain) == 2 and word.chain[0] in SELF)
-        return is_own and (holder in self.holders or bool(_HOLDERS.fullmatch(holder)))
+        return is_own and (holder in self.holders or is_holder(holder))
 
 
 def origins(
@@ -108,7 +113,7 @@ def _python(
     for target, value in _bindings(tree):
         if {*_words(value)} & {*classes} - found.foreign or (
             isinstance(value, ast.Name | ast.Attribute)
-            and (_last(value) in found.holders or _HOLDERS.fullmatch(_last(value)))
+            and (_last(value) in found.holders or is_holder(_last(value)))
         ):
             found.holders.add(target)
     return found

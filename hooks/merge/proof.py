@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
+from pathlib import PurePosixPath
 
 from ..dictionary import WAS
+from ..names import class_name
 from ..package import SUFFIX
 from .blocks import Block, walk
 from .languages import TEXT, XML, Language, language
 from .lines import MARKS, split
 from .matching import match, wrap
+from .origins import is_holder
 from .package import Result
 from .renaming import Renaming, rename
+from .tokens import words
 from .tree import File, Tree
 
 _NAME_BEFORE = re.compile(rf"""\b{WAS}\s*=\s*("[^"]*"|'[^']*')""")
@@ -208,20 +212,49 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
     Likewise for each identifier that now belongs to another interface. The spec's own `was` is
     what has said so.
     """
-    words = set(renaming.words())
+    known = set(renaming.words())
     taken = _uses_of_taken(mine, old, renaming)
     for path, file in sorted(found.items()):
-        if not (words or taken) or file.text is None:
+        if not (known or taken) or file.text is None:
             continue
         generated = set(split((new.get(path) or File(b"")).text or ""))
         for number, line in enumerate(split(_plain(file.text)), 1):
             if line not in generated:
                 said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
                 said = _MARKUP.sub(" ", said) if language(path, "") is XML else said
-                for word in sorted(words & set(re.findall(r"\w+", said))):
+                for word in sorted(known & set(re.findall(r"\w+", said))):
                     yield f"{path}:{number}: {word}"
                 for word in taken.get((path, line), ()):
                     yield f"{path}:{number}: {word}, which is another's now"
+
+
+def uses_of_left(
+    gone: Iterable[tuple[str, str]], old: Tree, new: Tree, found: Tree
+) -> Iterator[str]:
+    """Yield `file:line: word` for each name of what left that the developer's lines still have.
+
+    `gone` has the names, each after that of its component.
+    """
+    gone = set(gone)
+    names = "|".join(re.escape(name.strip("~/")) for _, name in gone)
+    classes = "|".join(class_name(name) for _, name in gone)
+    form = rf"(?:\w*_)?(?:{names})(?:_\w*)?|(?:\w*[a-z\d_])?(?:{classes})(?:[A-Z_]\w*)?"
+    before, after = (
+        {w for f in tree.values() for w in re.findall(r"\w+", f.text or "")} if gone else set()
+        for tree in (old, new)
+    )
+    bare = {name for _, name in gone}
+    left = {word for word in before - after - bare if re.fullmatch(form, word)}
+    for path, file in sorted(found.items()) if gone else ():
+        generated = set(split((new.get(path) or File(b"")).text or ""))
+        text = _plain(file.text or "")
+        lines, stem = split(text), PurePosixPath(path).stem
+        for word in words(language(path, text), text):
+            is_member = bool(word.chain) and is_holder(word.chain[-1])
+            owners = {owner for owner, name in gone if name == word.text and is_member}
+            is_own = bool(owners) and (word.text not in after or any(o in stem for o in owners))
+            if (word.text in left or is_own) and lines[word.line] not in generated:
+                yield f"{path}:{word.line + 1}: {word.text}, which has left"
 
 
 def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str, str], list[str]]:

@@ -6,13 +6,13 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from ..changes import changed_answers, changes
+from ..changes import changed_answers, changes, left
 from ..dictionary import Dictionary
 from ..faults import SpecError
 from .builds import carry_build_files
 from .launch import carry_launch_files
 from .package import Result, merge_package
-from .proof import places, prove, uses
+from .proof import places, prove, uses, uses_of_left
 from .recount import recount
 from .renaming import Renaming, plan_renames
 from .render import Renderer, begin, recorded_answers
@@ -103,7 +103,9 @@ class Update:
             )
         said = [*changed_answers(self.answers, answers)]
         said += changes(self.answers.get("spec") or {}, spec, dictionary)
-        still = uses(mine, old.tree, new.tree, found, renaming)
+        still = [*uses(mine, old.tree, new.tree, found, renaming)]
+        gone = left(self.answers.get("spec") or {}, spec, dictionary)
+        still += uses_of_left(gone, old.tree, new.tree, found)
         return report(self.package, self.snapshot.files, found, result, said, still, proof)
 
 
