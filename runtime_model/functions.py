@@ -21,7 +21,12 @@ _KINDS = sorted(
 )
 # A node that uses all of the runtime, as functions and templates of the other models ask for it.
 _PARAMETER = {"name": "", "value": 0, "min": 0, "max": 0}
-_NODE = {"frequency": 1.0, "diagnostics": True, "dynParameters": [_PARAMETER]}
+_NODE = {
+    "frequency": 1.0,
+    "diagnostics": True,
+    "client_library": True,
+    "dynParameters": [_PARAMETER],
+}
 
 
 def parts(spec: dict[str, Any], language: str, ros_distro: str) -> list[dict[str, Any]]:

@@ -43,6 +43,7 @@ SAMPLES = {
     "int": ("2", "3"),
     "double": ("2.5", "3.5"),
     "string": ("some string", "other string"),
+    "wstring": ("some string", "other string"),
     "email": ("ada@example.org", "bob@example.org"),
     "license": ("MIT", "Apache-2.0"),
     "version": ("1.2.0", "0.1.3"),

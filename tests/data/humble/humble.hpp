@@ -112,6 +112,7 @@ public:
   Duration operator-(const Time & time) const;
   bool operator<(const Time & time) const;
   bool operator>=(const Time & time) const;
+  std::int64_t nanoseconds() const;
 };
 struct JumpHandler {using SharedPtr = std::shared_ptr<JumpHandler>;};
 class Clock
@@ -135,9 +136,15 @@ public:
   PreShutdownCallbackHandle add_pre_shutdown_callback(std::function<void()> callback);
   bool remove_pre_shutdown_callback(const PreShutdownCallbackHandle & handle);
 };
-void init(int argc, char const * const * argv);
+class InitOptions {};
+enum class SignalHandlerOptions {All, SigInt, SigTerm, None};
+void init(
+  int argc, char const * const * argv, const InitOptions & init_options = InitOptions(),
+  SignalHandlerOptions signal_handler_options = SignalHandlerOptions::All);
 bool ok();
-bool shutdown();
+bool shutdown(
+  Context::SharedPtr context = nullptr,
+  const std::string & reason = "user called rclcpp::shutdown()");
 
 class QoS
 {
@@ -177,9 +184,11 @@ public:
 };
 }  // namespace executors
 
+enum ParameterType : std::uint8_t {PARAMETER_NOT_SET, PARAMETER_BOOL, PARAMETER_INTEGER, PARAMETER_DOUBLE};
 class Parameter
 {
 public:
+  ParameterType get_type() const;
   const std::string & get_name() const;
   bool as_bool() const;
   double as_double() const;

@@ -71,7 +71,9 @@ public:
 private:
   void read_parameters()
   {
-    supervisor_.set_stop_timeout(private_.param("stop_timeout", 2.0));
+    double stop_timeout = 2.0;
+    read_parameter(private_, "stop_timeout", stop_timeout);
+    supervisor_.set_stop_timeout(stop_timeout);
     ObserverConfig config;
     read_parameter(private_, "limit", config.limit);
     config_ = std::make_shared<ObserverConfig>(config);

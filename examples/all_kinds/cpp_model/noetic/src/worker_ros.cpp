@@ -90,7 +90,9 @@ public:
 private:
   void read_parameters()
   {
-    supervisor_.set_stop_timeout(private_.param("stop_timeout", 2.0));
+    double stop_timeout = 2.0;
+    read_parameter(private_, "stop_timeout", stop_timeout);
+    supervisor_.set_stop_timeout(stop_timeout);
     WorkerConfig config;
     read_parameter(private_, "prefix", config.prefix);
     read_parameter(private_, "weights", config.weights);

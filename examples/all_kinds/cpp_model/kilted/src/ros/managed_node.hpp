@@ -546,7 +546,7 @@ private:
     return semaphore;
   }
 
-  static void handle_signal(int)
+  static void handle_signal([[maybe_unused]] int signal)
   {
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
