@@ -91,8 +91,8 @@ def cmake_blocks(text: str) -> list[Block]:
             raise ValueError("a parenthesis that nothing opens")
         if match["sign"] == ")" and not depth:
             command = text[start : match.end()]
-            first = re.match(r"\w+\s*\(\s*([^\s)]*)", command)
-            key = f"{name.lower()} {first[1] if first else ''}".strip()
+            first = re.match(r"\w+\s*\((?:(?:\s*\n)?\s*([A-Z_]+\b)|[ \t]*([^\s)]*))", command)
+            key = " ".join(filter(None, (name.lower(), *(first.groups() if first else ()))))
             if name.lower() in ("if", "elseif"):
                 key = squeezed(command)
             ends = text.count("\n", 0, match.end()) + 1

@@ -119,8 +119,9 @@ class Renaming:
             if word.text in members and word.chain and word.before[1] != "::":
                 return members[word.text] if origin.has(word, vocabulary) else word.text
             holder, sign = word.before
-            if word.text in self.targets and known is CMAKE and sign == "(":
-                return self.targets[word.text] if _ABOUT_TARGETS.match(holder) else word.text
+            if word.text in self.targets and known is CMAKE and sign in ("(", "TARGETS"):
+                is_target = sign == "TARGETS" or _ABOUT_TARGETS.match(holder)
+                return self.targets[word.text] if is_target else word.text
             if word.text in self.packages and not word.chain and is_ours:
                 is_root = word.after == "::" or sign in ("namespace", "from", "import")
                 is_root = is_root or word.text in origin.ours
