@@ -136,8 +136,10 @@ def _with_conditions(spans: list[Span]) -> list[Span]:
         part = _role(span)[1]
         depth += (part == "start") - (part == "end")
         if not depth:
-            inside, rest = spans[1:at], spans[at + 1 :]
-            return [spans[0], *nested(inside, _role), span, *nested(rest, _role)]
+            inside, rest = nested(spans[2:at], _role), nested(spans[at + 1 :], _role)
+            ends = (spans[0], spans[1], span)  # known without the word, which a move changes
+            first, second, last = (replace(one, key=one.key.split()[0]) for one in ends)
+            return [first, second, *inside, last, *rest]
     return nested(spans, _role)
 
 
@@ -181,7 +183,10 @@ def _scope(tokens: Tokens, at: int) -> tuple[list[Span], int]:
             colon = at + texts.index(":")
             spans.append(Span(f"{token.text}:", token.line, tokens[colon].last + 1))
             at = colon + 1
-        elif end := _macro(tokens, at):
+        elif (end := _macro(tokens, at)) and _is_close(tokens, end):
+            span, at = _item(tokens, end)
+            spans.append(replace(span, start=token.line))
+        elif end:
             key = squeezed(" ".join(token.text for token in tokens[at:end]))
             spans.append(Span(key, token.line, tokens[end - 1].last + 1))
             at = end
@@ -200,6 +205,14 @@ def _reopened(one: Span, other: Span) -> Span:
     between = Span(f"{{ {one.key}", one.body[1], other.body[0])
     items = (*one.items, between, *other.items)
     return Span(one.key, one.start, other.end, (one.body[0], other.body[1]), items)
+
+
+def _is_close(tokens: Tokens, at: int) -> bool:
+    """Say whether a function or a variable begins at a token, on the line after the one before."""
+    if at == len(tokens) or tokens[at].kind != "word" or _macro(tokens, at):
+        return False
+    is_next = tokens[at].line == tokens[at - 1].last + 1
+    return is_next and tokens[at].text not in (*_ACCESS, *_HOLDERS)
 
 
 _MACRO = re.compile(r"[A-Z][A-Z0-9]*_?[A-Z0-9_]+")

@@ -21,14 +21,14 @@ def align(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Blo
     """Return three versions in which a key is that of one thing, at one place."""
     match(new, old)
     match(mine, old, new)
-    mine = _retitled(_unsplit(mine, old, new), old, new)
+    mine = _retitled(unsplit(mine, old, new), old, new)
     return list(mine), wrap(old, mine, old, new), wrap(new, mine, old, new)
 
 
 _HEADING = re.compile(r"#+ ")
 
 
-def _unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
+def unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
     """Return sections in which a heading of the developer's does not part what is generated."""
     base = {block.key: {*block.lines} - {"\n"} for block in old}
     taken = {*base, *(block.key for block in new)}

@@ -15,7 +15,7 @@ from ..package import SUFFIX
 from .blocks import Block, walk
 from .languages import TEXT, XML, Language, language
 from .lines import MARKS, split
-from .matching import match, wrap
+from .matching import match, unsplit, wrap
 from .origins import is_holder
 from .package import Result
 from .renaming import Renaming, rename
@@ -80,6 +80,7 @@ def _prove_file(
         known = TEXT
     before, after = (_blocks(known, text, origin, renaming) for text in (old, ours))
     match(after, before)
+    after = unsplit(after, before, before)
     lines = [
         (scope, line, _number(split(ours), number, line))
         for scope, line, number in _developer_lines(known, after, before)
@@ -99,6 +100,7 @@ def _prove_file(
     if known is XML and target in result.conflicts:
         rename(there, there, renaming.keys.get(origin, {}))  # whose text has the names of before
     match(there, before, after)
+    there = unsplit(there, before, after)
     _read_back(proof, (path, target), known, lines, there, result.removed.get(path, []))
     changed = found is not None and target not in result.conflicts and text != ours
     if changed and _parses(known, ours) and not _parses(known, text):

@@ -414,3 +414,23 @@ def test_blocks_are_the_whole_text():
     for known, text in ((CPP, HPP), (PYTHON, PY), (MARKDOWN, README)):
         assert "".join(block.text for block in known.blocks(text)) == text
     assert language("a.hpp", "") is CPP
+
+
+def test_guard_of_a_header_that_moves_is_one_guard():
+    """What the developer has written below it stays below it."""
+    old = HPP
+    new = HPP.replace("ARM__WORKER_IMPL", "ARM__ROS__WORKER_IMPL")
+    include = '#include "arm/worker_interface.hpp"\n'
+    mine = changed(HPP, (include, f"#include <cmath>\n{include}"))
+    is_merged, text, _ = merge("include/arm/worker_impl.hpp", mine, old, new)
+    assert is_merged
+    assert text == changed(new, (include, f"#include <cmath>\n{include}"))
+
+
+def test_own_heading_before_a_table_does_not_part_its_section():
+    old = "# Arm\n\n## Nodes\n\nAll.\n\n| Topic | |\n|---|---|\n| a | |\n| b | |\n"
+    mine = changed(old, ("| Topic", "### Mine\n\n| Topic"))
+    new = changed(old, ("| a | |", "| a | odd |"))
+    is_merged, text, _ = merge("README.md", mine, old, new)
+    assert is_merged
+    assert text == changed(new, ("| Topic", "### Mine\n\n| Topic"))
