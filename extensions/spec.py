@@ -47,6 +47,7 @@ class SpecExtension(Extension):
             self.has_file,
             self.package_name,
             self.chosen_package,
+            self.notes,
             self.template_notes,
             self.begin_update,
             self.finish_update,
@@ -139,6 +140,12 @@ class SpecExtension(Extension):
         """Return the package that an answer names; the answer `own` is the package itself."""
         name = self.package_name(context, spec)
         return str(self.hooks.questions.chosen_package(question, answer, own, name))
+
+    def notes(self, context: Context, spec: dict[str, Any]) -> list[str]:
+        """Return the notes of the spec, and those of this machine, which are not recorded."""
+        dictionary = self._model(context).dictionary
+        missing = self.hooks.installed.missing_types(spec, dictionary, os.environ)
+        return [*spec["notes"], *missing]
 
     def template_notes(self, context: Context) -> list[str]:
         """Say that an update will not find a template whose path is relative."""

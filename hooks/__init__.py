@@ -5,6 +5,6 @@ dictionary of a model; the hook itself has but `package`, `depend` and `was`. Ev
 can cause is a `SpecError`, whose text is all the user needs to see.
 """
 
-from . import changes, faults, model, names, package, questions, ros
+from . import changes, faults, installed, model, names, package, questions, ros
 
-__all__ = ["changes", "faults", "model", "names", "package", "questions", "ros"]
+__all__ = ["changes", "faults", "installed", "model", "names", "package", "questions", "ros"]

@@ -43,16 +43,28 @@ def contradictions(context: Mapping[str, Any], dictionary: Dictionary) -> list[s
     return notes
 
 
+def elements(
+    context: Mapping[str, Any], dictionary: Dictionary
+) -> Iterator[tuple[str, Component | Interface, Mapping[str, Any]]]:
+    """Yield components and all interfaces, each with the component's name, and its values."""
+    for component in dictionary.components.values():
+        for values in context[component.key]:
+            owner = str(values[next(iter(component.attributes))])
+            yield owner, component, values
+            for interface, item in _inside(component, values):
+                yield owner, interface, item
+
+
 def _endpoints(
     context: Mapping[str, Any], dictionary: Dictionary
 ) -> Iterator[tuple[str, Endpoint]]:
     """Yield what is in the ROS graph, each after the component it belongs to."""
-    for component in dictionary.components.values():
-        for values in context[component.key]:
-            owner = str(values[next(iter(component.attributes))])
-            for interface, item in _inside(component, values):
-                if found := endpoint(owner, interface, item):
-                    yield f"{component.tag} {owner}", found
+    tag = ""
+    for owner, kind, item in elements(context, dictionary):
+        if isinstance(kind, Component):
+            tag = kind.tag
+        elif found := endpoint(owner, kind, item):
+            yield f"{tag} {owner}", found
 
 
 def _inside(

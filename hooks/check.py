@@ -106,6 +106,7 @@ class _Checker:
         values = self.values(element, self.dictionary.package)
         package = self.checked(PACKAGE, element, values)
         values |= {component.key: [] for component in components.values()}
+        unknown = False
         for child in element.children:
             tag = self.dictionary.aliases.get(child.tag, child.tag)
             if tag == DEPEND:
@@ -114,9 +115,10 @@ class _Checker:
                 component = self.component(child, components[tag], package)
                 values[components[tag].key].append(component)
             else:
+                unknown = True
                 self.unknown_tag(child, [*components, DEPEND])
         needed = [component for component in components.values() if not component.is_plain]
-        if needed and not any(values[component.key] for component in needed):
+        if needed and not any(values[component.key] for component in needed) and not unknown:
             tags = " or ".join(f"<{component.tag}>" for component in needed)
             self.fault(element, f"has no {tags}; it needs one at least")
         self.spec.package = values
@@ -223,7 +225,8 @@ class _Checker:
         known = {**known, WAS: NAME_BEFORE} if has_name else known
         for name in element.attributes:
             if name not in known:
-                self.fault(element, f"unknown attribute {quoted(name)}; {allowed(name, known)}")
+                hint = _meant(name, known) or allowed(name, known)
+                self.fault(element, f"unknown attribute {quoted(name)}; {hint}")
         values: Values = {}
         for name, attribute in known.items():
             given = element.attributes.get(name)
@@ -259,9 +262,10 @@ class _Checker:
         key = (*scope[:-1], group, comparable(attribute.format, value))
         first = self.owners.setdefault(key, element)
         if first is not element:
-            raise ValueError(
-                f"{quoted(value)} is already taken at line {first.line}; each must have its own"
-            )
+            other = first.attributes.get(attribute.name, value)
+            by = f" by {quoted(other)}" if other != value else ""
+            taken = f"already taken{by} at line {first.line}"
+            raise ValueError(f"{quoted(value)} is {taken}; each must have its own")
 
     def unknown_tag(self, element: Element, known: list[str]) -> None:
         tag, components = element.tag, self.dictionary.components
@@ -272,11 +276,23 @@ class _Checker:
             if tag in kinds
         ]
         homes = [PACKAGE] if tag in {DEPEND, *components} else homes
-        where = f"it belongs inside <{homes[0]}>" if homes else allowed(tag, known)
+        homes = [home for home in homes if home in known] or homes
+        tags = " or ".join(f"<{home}>" for home in dict.fromkeys(homes))
+        where = f"it belongs inside {tags}; " if homes else ""
+        where += allowed(tag, known)
         self.fault(element, f"<{shown(tag)}> is not known here; {where}")
 
     def fault(self, element: Element, message: str) -> None:
         self.faults.append((element.line, f"{self.spec.place(element)}: {message}"))
+
+
+def _meant(name: str, known: Mapping[str, Attribute]) -> str | None:
+    """Return what is meant by the name that another tool has for an attribute."""
+    for attribute in known.values():
+        if name in attribute.elsewhere:
+            written = attribute.elsewhere[name] or f'{attribute.name}="..."'
+            return f"did you mean {written}?"
+    return None
 
 
 def _reached(parts: Mapping[str, set[str]], start: str) -> set[str]:

@@ -35,6 +35,8 @@ class Attribute:
 
     name: str
     doc: str = ""
+    elsewhere: Mapping[str, str | None] = field(default_factory=dict)
+    """What people write for it who know other tools, and what they mean if not its name alone."""
     optional: bool = False
     default: Any = None
     same_as: str | None = None
@@ -268,6 +270,8 @@ def _attribute(place: str, name: str, options: dict[str, Any]) -> Attribute:
         choices = options["choices"]
         choices = dict.fromkeys(choices) if isinstance(choices, list) else choices
         options["choices"] = {str(word): [*(others or ())] for word, others in choices.items()}
+    if isinstance(options.get("elsewhere"), list):
+        options["elsewhere"] = dict.fromkeys(options["elsewhere"])
     return Attribute(name, **{"optional": bool({"default", "same_as"} & set(options)), **options})
 
 

@@ -16,7 +16,7 @@ from typing import Any
 from packaging.licenses import InvalidLicenseExpression, canonicalize_license_expression
 
 from .data import load_data
-from .faults import allowed, quoted
+from .faults import allowed, quoted, shown
 from .names import class_name
 from .names import identifier as identifier_of
 from .words import CPP_NAMES, KEYWORDS, MODULES, PACKAGES, meaning
@@ -129,13 +129,21 @@ def check_capital(type_: str) -> None:
         raise ValueError(f"{quoted(type_)}: {rule}")
 
 
+def _as_in_code(value: str) -> str:
+    """Ask whether a type is meant that stands as in Python, or as its file is called."""
+    words = [word for word in re.split(r"[.:/]+", value) if word not in ("msg", "srv", "action")]
+    if len(words) == 1:
+        return "it lacks its package; "
+    return f'did you mean "{shown("::".join(words))}"? ' if len(words) == 2 else ""
+
+
 def _type(folder: str, example: str) -> Callable[[str], str]:
     """Return the format of a type in a folder of a package; it gives `package/folder/Type`."""
     forms = f"package::Type, package/Type, package/{folder}/Type, such as {example}"
 
     def parse(value: str) -> str:
         pattern = rf"([A-Za-z]\w*)(::|/)(?:{folder}\2)?([A-Za-z]\w*)"
-        match = _match(pattern, value, f"not a type; allowed: {forms}")
+        match = _match(pattern, value, f"not a type; {_as_in_code(value)}allowed: {forms}")
         package = _free(match[1], (*CPP_NAMES, *MODULES))
         if meaning(match[3], CPP_NAMES):
             check_capital(value)
@@ -156,6 +164,17 @@ _SYNONYMS = {
     "builtin_interfaces/msg/Time": "time",
     "builtin_interfaces/msg/Duration": "duration",
 }
+_IN_CODE = {
+    "boolean": "bool",
+    "double": "float64",
+    "float": "float32",
+    "int": "int32",
+    "long": "int64",
+}
+_IN_CODE |= {"str": "string", "std::string": "string", "std::wstring": "wstring"}
+_IN_CODE |= {f"std::{name}_t": name for name in PRIMITIVES if "int" in name}
+_IN_CODE |= {f"{name}_t": name for name in PRIMITIVES if "int" in name}
+"""What fields of the languages of nodes are in messages."""
 _BIGGEST_SIZE = 2**31 - 1
 
 
@@ -191,6 +210,8 @@ def field_type(value: str) -> str:
         raise ValueError(f"{quoted(value)} is not a field type; {forms}")
     if bound and base not in ("string", "wstring"):
         raise ValueError(f"{quoted(value)}: only a string has a bound; {forms}")
+    if meant := _IN_CODE.get(base):
+        raise ValueError(f'{quoted(base)} is no type of ROS; did you mean "{meant}"?')
     if base not in (*PRIMITIVES, *_SYNONYMS):
         base = _message(base)
     base = _SYNONYMS.get(base, base)

@@ -10,6 +10,7 @@ from xml.parsers import expat
 import xmltodict
 
 from .faults import SpecError, quoted, shown
+from .slips import slip
 
 Place = tuple[int, int]
 """The line where an element starts, and its number in the order of the file."""
@@ -108,9 +109,13 @@ def _places(xml: bytes, file: str) -> list[Place]:
     except UnicodeDecodeError:
         raise SpecError(f"{file}:1: not UTF-8 text; save the spec as UTF-8") from None
     except expat.ExpatError as error:
-        reason = f"{expat.ErrorString(error.code)} (column {error.offset + 1})"
-        if begun and expat.ErrorString(error.code) in _NOT_CLOSED:
+        known = expat.ErrorString(error.code)
+        reason = f"{known} (column {error.offset + 1})"
+        if begun and known in _NOT_CLOSED:
             tag, (line, _) = begun[-1]
             reason = f"<{shown(tag)}> of line {line} is not closed"
+        else:
+            at = len(xml[: parser.ErrorByteIndex].decode("utf-8-sig", "replace"))
+            reason = slip(known, xml.decode("utf-8-sig"), at) or reason
         raise SpecError(f"{file}:{error.lineno}: not well-formed XML: {reason}") from None
     return ended

@@ -26,7 +26,8 @@ _INSTALL = re.compile(
     r"install\(\s*(FILES|PROGRAMS|DIRECTORY)\s+([^()]*?)\s+DESTINATION\s+(\S+?)\s*\)\s*"
 )
 _ENTRY = re.compile(
-    r"""\('(share|lib)/' \+ package_name(?: \+ '/([\w/.-]+)')?, (glob\('\2/\*'\)|\[[^]\n]*\])\),"""
+    r"\*installed\('([\w/.-]+)'\),"
+    r"|\('(share|lib)/' \+ package_name(?: \+ '/([\w/.-]+)')?, (glob\('\3/\*'\)|\[[^]\n]*\])\),"
 )
 _PROJECT = {"share": "share/${PROJECT_NAME}", "lib": "lib/${PROJECT_NAME}"}
 # Commands with a list of packages, in ROS 1 and ROS 2 in one order; and the word before it.
@@ -218,8 +219,7 @@ class _Carrier:
             return
         elif key == "install DIRECTORY" and not self.has_cmake:
             if re.fullmatch(r"[\w/.-]+", item) and item.upper() != item:
-                entry = f"('share/' + package_name + '/{item}', glob('{item}/*')),"
-                self._note(number, line, self._in_setup(entry))
+                self._note(number, line, self._in_setup(f"*installed('{item}'),"))
         elif command and replaced.strip() and replaced in command.lines:
             command.lines[command.lines.index(replaced)] = line
             self._note(number, line, item)
@@ -315,8 +315,7 @@ class _Carrier:
         if not base or "$" in files or (kind == "DIRECTORY" and (len(names) > 1 or base == "lib")):
             return ""
         if kind == "DIRECTORY":
-            name = names[0].rstrip("/")
-            return self._in_setup(f"('share/' + package_name + '/{name}', glob('{name}/*')),")
+            return self._in_setup(f"*installed('{names[0].rstrip('/')}'),")
         listed = ", ".join(repr(name) for name in names)
         return self._in_setup(f"('{base}/' + package_name, [{listed}]),")
 
@@ -332,8 +331,9 @@ class _Carrier:
         directory = next((b for b in self.new if b.key == "install DIRECTORY"), None)
         if not found or directory is None:
             return
-        base, folder, files = found.groups()
-        if folder and base == "share" and files.startswith("glob"):
+        whole, base, folder, files = found.groups()
+        folder = whole or folder
+        if whole or (folder and base == "share" and files.startswith("glob")):
             at = max(i for i, text in enumerate(directory.lines) if text.startswith("    "))
             directory.lines.insert(at + 1, f"    {folder}\n")
             self._note(number, line, folder)

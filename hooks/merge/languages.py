@@ -44,6 +44,7 @@ CMAKE = Language("cmake", checked(outlines.cmake_blocks), outlines.same_cmake, s
 MARKDOWN = Language(
     "markdown", checked(outlines.markdown_blocks), outlines.same_markdown, str.rstrip
 )
+MESSAGE = Language("message", checked(outlines.message_blocks), _exactly, str.rstrip)
 
 _SUFFIXES = {
     PYTHON: ".py .cfg .pyi",
@@ -52,6 +53,7 @@ _SUFFIXES = {
     YAML: ".yaml .yml",
     CMAKE: ".cmake",
     MARKDOWN: ".md",
+    MESSAGE: ".msg .srv .action",
 }
 
 

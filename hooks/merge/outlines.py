@@ -1,8 +1,9 @@
-"""YAML, CMake and Markdown as blocks: keys, commands, sections."""
+"""YAML, CMake, Markdown and messages as blocks: keys, commands, sections, members."""
 
 from __future__ import annotations
 
 import functools
+import itertools
 import re
 from collections.abc import Iterator, Sequence
 
@@ -144,6 +145,21 @@ def markdown_blocks(text: str) -> list[Block]:
         seen[block.key] = seen.get(block.key, 0) + 1
         block.key += f" #{seen[block.key]}" if seen[block.key] > 1 else ""
     return [block for block in blocks if block.lines]
+
+
+def message_blocks(text: str) -> list[Block]:
+    """Return the members of a message, service or action, those after a `---` inside of it."""
+    lines = split(text)
+    parts = [0, *(i for i, line in enumerate(lines) if re.match(r"---\s*$", line)), len(lines)]
+    spans: list[Span] = []
+    for number, (start, end) in enumerate(itertools.pairwise(parts)):
+        words = [(i, lines[i].split("#")[0].split()) for i in range(start + bool(number), end)]
+        names = [(i, re.split("[=<]", found[1])[0]) for i, found in words if found[1:]]
+        members = [Span(f"{number} {name}", i, i + 1) for i, name in names]
+        if number:
+            members = [Span("---", start, end, (start + 1, end), tuple(members))]
+        spans += members
+    return arrange(lines, spans, 0, len(lines), COMMENT)
 
 
 def same_yaml(one: str, other: str) -> bool:

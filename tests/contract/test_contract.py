@@ -1373,6 +1373,7 @@ def simulated(stage):
     yield lambda seconds: stage.peer.clock(seconds=seconds)
     if not stage.variant.is_ros2:
         stage.peer.delete_global(name="/use_sim_time")
+        stage.peer.end_clock()  # its last time is latched
 
 
 def start_simulated(stage, *told, name="probe"):

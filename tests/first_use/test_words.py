@@ -13,10 +13,10 @@ USE = {
     "noetic": [
         "catkin_make && . devel/setup.sh",
         "roslaunch arm arm.launch",
-        "catkin_make run_tests_arm && catkin_test_results",
+        "catkin_make --force-cmake run_tests_arm && catkin_test_results",
     ],
     "kilted": [
-        "colcon build --packages-select arm && . install/setup.sh",
+        "colcon build --packages-up-to arm && . install/setup.sh",
         "ros2 launch arm arm.launch.xml",
         "colcon test --packages-select arm && colcon test-result --verbose",
     ],

@@ -100,7 +100,7 @@ def test_component_and_template_are_understood(model):
         ('<publisher type="a::B"/>', 'attribute "name" is missing'),
         ('<publisher name="x" type="a::B" value="1"/>', 'unknown attribute "value"'),
         ('<publsher name="x" type="a::B"/>', 'did you mean "publisher"?'),
-        ('<publisher name="x" type="B"/>', '"B" is not a type; allowed: package::Type'),
+        ('<publisher name="x" type="B"/>', '"B" is not a type; it lacks its package; '),
         ('<publisher name="x" type="a::msg/B"/>', "is not a type"),
         ('<publisher name="x" type="a/srv/B"/>', "package/msg/Type"),
         ('<serviceServer name="x" type="a/msg/B"/>', "package/srv/Type"),

@@ -91,7 +91,12 @@ def test_type_that_a_ros_lacks():
     ("type_", "said"),
     [
         ("floa64", 'did you mean "float64"? allowed: bool, '),
-        ("int", "no primitive type"),
+        ("int", '"int" is no type of ROS; did you mean "int32"?'),
+        ("double[3]", '"double" is no type of ROS; did you mean "float64"?'),
+        ("std::string", '"std::string" is no type of ROS; did you mean "string"?'),
+        ("uint8_t", 'did you mean "uint8"?'),
+        ("std::uint8_t[]", 'did you mean "uint8"?'),
+        ("intt", 'did you mean "int'),
         ("", "not a field type"),
         ("int8[", "not a field type"),
         ("int8[3][3]", "not a field type"),
@@ -225,7 +230,7 @@ def test_kinds_have_names_of_their_own():
 @pytest.mark.parametrize(
     ("one", "other", "said"),
     [
-        ('<message name="Pose"/>', '<message name="POSE"/>', "already taken at line 2"),
+        ('<message name="Pose"/>', '<message name="POSE"/>', 'already taken by "Pose" at line 2'),
         (
             '<message name="Pose"/>',
             '<service name="Pose"/>',

@@ -70,8 +70,8 @@ def parameter(type_, value):
             (SPEC % "").replace("</node>", ""),
             "spec.xml:5: not well-formed XML: <node> of line 2 is not closed",
         ),
-        ('<package name="', "spec.xml:1: not well-formed XML: unclosed token"),
-        ("", "spec.xml:1: not well-formed XML: no element found"),
+        ('<package name="', "spec.xml:1: not well-formed XML: the value of name in line 1"),
+        ("", "spec.xml:1: not well-formed XML: the file is empty"),
     ],
 )
 def test_message(xml, message):

@@ -66,7 +66,7 @@ def test_commands_in_ros1(ros1, render, tmp_path, kind):
 
 @pytest.mark.parametrize("kind", SPECS)
 def test_commands_in_ros2(ros2, render, tmp_path, kind):
-    for package in ("rclcpp", "launch_ros") if kind in WITH_NODES else ():
+    for package in ("rclcpp", "launch_ros") if kind in WITH_NODES else ("ros2interface",):
         if not ros.has_package(ros2, package):
             pytest.skip(f"{package} is not installed")
     printed = run_readme(ros2, render, tmp_path, kind)

@@ -83,7 +83,7 @@ class Variant:
         for source in (CONTRACT / "logic").glob("*.py" if self.is_python else "*.[hc]pp"):
             text = source.read_text()
             if self.runtime != "inside":
-                text = text.replace("contract.ros.", f"{self.runtime}.ros.")
+                text = re.sub(r"\bcontract([./])ros\1", rf"{self.runtime}\1ros\1", text)
             (package / folders[source.suffix] / source.name).write_text(text)
         option = "--cmake-args -DBUILD_TESTING=OFF" if self.is_ros2 else ""
         self.ros.run(f"{self.ros.build_command} {option}", workspace, underlay, timeout=1800)

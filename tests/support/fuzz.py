@@ -377,7 +377,7 @@ def interface_lines(text):
     """Return the lines of an interface without comments, each text as one."""
     lines = [line.rstrip() for line in text.split("\n") if line.rstrip() and line[0] != "#"]
     lines = [re.sub(r'"[^"]*"', '"', line) for line in lines]
-    return [re.sub("^(string [A-Z0-9_]+=).*", r"\1", line) for line in lines]
+    return [re.sub(r"^(w?string \w+=).*", r"\1", line) for line in lines]
 
 
 def keys(value):
@@ -476,8 +476,9 @@ def check(files, harmless, spec):
         assert code(name, text) == code(name, harmless[name]), f"{name}: a text has become code"
     check_own_files(files, spec["name"])
     for node in spec.get("nodes", []):
-        config = yaml.safe_load(files[f"config/{node['name']}.yaml"])
-        found = config["/**"]["ros__parameters"] if spec["ros"] == 2 else config
-        for parameter in [*node["parameters"], *node["dynParameters"]]:
-            assert found[parameter["name"]] == parameter["value"], parameter["name"]
-            assert type(found[parameter["name"]]) is type(parameter["value"]), parameter["name"]
+        for started in node["instances"] or [node]:
+            config = yaml.safe_load(files[f"config/{started['name']}.yaml"])
+            found = config["/**"]["ros__parameters"] if spec["ros"] == 2 else config
+            for parameter in [*node["parameters"], *node["dynParameters"]]:
+                value, name = parameter["value"], parameter["name"]
+                assert (found[name], type(found[name])) == (value, type(value)), name

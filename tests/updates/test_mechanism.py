@@ -303,7 +303,7 @@ def test_unknown_model(collection, copier_command, tmp_path):
     for given in ("pyton_model", "../python_model", "shared"):
         data = ("-d", f"model={given}")
         result = copier_command("copy", *QUIET, *data, collection, "new", cwd=tmp_path)
-        known = "cpp_model, interfaces_model, mixed_model, python_model"
+        known = "cpp_model, interfaces_model, mixed_model, python_model, runtime_model"
         fails(result, f'model: unknown "{given}"; ', f"allowed: {known}\n")
         assert ('did you mean "python_model"?' in result.stderr) == (given != "shared")
         assert not (tmp_path / "new").exists()
@@ -312,7 +312,7 @@ def test_unknown_model(collection, copier_command, tmp_path):
 def test_unknown_option(collection, package, copier_command, tmp_path):
     data = ("-d", "spec_fil=arm.xml", "-d", "ros_distr=noetic")
     result = copier_command("copy", *QUIET, *data, collection, "new", cwd=tmp_path)
-    options = "allowed: model, spec_file, ros_distro, ci\n"
+    options = "allowed: model, spec_file, ros_distro, ci, runtime\n"
     fails(result, f'-d spec_fil: no such option; did you mean "spec_file"? {options}')
     fails(result, f'-d ros_distr: no such option; did you mean "ros_distro"? {options}')
     for given in ("spec=arm.xml", 'spec={"name": "arm"}', "ros1=there"):  # computed, not asked

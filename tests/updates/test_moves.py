@@ -307,8 +307,9 @@ def test_what_a_package_in_python_installs_moves_along(render, move, distro):
     if distro == "noetic":
         change(package, "CMakeLists.txt", *CMAKE["noetic"][-2:])
     else:
-        entry = "        ('share/' + package_name + '/launch', glob('launch/*')),\n"
+        entry = "        *installed('launch'),\n"
         own = entry.replace("launch", "maps")
+        own += "        ('share/' + package_name + '/urdf', glob('urdf/*')),\n"
         own += "        ('share/' + package_name, ['plugin.xml']),\n"
         own += "        ('lib/' + package_name, ['scripts/tool']),\n        ('/etc', ['odd']),\n"
         change(package, "setup.py", (entry, entry + own))
@@ -318,7 +319,7 @@ def test_what_a_package_in_python_installs_moves_along(render, move, distro):
         assert texts == ["# For pluginlib", "catkin_add_env_hooks(50.hand)"]
         setup = (package / "setup.py").read_text()
         for entry in (
-            "('share/' + package_name + '/maps', glob('maps/*')),",
+            "*installed('maps'),",
             "('share/' + package_name, ['plugin.xml']),",
             "('lib/' + package_name, ['scripts/tool']),",
         ):
@@ -326,7 +327,7 @@ def test_what_a_package_in_python_installs_moves_along(render, move, distro):
     else:
         assert texts == ["('/etc', ['odd']),"]
         cmake = (package / "CMakeLists.txt").read_text()
-        assert "    launch\n    maps\n" in cmake
+        assert "    launch\n    maps\n    urdf\n" in cmake
         share, programs = ("${CATKIN_PACKAGE_" + place for place in ("SHARE", "BIN"))
         assert f"install(FILES plugin.xml DESTINATION {share}_DESTINATION}})\n" in cmake
         assert f"install(PROGRAMS scripts/tool DESTINATION {programs}_DESTINATION}})\n" in cmake

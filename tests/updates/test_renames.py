@@ -205,3 +205,45 @@ def test_words_of_xml_are_no_uses_of_a_name(render, update):
         f"{spec}:7: name",
         "view.launch:2: name",
     ]
+
+
+MOVE = """<package name="m_msgs" author="A" author_email="a@b.org" description="Moves"
+  license="MIT">
+  <message name="Move">
+    <field name="speed" type="float64" description="How fast [m/s]"/>
+    <field name="angle" type="float64" description="Which way [rad]"/>
+    <field name="name" type="string"/>
+  </message>
+  <service name="Plan">
+    <request><field name="speed" type="float64"/></request>
+    <response><field name="speed" type="float64"/></response>
+  </service>
+</package>
+"""
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_comments_go_with_fields_that_change_places(render, update, distro):
+    """In the response alone the field keeps its name."""
+    package = render(MOVE, model="interfaces_model", ros_distro=distro, name="m_msgs")
+    for name, fields in {"msg/Move.msg": ["speed", "angle"], "srv/Plan.srv": ["speed"]}.items():
+        text = (package / name).read_text()
+        for field in fields:
+            text = text.replace(f"float64 {field}\n", f"# my {field}\nfloat64 {field}\n")
+        (package / name).write_text(text)
+    commit(package, "Say more")
+    speed, angle = ('name="speed" type="float64"', 'name="angle" type="float64"')
+    update(
+        package,
+        (speed, angle.replace("type", 'was="speed" type')),
+        (f'{angle} description="W', speed + ' was="angle" description="W'),
+        ('<field name="name"', '<field name="title" was="name"'),
+        (f"<request><field {speed}", '<request><field name="pace" was="speed" type="float64"'),
+    )
+    assert (package / "msg/Move.msg").read_text().lstrip() == (
+        "# How fast [m/s]\n# my speed\nfloat64 angle\n"
+        "# Which way [rad]\n# my angle\nfloat64 speed\nstring title\n"
+    )
+    assert (package / "srv/Plan.srv").read_text().split() == (
+        "# my speed float64 pace --- # my speed float64 speed".split()
+    )

@@ -78,6 +78,10 @@ class Peer:
             self.publishers["/clock"] = publisher
         publisher.publish(rospy.Time.from_sec(seconds))
 
+    def end_clock(self):
+        if publisher := self.publishers.pop("/clock", None):
+            publisher.unregister()
+
     def transform(self, parent, child, x):
         message = load("geometry_msgs/msg/TransformStamped")()
         message.header.stamp = rospy.Time.now()

@@ -25,7 +25,7 @@ class Call:
         """Start without a connection."""
         self.request = request
         self.response: Future[Any] = Future()
-        self.proxy: Optional[rospy.ServiceProxy] = None
+        self.proxy: Any = None  # a rospy.ServiceProxy, which has no types
 
     def give_up(self) -> None:
         """End the call by closing its connection."""
@@ -46,7 +46,7 @@ class ServiceClient:
         self._name = rospy.resolve_name(name)
         self._service_type = service_type
         self._stop = stop
-        self._idle: list[rospy.ServiceProxy] = []
+        self._idle: list[Any] = []
         self._lock = Lock()
         self._lookup_lock = Lock()
 
@@ -91,14 +91,14 @@ class ServiceClient:
         if not uri:
             sleep(timeouts.DISCOVERY_PERIOD)
             return
-        proxy = rospy.ServiceProxy(self._name, self._service_type, persistent=True)
+        proxy: Any = rospy.ServiceProxy(self._name, self._service_type, persistent=True)
         proxy.transport = TCPROSTransport(proxy.protocol, self._name)
         call.proxy = proxy  # may be closed from now on
         if not call.response.cancelled():
             proxy.transport.connect(*rospy.core.parse_rosrpc_uri(uri), uri)
 
-    def _idle_proxy(self) -> Optional[rospy.ServiceProxy]:
-        """Return a connection that is not in use and that the server has not closed."""
+    def _idle_proxy(self) -> Any:
+        """Return a proxy that is not in use and that the server has not closed, or None."""
         with self._lock:
             while self._idle:
                 proxy = self._idle.pop()

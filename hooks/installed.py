@@ -1,0 +1,57 @@
+"""Notes on types that the packages installed on this machine lack. None of it is recorded."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from .advice import elements
+from .dictionary import Dictionary
+from .formats import TYPES, split_type
+
+_PATHS = {
+    1: {"CMAKE_PREFIX_PATH": "share", "ROS_PACKAGE_PATH": ""},
+    2: {"AMENT_PREFIX_PATH": "share"},
+}
+"""The variables that name where packages are installed, and the folder of packages in each."""
+
+
+def missing_types(
+    context: Mapping[str, Any], dictionary: Dictionary, environment: Mapping[str, str]
+) -> list[str]:
+    """Return a note for each type that its package, where it is installed, does not have."""
+    folders = [
+        Path(prefix, inside)
+        for variable, inside in _PATHS[context["ros"]].items()
+        for prefix in environment.get(variable, "").split(os.pathsep)
+        if prefix
+    ]
+    notes = []
+    for package, folder, name in sorted(set(_types(context, dictionary))):
+        installed = [place / package for place in folders if (place / package).is_dir()]
+        known = {known for place in installed for known in _names(place, folder)}
+        if known and name not in known:
+            near = difflib.get_close_matches(name, known, 1)
+            meant = f"; is {near[0]} meant?" if near else ""
+            notes.append(f"{package} in {installed[0].parent} has no {folder}/{name}{meant}")
+    return notes
+
+
+def _types(context: Mapping[str, Any], dictionary: Dictionary) -> Iterator[tuple[str, str, str]]:
+    for _, kind, values in elements(context, dictionary):
+        for attribute in kind.attributes.values():
+            value = values.get(attribute.name)
+            if attribute.format in TYPES and value and (type_ := split_type(value)):
+                yield type_
+
+
+def _names(package: Path, folder: str) -> Iterator[str]:
+    """Yield the names of the types in a folder of a package; genaction makes messages alone."""
+    for file in (package / folder).glob("*"):
+        yield file.stem
+    if folder == "action":
+        for file in (package / "msg").glob("*Action.msg"):
+            yield file.stem.removesuffix("Action")

@@ -1,0 +1,209 @@
+"""What everyday slips in XML are called, and that each message names the cure."""
+
+import pytest
+
+from hooks.faults import SpecError
+from hooks.model import Model
+from hooks.parse import parse
+from support.repository import ROOT
+
+PACKAGE = '<package name="p" author="A">\n  <node name="n"{}\n</package>'
+QUOTES = "after frequency= comes the value in quotes: frequency="
+
+
+@pytest.mark.parametrize(
+    ("rest", "says"),
+    [
+        (' description="a & b"/>', "2: write & as &amp;"),
+        (' description="R&D"/>', "2: write & as &amp;"),
+        (">a & b</node>", "2: write & as &amp;"),
+        (' description="90&deg;"/>', "2: &deg; is no word of XML; write the character itself"),
+        (' description="a < b"/>', "2: write < as &lt; in a value"),
+        (' description="a<b"/>', "2: write < as &lt; in a value"),
+        (">a < b</node>", "2: after < comes the name of a tag"),
+        ("/>\n  < node name='m'/>", "3: after < comes the name of a tag"),
+        ("/>\n  <1node/>", "3: after < comes the name of a tag"),
+        (r"><\node>", "2: after < comes the name of a tag"),
+        (" frequency=10/>", f'2: {QUOTES}"10"'),
+        (" frequency=10.5 />", f'2: {QUOTES}"10.5"'),
+        (' frequency=10"/>', f'2: {QUOTES}"10"'),
+        (' frequency =10"/>', f'2: {QUOTES}"10"'),
+        (' frequency=="10"/>', f"2: {QUOTES}"),
+        (" frequency=/>", f"2: {QUOTES}"),
+        (" frequency=“10”/>", '2: "“" is no quote of XML; write "'),
+        (' frequency=”10"/>', '2: "”" is no quote of XML; write "'),
+        (" frequency=«10»/>", '2: "«" is no quote of XML; write "'),
+        (
+            ' frequency="10/>\n  <node name="m"/>',
+            "3: the value of frequency in line 2 is not closed",
+        ),
+        (" frequency='10\"/>", "3: the value of frequency in line 2 is not closed"),
+        (' frequency="10"description="x"/>', "2: after the value of an attribute comes a blank"),
+        (' frequency=""10""/>', "2: after the value of an attribute comes a blank"),
+        (', frequency="10"/>', '2: blanks separate attributes; drop ","'),
+        (' frequency="10";/>', '2: blanks separate attributes; drop ";"'),
+        ('\N{NO-BREAK SPACE}frequency="10"/>', "2: U+00A0 is no blank and no text; drop it"),
+        (" description='a\x01'/>", "2: U+0001 is no blank and no text; drop it"),
+        (" diagnostics/>", '2: an attribute has a value: diagnostics="..."'),
+        (" diagnostics >", '2: an attribute has a value: diagnostics="..."'),
+        (' frequency: "10"/>', '2: an attribute has a value: frequency="..."'),
+        (' frequency="10" / >', "2: / and > of /> stand together"),
+        (' frequency="10"', "3: <node> of line 2 lacks its > or />"),
+        (' frequency="10"\n  <node name="m"/>', "3: <node> of line 2 lacks its > or />"),
+        ("\n  <node/>", "3: <node> of line 2 lacks its > or />"),
+        ("/> <!-- a -- b -->", "2: a comment has no -- inside"),
+        ("/> <!-- a --->", "2: a comment has no -- inside"),
+        ("/> <!-- a", "2: the comment is not closed; end it with -->"),
+        ("/> <![CDATA[ a", "3: <![CDATA[ is not closed"),
+        (' name="m"/>', "2: name is given twice"),
+    ],
+)
+def test_slip_in_a_tag(rest, says):
+    assert said(PACKAGE.format(rest)).startswith(says)
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("", "1: the file is empty; a spec begins with <package"),
+        ("  \n\n", "3: the file is empty"),
+        (
+            '{"package": {}}',
+            '1: a spec is XML and begins with <package, not with "{"package": {}}"',
+        ),
+        (
+            "package:\n  name: p\n",
+            '1: a spec is XML and begins with <package, not with "package:"',
+        ),
+        ("- package", '1: a spec is XML and begins with <package, not with "- package"'),
+        ("# Robot\n<package/>", '1: a spec is XML and begins with <package, not with "# Robot"'),
+        ('\n<?xml version="1.0"?><package/>', "2: nothing may stand before <?xml"),
+        ("<package/>\n<package/>", "2: nothing may follow </package>"),
+        ("<package/>\nend", "2: nothing may follow </package>"),
+        ("<package></Package>", "1: <package> of line 1 is not closed"),
+    ],
+)
+def test_slip_outside(text, says):
+    assert said(text).startswith(says)
+
+
+@pytest.mark.parametrize("text", ["é & b", "日本 & x"])
+def test_letters_of_several_bytes_before_it(text):
+    for start in ("", "\N{BYTE ORDER MARK}"):
+        assert said(start + PACKAGE.format(f' description="{text}"/>')) == "2: write & as &amp;"
+
+
+def test_every_prefix_of_a_spec_is_refused_with_a_sentence():
+    whole = (
+        '<?xml version="1.0"?>\n<!-- a -->\n<package name="p"><node b=\'x\'>\n</node></package>'
+    )
+    for end in range(len(whole)):
+        assert said(whole[:end])
+
+
+def said(text):
+    with pytest.raises(SpecError) as raised:
+        parse(text.encode(), "spec.xml")
+    place, said = str(raised.value).split(": not well-formed XML: ")
+    assert "\n" not in said
+    return f"{place.removeprefix('spec.xml:')}: {said}"
+
+
+ITEM = """<package name="arm" author="A" author_email="a@b.de" description="d" license="MIT">
+{}</package>"""
+NODE = ITEM.format('<node name="n" frequency="1">{}</node>')
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize(
+    ("spec", "says"),
+    [
+        (ITEM.format('<node name="n" rate="10"/>'), '"rate"; did you mean frequency="..."?'),
+        (NODE.format('<publisher topic="x" type="a::B"/>'), '"topic"; did you mean name="..."?'),
+        (NODE.format('<subscriber name="x" msg="a::B"/>'), '"msg"; did you mean type="..."?'),
+        (NODE.format('<serviceClient name="x" srv="a::B"/>'), '"srv"; did you mean type="..."?'),
+        (
+            NODE.format('<publisher name="x" type="a::B" queue_size="1"/>'),
+            '"queue_size"; did you mean depth="..."?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="a::B" latch="true"/>'),
+            '"latch"; did you mean durability="transient_local"?',
+        ),
+        (
+            NODE.format('<parameter name="x" type="int" default="1"/>'),
+            '"default"; did you mean value="..."?',
+        ),
+        (
+            NODE.format('<dynParameter name="x" type="int" default="1" minimum="0"/>'),
+            '"minimum"; did you mean min="..."?',
+        ),
+        (
+            ITEM.format("<node/>").replace("author_email", "email"),
+            'did you mean author_email="..."?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="std_msgs.msg.String"/>'),
+            '"std_msgs.msg.String" is not a type; did you mean "std_msgs::String"? allowed: ',
+        ),
+        (
+            NODE.format('<serviceServer name="x" type="std_srvs/Trigger.srv"/>'),
+            'not a type; did you mean "std_srvs::Trigger"? allowed: ',
+        ),
+        (
+            NODE.format('<publisher name="x" type="String.msg"/>'),
+            '"String.msg" is not a type; it lacks its package; allowed: ',
+        ),
+        (
+            NODE.format('<publisher name="x" type="String"/>'),
+            '"String" is not a type; it lacks its package; allowed: ',
+        ),
+    ],
+)
+def test_habits_of_other_tools(spec, says, distro):
+    for name in ("python_model", "cpp_model", "mixed_model"):
+        with pytest.raises(SpecError) as raised:
+            Model(ROOT / name, ROOT).context(spec.encode(), "spec", distro)
+        assert says in str(raised.value)
+
+
+def test_latched_is_a_word_for_transient_local():
+    spec = NODE.format('<publisher name="x" type="a::B" durability="latched"/>')
+    context = Model(ROOT / "cpp_model", ROOT).context(spec.encode(), "spec", "kilted")
+    assert context["nodes"][0]["publishers"][0]["durability"] == "transient_local"
+
+
+MESSAGES = "interfaces_model"
+
+
+@pytest.mark.parametrize(
+    ("model", "inside", "says"),
+    [
+        (
+            MESSAGES,
+            '<service name="S"><field name="x" type="bool"/></service>',
+            "<field> is not known here; it belongs inside <request> or <response>; allowed: ",
+        ),
+        (
+            MESSAGES,
+            '<action name="A"><field name="x" type="bool"/></action>',
+            "it belongs inside <goal> or <result> or <feedback>; allowed: goal, result, feedback",
+        ),
+        (
+            MESSAGES,
+            '<action name="A"><request/></action>',
+            'it belongs inside <service>; did you mean "result"? allowed: goal, result',
+        ),
+        ("cpp_model", '<Node name="n"/>', '<Node> is not known here; did you mean "node"?'),
+        (
+            "cpp_model",
+            '<node name="my_node"/>\n<node name="MyNode"/>',
+            '"MyNode" is already taken by "my_node" at line 2; each must have its own',
+        ),
+    ],
+)
+def test_cure_of_what_stands_elsewhere(model, inside, says):
+    with pytest.raises(SpecError) as raised:
+        Model(ROOT / model, ROOT).context(ITEM.format(inside).encode(), "spec", "kilted")
+    (message,) = str(raised.value).splitlines()
+    assert says in message
