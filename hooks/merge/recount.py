@@ -80,7 +80,8 @@ def recount(
         ours, base = (renaming.text(origin, text) for text in (ours, base))
         if target not in carried:
             sides = [_Text(text) for text in (ours, base, theirs, there)]
-            excuse = excused.get(path, "") + _about(theirs, result.own.get(target, []))
+            parts = [*result.own.get(target, []), *result.missing.get(target, [])]
+            excuse = excused.get(path, "") + _about(theirs, parts)
             lines = _lines(sides, _Text(excuse), target in result.missing)
             wrong += ((target, line) for line in lines)
         faults = _faults(target, there)

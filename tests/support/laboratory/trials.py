@@ -32,6 +32,7 @@ from support.repository import commit, copy_collection, git
 
 ANSWERS = ".copier-answers.yml"
 MODELS = ("python_model", "cpp_model")
+ALL_MODELS = (*MODELS, "mixed_model")
 DISTROS = ("noetic", "kilted")
 
 
@@ -94,11 +95,11 @@ class Laboratory:
         layouts.flatten(self.versions["0.9.0"])
         second_version(self.collection)
         self.versions["2.0.0"] = self._version("2.0.0")
-        self.models = {model: Model(self.collection / model, self.collection) for model in MODELS}
+        self.models = {name: Model(self.collection / name, self.collection) for name in ALL_MODELS}
         self.renderers = {
             (version, model): DirectRenderer(source, model)
             for version, source in self.versions.items()
-            for model in MODELS
+            for model in (ALL_MODELS if version != "0.9.0" else MODELS)
         }
         self.number = 0
 
@@ -121,7 +122,7 @@ class Laboratory:
     def pair(self, spec, new_spec, model, distros, version, old_version="1.0.0", own=()):
         """Render both sides of an update; `own` are paths of the developer's own files."""
         known = self.models[model]
-        xmls = [specs.xml(one) for one in (spec, new_spec)]
+        xmls = [specs.xml(one, model) for one in (spec, new_spec)]
         contexts = [
             known.context(xml.encode(), "lab.ros_package", distro)
             for xml, distro in zip(xmls, distros, strict=True)
@@ -159,7 +160,7 @@ def trial(random, pair, counts, mutate=None, check=None, **options):
 
     """
     edited = edit(random, pair.old, ahead(random, pair), **options)
-    edited.texts["lab.ros_package"] = specs.xml(pair.new_spec)
+    edited.texts["lab.ros_package"] = pair.new["lab.ros_package"]
     mine, old, new = edited.tree(), tree_of(pair.old), tree_of(pair.new)
     trees = (mine, old, new, pair.renaming, pair.is_kept)
     result = merge_package(*trees)
@@ -471,8 +472,9 @@ def second_version(collection):
         assert files
         for file in files:
             file.rename(file.with_name(after))
-    for model in MODELS:
+    for model in ALL_MODELS:
         (collection / model / "template/EXTRA.md.jinja").write_text("An added file.\n")
+    for model in MODELS:  # and so for a model that includes these
         moved = collection / model / "moved_files.yaml"
         moved.write_text(moved.read_text() + MOVED_FILES)
     commit(collection, "Second version", tag="2.0.0")
