@@ -26,6 +26,7 @@ def align(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Blo
 
 
 _HEADING = re.compile(r"#+ ")
+_TITLE = re.compile(r"#+ |/")
 
 
 def unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
@@ -46,8 +47,11 @@ def unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
 
 
 def _retitled(mine: Blocks, old: Blocks, new: Blocks) -> Blocks:
-    """Match sections whose headings the developer has changed, and maybe the new version, too."""
-    sides = ({b.key: b for b in side if _HEADING.match(b.key)} for side in (mine, old, new))
+    """Match sections whose headings the developer has changed, and maybe the new version, too.
+
+    So with the names of nodes, as a file of parameters has them.
+    """
+    sides = ({b.key: b for b in side if _TITLE.match(b.key)} for side in (mine, old, new))
     ours, base, theirs = sides
     for key, block in ours.items():
         if key not in base and key not in theirs:
@@ -134,7 +138,7 @@ ALIKE = 0.6
 def _lines_in(block: Block) -> Counter[str]:
     inside = "".join(child.text for child in block.children) or "".join(block.lines[1:])
     lines = inside.split("\n")
-    return Counter(line.strip() for line in lines if line.strip())
+    return Counter(line.partition(": ")[0].strip() for line in lines if line.strip())
 
 
 def _take_key(block: Block, other: Block, free: dict[str, Block]) -> None:

@@ -23,8 +23,6 @@ from .tree import LINK, File, Tree
 
 _WORD = re.compile(r"(?<=\bfrom )\s*\w*\.(?=\w)|(\w+|[<>=!&|+.:~%${}-])")
 """What is no form: words and signs, without what makes an import relative."""
-SHORT = 1
-"""A line of fewer words and signs says too little to be counted."""
 Places = list[tuple[str, str]]
 
 
@@ -149,7 +147,7 @@ def _lines(sides: Sequence[_Text], excused: _Text, has_missing: bool) -> Iterato
                 place = "".join(above)
                 if ours < before and old[place] and found[place] and not mine[place]:
                     yield f"{line} (deleted)"
-            if is_first and tight.count("\n") >= SHORT:
+            if is_first and any(letter.isalnum() for letter in tight):
                 added, deleted = max(0, ours - before), max(0, before - ours)
                 both = added and theirs > before
                 least = max(theirs, ours) if both else theirs + added - deleted
