@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import count, takewhile
 
 from .blocks import Block, is_condition
+from .lines import margin
 
 Blocks = Sequence[Block]
 _NUMBER = re.compile(r" #\d+$")
@@ -224,7 +225,7 @@ def _set_like(same: Block, block: Block) -> Block:
 
     It is a relative import where that one is.
     """
-    shifted = _shifted(block, _margin(same) - _margin(block))
+    shifted = set_beside(block, same)
     if relative := _RELATIVE.match(same.text):
         head = relative[0].lstrip()
         shifted.lines = [re.sub(r"\bfrom \S+ import", head, line) for line in shifted.lines]
@@ -234,16 +235,19 @@ def _set_like(same: Block, block: Block) -> Block:
 
 
 def _margin(block: Block) -> int:
-    line = next((line for line in block.text.split("\n") if line.strip()), "")
-    return len(line) - len(line.lstrip())
+    return next((margin(line) for line in block.text.split("\n") if line.strip()), 0)
+
+
+def set_beside(block: Block, other: Block) -> Block:
+    """Return a block with the margin of another one."""
+    return _shifted(block, _margin(other) - _margin(block))
 
 
 def _shifted(block: Block, by: int) -> Block:
     """Return a block further to the right, or to the left."""
 
     def shift(line: str) -> str:
-        margin = len(line) - len(line.lstrip())
-        return line if not line.strip() else " " * (margin + by) + line[margin:]
+        return " " * (margin(line) + by) + line.lstrip() if line.strip() else line
 
     children = [_shifted(child, by) for child in block.children]
     return Block(block.key, [*map(shift, block.lines)], children, [*map(shift, block.tail)])

@@ -7,12 +7,11 @@ from __future__ import annotations
 
 import ast
 import re
-import warnings
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 
-from .blocks import unicode
 from .languages import CPP, PYTHON, Language
+from .python_blocks import parse
 from .tokens import Word
 
 SELF = ("self", "cls", "this")
@@ -78,10 +77,8 @@ def origins(
     """
     if known is PYTHON:
         try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")
-                return _python(ast.parse(unicode(text)), roots, names, classes)
-        except (SyntaxError, RecursionError, MemoryError, ValueError):
+            return _python(parse(text), roots, names, classes)
+        except ValueError:
             return Origins()
     return _cpp(text, roots, names, classes) if known is CPP else Origins()
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 import yaml
 
 from .blocks import Block, Span, arrange, nested, squeezed, unicode
-from .lines import split
+from .lines import margin, split
 
 COMMENT = "#"
 
@@ -42,13 +42,13 @@ def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Itera
     entries = node.value if is_map else [(item, item) for item in node.value]
     starts = [text.count("\n", 0, _index(key.start_mark)) for key, _ in entries]
     for (key, value), start, end in zip(entries, starts, [*starts[1:], until], strict=True):
-        margin = _margin(lines[start])
+        column = margin(lines[start])
         written = 0  # the lines of a text, where a number sign begins no comment
         is_here = _index(value.start_mark) >= _index(key.start_mark)  # no alias of another
         if isinstance(value, yaml.ScalarNode) and is_here:
             written = text.count("\n", 0, _index(value.end_mark))
         while not (line := lines[end - 1].lstrip()) or (
-            line.startswith(COMMENT) and end > written and _margin(lines[end - 1]) <= margin
+            line.startswith(COMMENT) and end > written and margin(lines[end - 1]) <= column
         ):
             end -= 1
         inner = [*_keys(text, lines, value, end)] if is_map and is_here else []
@@ -58,10 +58,6 @@ def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Itera
             yield Span(name, start, end, (start + 1, end), tuple(inner))
         else:
             yield Span(name, start, end)
-
-
-def _margin(line: str) -> int:
-    return len(line) - len(line.lstrip(" "))
 
 
 _COMMAND = re.compile(

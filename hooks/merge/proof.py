@@ -14,7 +14,7 @@ from ..names import class_name
 from ..package import SUFFIX
 from .blocks import Block, walk
 from .languages import TEXT, XML, Language, language
-from .lines import MARKS, split
+from .lines import MARKS, plain, split
 from .matching import match, unsplit, wrap
 from .origins import is_holder
 from .package import Result
@@ -74,7 +74,7 @@ def _prove_file(
         if found is None and path not in result.left and mine != base:
             proof.lost.append((target, "the file"))
         return
-    ours, old = _plain(mine.text), (base.text if base else None) or ""
+    ours, old = plain(mine.text), (base.text if base else None) or ""
     known = language(path, mine.text)
     if not _parses(known, ours):
         known = TEXT
@@ -95,7 +95,7 @@ def _prove_file(
             else:
                 proof.left.append((path, number, line))
         return
-    text = _my_side(_plain(found.text or "")) if found else ""
+    text = _my_side(plain(found.text or "")) if found else ""
     there = _blocks(known, text, "", Renaming())
     if known is XML and target in result.conflicts:
         rename(there, there, renaming.keys.get(origin, {}))  # whose text has the names of before
@@ -118,7 +118,7 @@ def places(mine: Tree, lost: list[tuple[str, str]], renaming: Renaming) -> Itera
     for target, line in lost:
         path = next((path for path in mine if renaming.path(path) == target), target)
         text = mine[path].text if path in mine else None
-        lines = split(renaming.text(path, _plain(text or "")))
+        lines = split(renaming.text(path, plain(text or "")))
         numbers = [str(n) for n, found in enumerate(lines, 1) if found.strip() == line]
         yield ":".join([path, *numbers[:1], f" {line}"])
 
@@ -192,10 +192,6 @@ def _parses(known: Language, text: str) -> bool:
     return True
 
 
-def _plain(text: str) -> str:
-    return text.removeprefix("\ufeff").replace("\r\n", "\n")
-
-
 def _my_side(text: str) -> str:
     """Return a file with the developer's side of each conflict."""
     lines, side = [], "both"
@@ -220,7 +216,7 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
         if not (known or taken) or file.text is None:
             continue
         generated = set(split((new.get(path) or File(b"")).text or ""))
-        for number, line in enumerate(split(_plain(file.text)), 1):
+        for number, line in enumerate(split(plain(file.text)), 1):
             if line not in generated:
                 said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
                 said = _MARKUP.sub(" ", said) if language(path, "") is XML else said
@@ -249,7 +245,7 @@ def uses_of_left(
     left = {word for word in before - after - bare if re.fullmatch(form, word)}
     for path, file in sorted(found.items()) if gone else ():
         generated = set(split((new.get(path) or File(b"")).text or ""))
-        text = _plain(file.text or "")
+        text = plain(file.text or "")
         lines, stem = split(text), PurePosixPath(path).stem
         for word in words(language(path, text), text):
             is_member = bool(word.chain) and is_holder(word.chain[-1])
@@ -263,7 +259,7 @@ def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str,
     """Return the identifiers of what left in the developer's lines, as those are afterwards."""
     found: dict[tuple[str, str], list[str]] = {}
     for path, file in mine.items() if renaming.taken else ():
-        text = _plain(file.text or "")
+        text = plain(file.text or "")
         generated = set(split((old.get(path) or File(b"")).text or ""))
         before, after = split(text), split(renaming.text(path, text))
         for number, word in renaming.uses_of_taken(path, text):

@@ -26,7 +26,7 @@ def blocks(text: str) -> list[Block]:
 
     """
     lines = split(text)
-    return arrange(lines, _spans(_parse(text).body, lines), 0, len(lines), COMMENT)
+    return arrange(lines, _spans(parse(text).body, lines), 0, len(lines), COMMENT)
 
 
 def same(one: str, other: str) -> bool:
@@ -37,19 +37,25 @@ def same(one: str, other: str) -> bool:
         return "".join(one.split()) == "".join(other.split())
 
 
-def _parse(text: str) -> ast.Module:
+def parse(text: str) -> ast.Module:
+    """Read Python.
+
+    Raises:
+        ValueError: it is not Python.
+
+    """
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             return ast.parse(unicode(text))
-    except (SyntaxError, RecursionError, MemoryError) as error:
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         raise ValueError(str(error)) from error
 
 
 @functools.lru_cache(maxsize=2048)
 def _meaning(text: str) -> tuple[str, list[str]]:
     dedented = textwrap.dedent(text)
-    tree = _parse(dedented)
+    tree = parse(dedented)
     for node in ast.walk(tree):
         if isinstance(node, ast.Expr) and _is_text(node.value):
             node.value.value = inspect.cleandoc(node.value.value).strip()  # type: ignore[attr-defined]

@@ -9,7 +9,6 @@ from __future__ import annotations
 import ast
 import builtins
 import re
-import warnings
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
@@ -18,6 +17,7 @@ import yaml
 from .blocks import unicode
 from .lines import plain
 from .package import Result
+from .python_blocks import parse
 from .renaming import Renaming
 from .tree import LINK, File, Tree
 
@@ -164,10 +164,8 @@ def _faults(path: str, text: str) -> set[str]:
 def _unbound(text: str) -> set[str]:
     """Return the names of Python that are used and bound nowhere."""
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            nodes = [*ast.walk(ast.parse(unicode(text)))]
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        nodes = [*ast.walk(parse(text))]
+    except ValueError:
         return {"cannot be read any more"}
     bound = {*dir(builtins), "__file__", "*"}
     for node in nodes:
