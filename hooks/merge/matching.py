@@ -30,8 +30,27 @@ _HEADING = re.compile(r"#+ ")
 _TITLE = re.compile(r"#+ |/")
 
 
+def _rejoined(mine: Blocks, old: Blocks) -> list[Block]:
+    """Return blocks with comments above them that an empty line of the developer's parts off."""
+    base = {block.key: block for block in old}
+    whole: list[Block] = []
+    for block in mine:
+        was, above = base.get(block.key), whole[-1] if whole else block
+        is_own = above.key.startswith(("comment ", "header")) and above.key not in base
+        if was and is_own and ({*was.lines} - {*block.lines, "\n"}) & {*above.lines}:
+            block.lines = whole.pop().lines + block.lines
+        if was:
+            block.children = _rejoined(block.children, was.children)
+        whole.append(block)
+    return whole
+
+
 def unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
-    """Return sections in which a heading of the developer's does not part what is generated."""
+    """Return blocks in which what the developer has put there does not part what is generated.
+
+    So does a heading, and an empty line between an item and the comment above it.
+    """
+    mine = _rejoined(_rejoined(mine, old), new)
     base = {block.key: {*block.lines} - {"\n"} for block in old}
     taken = {*base, *(block.key for block in new)}
     whole: list[Block] = []

@@ -434,3 +434,38 @@ def test_own_heading_before_a_table_does_not_part_its_section():
     is_merged, text, _ = merge("README.md", mine, old, new)
     assert is_merged
     assert text == changed(new, ("| Topic", "### Mine\n\n| Topic"))
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "item"),
+    [
+        (
+            "config/a.yaml",
+            "/**:\n  a:\n    # Speed\n    b: 1\n    # Load\n    c: 2\n",
+            "    b: 1\n",
+        ),
+        (
+            "a.hpp",
+            "struct A\n{\n  /// Speed\n  void f();\n\n  /// Load\n  int a;\n};\n",
+            "  void f();\n",
+        ),
+        ("a.py", "class A:\n    # Speed\n    b = 1\n    # Load\n    c = 2\n", "    b = 1\n"),
+    ],
+)
+@pytest.mark.parametrize("change", ["its comment", "it leaves"])
+def test_own_comment_and_blank_line_between_an_item_and_its_comment(path, text, item, change):
+    sign = {"hpp": "//"}.get(path[-3:], "#")
+    own = f"    {sign} Mine\n\n"
+    mine = changed(text, (item, own + item))
+    start = text.index(text[text[: text.index(item) - 1].rindex("\n") + 1 : text.index(item)])
+    comment = text[start : text.index(item)]
+    new = changed(
+        text, ("Speed", "The speed") if change == "its comment" else (comment + item, "")
+    )
+    is_merged, found, result = merge(path, mine, text, new)
+    assert is_merged
+    if change == "its comment":
+        assert found == changed(new, (item, own + item))
+    else:
+        assert found.split() == new.split()
+        assert result.removed
