@@ -259,7 +259,8 @@ def _halves(
     ]
     defined = [_defined(code) for code in codes]
     wrong: Places = []
-    for name in {*defined[1], *defined[2]}:
+    classes = {cls for cls, _ in defined[2]}  # a file of another may be the developer's now
+    for name in {one for one in {*defined[1], *defined[2]} if one[0] in classes}:
         has = [
             (name in names, _declared(code, name))
             for names, code in zip(defined, codes, strict=True)

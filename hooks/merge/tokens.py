@@ -31,8 +31,8 @@ _CPP = re.compile(
     re.VERBOSE | re.DOTALL | re.MULTILINE,
 )
 _CMAKE = re.compile(
-    r"""(?P<comment> \#[^\n]* ) | (?P<plain> "(?: \\. | [^"\\] )*" )
-      | (?P<word> [A-Za-z_]\w* ) | (?P<sign> \S )""",
+    r"""(?P<plain> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] | "(?: \\. | [^"\\] )*" )
+      | (?P<comment> \#[^\n]* ) | (?P<word> [A-Za-z_]\w* ) | (?P<sign> \S )""",
     re.VERBOSE | re.DOTALL,
 )
 _PATTERNS = {PYTHON.name: _PYTHON, CPP.name: _CPP, CMAKE.name: _CMAKE}

@@ -2,6 +2,8 @@
 
 import pytest
 
+from hooks.merge.languages import CMAKE
+from hooks.merge.tokens import words
 from support.arm import SPEC
 from support.laboratory.trials import Laboratory
 from support.repository import commit, git
@@ -168,3 +170,9 @@ def test_foreign_look_alikes_are_listed_and_ours_renamed(render, copier_command)
     assert found == f"{foreign}{ours}\narm.go(ReachConfig)\n"
     for use in ("1: arm", "2: ReachConfig", "5: ReachConfig", "5: arm"):
         assert f"still     robot_arm/tools.py:{use}\n" in result.stderr
+
+
+def test_bracket_argument_of_cmake_hides_no_names():
+    """A quote in it begins no text."""
+    found = [*words(CMAKE, 'set(mine [[")]])\nadd_executable(reach a.cpp)\nset(a "b")\n')]
+    assert [word.text for word in found] == "set mine add_executable reach a cpp set a".split()

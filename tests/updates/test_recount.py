@@ -180,3 +180,14 @@ def test_each_proof_is_needed(seen):
     )  # the second is needed
     missed = {name: counts for name, counts in seen.items() if counts["either"] < counts["all"]}
     assert sum(counts["all"] - counts["either"] for counts in missed.values()) <= 2, missed
+
+
+def test_logic_that_was_moved_may_stay_when_its_node_leaves():
+    """Its header is generated, and gone: that is no fault of the merge."""
+    cpp, hpp = "src/mine/worker_impl.cpp", "include/arm/worker_impl.hpp"
+    mine = {cpp: File(encode(CPP)), hpp: File(encode(HPP))}
+    old = {"src/worker_impl.cpp": File(encode(CPP)), hpp: File(encode(HPP))}
+    sides = (mine, old, {}, Renaming(), {""}.__contains__)
+    result = merge_package(*sides)
+    assert list(result.tree) == [cpp]
+    assert recount(*sides, result, result.tree, []) == []
