@@ -36,6 +36,15 @@ def changes(old: Values, new: Values, dictionary: Dictionary) -> Iterator[str]:
             yield from _attributes(pair, pair.before, pair.after)
 
 
+def left(old: Values, new: Values, dictionary: Dictionary) -> Iterator[tuple[str, str]]:
+    """Yield the names of the components and interfaces that left, each after its component's."""
+    owner = ""
+    for pair in _pairs(old, new, dictionary):
+        owner = pair.name if pair.level == "component" else owner
+        if pair.after is None and pair.name:
+            yield owner, pair.name
+
+
 @dataclass(frozen=True)
 class Mark:
     """A name that was exchanged for a mark, so that a render shows what depends on it.

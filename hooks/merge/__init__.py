@@ -4,7 +4,8 @@
     preflight    refuses what git could not bring back, before the first write
     transaction  takes a snapshot, puts the result in place, or restores the snapshot
     render       renders the old and the new version
-    renaming     which identifiers, paths and keys a rename exchanges; tokens, the words of code
+    renaming     which identifiers, paths and keys a rename exchanges; tokens, the words of code;
+                 origins, where these come from
     depth        the keys of YAML that another ROS puts below others
     launch       what the developer wrote into a launch file, carried into that of another ROS
     builds       the same for CMakeLists.txt and setup.py
@@ -15,6 +16,7 @@
     lines        three lists of lines merged
     languages    what a file consists of: blocks of Python, C++, XML, YAML, CMake, Markdown
     proof        finds every line of the developer again
+    recount      the second proof: counts all lines, without the blocks and their matching
     report       says what became of the files
     tree, git    files in memory; git
 

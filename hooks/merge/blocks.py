@@ -168,20 +168,13 @@ def _close_gaps(blocks: list[Block]) -> list[Block]:
             continue
         block.lines = gap + block.lines
         gap = []
-        _blank_tail(block, gap)
         closed.append(block)
     if gap and closed:
-        (closed[-1].tail or closed[-1].lines).extend(gap)
+        last = closed[-1]
+        (last.tail if last.children or last.tail else last.lines).extend(gap)
     elif gap:
         closed.append(Block("empty", gap))
     return closed
-
-
-def _blank_tail(block: Block, gap: Lines) -> None:
-    """Move the empty lines that end a comment to what follows it."""
-    if block.key == "header" or block.key.startswith("comment "):
-        while block.lines and not block.lines[-1].strip():
-            gap.insert(0, block.lines.pop())
 
 
 def _numbered(blocks: list[Block]) -> list[Block]:

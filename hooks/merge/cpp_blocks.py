@@ -1,7 +1,7 @@
 """C++ as blocks: functions, classes, includes, other declarations.
 
 No compiler's view: a declaration ends at its semicolon or at the brace that closes its body, and
-is known by the name before its first parenthesis. That is enough to tell one from another.
+is known by its name. That is enough to tell one from another.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 import functools
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from .blocks import Block, Span, arrange, nested, squeezed
 from .lines import split
@@ -17,20 +17,21 @@ from .lines import split
 COMMENT = "//"
 _TOKEN = re.compile(
     r"""
-    (?P<comment> //[^\n]* | /\*.*?\*/ )
-  | (?P<directive> ^[ \t]*\#(?: \\\n | [^\n] )* )
+    (?P<comment> //(?: \\\n | [^\n] )* | /\*.*?\*/ )
+  | (?P<directive> ^[ \t]*\#(?: \\\n | //(?: \\\n | [^\n] )* | /\*.*?\*/
+      | "(?: \\. | [^"\\\n] )*" | [^\n] )* )
   | (?P<raw> \bu?8?[uUL]?R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)" )
   | (?P<string> "(?: \\. | [^"\\\n] )*" )
   | (?P<number> (?<![\w']) \d[\w.']* )
   | (?P<character> '(?: \\. | [^'\\\n] )+' )
   | (?P<word> [A-Za-z_]\w* )
-  | (?P<blank> \s+ )
+  | (?P<blank> \n | [^\S\n]+ )
   | (?P<sign> :: | . )
     """,
     re.VERBOSE | re.DOTALL | re.MULTILINE,
 )
 _OPEN, _CLOSE = "([{", ")]}"
-_ACCESS = ("public", "private", "protected", "signals", "slots")
+_ACCESS = ("public", "private", "protected", "signals", "Q_SIGNALS")
 
 
 @dataclass(frozen=True)
@@ -40,6 +41,9 @@ class _Token:
     line: int
     last: int
     """The lines it begins and ends on, the first counted 0."""
+
+
+Tokens = list[_Token]
 
 
 def blocks(text: str) -> list[Block]:
@@ -53,26 +57,73 @@ def blocks(text: str) -> list[Block]:
     """
     lines = split(text)
     tokens = [token for token in tokenize(text) if token.kind not in ("blank", "comment")]
-    nested([_directive(token) for token in tokens if token.kind == "directive"], _role)
-    spans, rest = _scope(tokens, 0)
-    if rest < len(tokens):
-        raise ValueError(f"line {tokens[rest].line + 1}: a brace that nothing opens")
-    return arrange(lines, spans, 0, len(lines), COMMENT)
+    kept, at = _whole(tokens, 0)
+    if at < len(tokens):
+        raise ValueError(f"line {tokens[at].line + 1}: {tokens[at].text}, without its beginning")
+    tokens = kept
+    spans, at = _scope(tokens, 0)
+    if at < len(tokens):
+        raise ValueError(f"line {tokens[at].line + 1}: a brace that nothing opens")
+    return arrange(lines, _with_conditions(spans), 0, len(lines), COMMENT)
 
 
 def _directive(token: _Token) -> Span:
-    return Span(squeezed(token.text), token.line, token.last + 1)
+    key = re.sub(r"^#\s+", "#", squeezed(token.text))
+    return Span(key, token.line, token.last + 1)
 
 
 def _role(span: Span) -> tuple[str, str]:
     """Say whether a directive begins a condition, goes on with it or ends it."""
-    match = re.match(r"#\s*(\w+)", span.key)
+    match = re.match(r"#(\w+)", span.key)
     part = _ROLES.get(match[1], "") if match else ""
     return ("if", part) if part else ("", "")
 
 
 _ROLES = dict.fromkeys(("if", "ifdef", "ifndef"), "start")
 _ROLES |= dict.fromkeys(("elif", "elifdef", "elifndef", "else"), "branch") | {"endif": "end"}
+
+
+def _part(token: _Token) -> str:
+    return _role(_directive(token))[1] if token.kind == "directive" else ""
+
+
+def _whole(tokens: Tokens, at: int) -> tuple[Tokens, int]:
+    """Return the tokens from one on to the end of a branch of a condition, and where that is.
+
+    Of a condition that splits a statement, or braces, there is one branch, and the lines of the
+    others belong to it. Of an `#if 0` there is nothing.
+    """
+    kept: Tokens = []
+    while at < len(tokens) and _part(tokens[at]) not in ("branch", "end"):
+        if not _part(tokens[at]):
+            kept.append(tokens[at])
+            at += 1
+            continue
+        branches: list[Tokens] = []
+        while not branches or _part(tokens[at]) == "branch":
+            head = tokens[at]
+            inside, at = _whole(tokens, at + 1)
+            if at == len(tokens):
+                raise ValueError(f"line {head.line + 1}: {head.text}, without end")
+            branches.append([head, *([] if re.match(r"\s*#\s*if\s+0\s*$", head.text) else inside)])
+        end, at = tokens[at], at + 1
+        around = "".join(token.text for token in (*kept[-1:], *tokens[at : at + 1]))
+        if all(map(_balanced, branches)) and not re.match(r"[=,(?+|&]|.*[{:=,;)]$", around):
+            kept += [*(token for branch in branches for token in branch), end]
+        elif one := next((branch[1:] for branch in branches if branch[1:]), []):
+            one[0] = replace(one[0], line=branches[0][0].line)
+            one[-1] = replace(one[-1], last=end.last)
+            kept += one
+    return kept, at
+
+
+def _balanced(tokens: Tokens) -> bool:
+    depth = 0
+    for token in tokens:
+        depth += (token.text in _OPEN) - (token.text in _CLOSE)
+        if depth < 0:
+            return False
+    return not depth
 
 
 def _with_conditions(spans: list[Span]) -> list[Span]:
@@ -85,8 +136,10 @@ def _with_conditions(spans: list[Span]) -> list[Span]:
         part = _role(span)[1]
         depth += (part == "start") - (part == "end")
         if not depth:
-            inside, rest = spans[1:at], spans[at + 1 :]
-            return [spans[0], *nested(inside, _role), span, *nested(rest, _role)]
+            inside, rest = nested(spans[2:at], _role), nested(spans[at + 1 :], _role)
+            ends = (spans[0], spans[1], span)  # known without the word, which a move changes
+            first, second, last = (replace(one, key=one.key.split()[0]) for one in ends)
+            return [first, second, *inside, last, *rest]
     return nested(spans, _role)
 
 
@@ -117,69 +170,139 @@ def tokenize(text: str) -> Iterator[_Token]:
         line = last
 
 
-def _scope(tokens: list[_Token], at: int) -> tuple[list[Span], int]:
+def _scope(tokens: Tokens, at: int) -> tuple[list[Span], int]:
     """Return the items from a token on, and where the scope ends."""
-    spans = []
+    spans: list[Span] = []
     while at < len(tokens) and tokens[at].text != "}":
         token = tokens[at]
+        texts = [token.text for token in tokens[at : at + 3]]
         if token.kind == "directive":
             spans.append(_directive(token))
             at += 1
-        elif token.text in _ACCESS and at + 1 < len(tokens) and tokens[at + 1].text == ":":
-            spans.append(Span(f"{token.text}:", token.line, tokens[at + 1].last + 1))
-            at += 2
+        elif token.text in _ACCESS and ":" in texts:
+            colon = at + texts.index(":")
+            spans.append(Span(f"{token.text}:", token.line, tokens[colon].last + 1))
+            at = colon + 1
+        elif (end := _macro(tokens, at)) and _is_close(tokens, end):
+            span, at = _item(tokens, end)
+            spans.append(replace(span, start=token.line))
+        elif end:
+            key = squeezed(" ".join(token.text for token in tokens[at:end]))
+            spans.append(Span(key, token.line, tokens[end - 1].last + 1))
+            at = end
         else:
             span, at = _item(tokens, at)
+            if spans and span.key.startswith("namespace ") and spans[-1].key == span.key:
+                span = _reopened(spans.pop(), span)
             spans.append(span)
-    return _with_conditions(spans), at
+    return spans, at
 
 
-def _item(tokens: list[_Token], start: int) -> tuple[Span, int]:
+def _reopened(one: Span, other: Span) -> Span:
+    """Make one item of a namespace that is closed and opened again."""
+    if one.body is None or other.body is None:
+        return Span(one.key, one.start, other.end)
+    between = Span(f"{{ {one.key}", one.body[1], other.body[0])
+    items = (*one.items, between, *other.items)
+    return Span(one.key, one.start, other.end, (one.body[0], other.body[1]), items)
+
+
+def _is_close(tokens: Tokens, at: int) -> bool:
+    """Say whether a function or a variable begins at a token, on the line after the one before."""
+    if at == len(tokens) or tokens[at].kind != "word" or _macro(tokens, at):
+        return False
+    is_next = tokens[at].line == tokens[at - 1].last + 1
+    return is_next and tokens[at].text not in (*_ACCESS, *_HOLDERS)
+
+
+_MACRO = re.compile(r"[A-Z][A-Z0-9]*_?[A-Z0-9_]+")
+_AFTER_HEAD = ("const", "noexcept", "override", "final", "throw", "mutable", "volatile")
+
+
+def _macro(tokens: Tokens, at: int) -> int:
+    """Return where a macro ends that is alone on its line, without semicolon; else 0."""
+    end = at + 1
+    if not _MACRO.fullmatch(tokens[at].text):
+        return 0
+    if end < len(tokens) and tokens[end].text == "(":
+        end = _closing(tokens, end) + 1
+    elif "_" not in tokens[at].text:
+        return 0
+    if end == len(tokens) or tokens[end].text == "}" or tokens[end].kind == "directive":
+        return end
+    after = tokens[end]
+    is_word = after.kind == "word" and after.text not in _AFTER_HEAD
+    return end if after.line > tokens[end - 1].last and (is_word or after.text in "~[::") else 0
+
+
+def _item(tokens: Tokens, start: int) -> tuple[Span, int]:
     """Return the declaration or definition that starts at a token, and where the next starts."""
     at = start
     body: tuple[int, int] | None = None
     items: tuple[Span, ...] = ()
+    conditions = 0
     while at < len(tokens):
         text = tokens[at].text
+        part = _part(tokens[at])
+        if text == "}" or (part in ("branch", "end") and not conditions):
+            break
+        conditions += (part == "start") - (part == "end")
         if text == ";":
             at += 1
-            break
-        if text == "}":
             break
         if text == "{" and _holds_items(tokens[start:at]):
             inner, end = _scope(tokens, at + 1)
             if end == len(tokens):
                 raise ValueError(f"line {tokens[at].line + 1}: a brace that nothing closes")
-            if tokens[end].line > tokens[at].last + 1:
-                body, items = (tokens[at].last + 1, tokens[end].line), tuple(inner)
+            body, items = _inside(inner, tokens[at].last + 1, tokens[end].line)
             at = end + 1
-            if tokens[start].text == "namespace" or tokens[start].text == "extern":
+            if tokens[start].text in ("namespace", "inline", "extern"):
                 break
         elif text in _OPEN:
             at = _closing(tokens, at) + 1
-            if text == "{" and not _goes_on(tokens, start, at):
+            if text == "{" and not _goes_on(tokens, at):
                 break
         else:
             at += 1
-    key = _key(tokens[start:at])
-    return Span(key, tokens[start].line, tokens[at - 1].last + 1, body, items), at
+    return Span(
+        _key(tokens[start:at]), tokens[start].line, tokens[at - 1].last + 1, body, items
+    ), at
 
 
-def _goes_on(tokens: list[_Token], start: int, at: int) -> bool:
+def _inside(
+    spans: list[Span], first: int, last: int
+) -> tuple[tuple[int, int] | None, tuple[Span, ...]]:
+    """Return the lines and items between two braces: none where one of these shares its line.
+
+    Of the one container whose braces are in the same lines, it is what that one has inside.
+    """
+    if len(spans) == 1 and spans[0].body and (spans[0].start < first or spans[0].end > last):
+        return spans[0].body, spans[0].items
+    try:
+        inner = _with_conditions(spans)
+    except ValueError:  # a condition that is not whole in here
+        return None, ()
+    if first > last or any(span.start < first or span.end > last for span in inner):
+        return None, ()
+    return (first, last), tuple(inner)
+
+
+def _goes_on(tokens: Tokens, at: int) -> bool:
     """Say whether a declaration goes on after a closing brace, as in `int x{1};`."""
     return at < len(tokens) and tokens[at].text in (";", ",", "{", "=", "(", ".")
 
 
-def _holds_items(tokens: list[_Token]) -> bool:
-    words = [token.text for token in tokens if token.text in _HOLDERS]
-    signs = {token.text for token in tokens} & {"(", "="}
-    return bool(words) and "enum" not in [token.text for token in tokens] and not signs
+def _holds_items(tokens: Tokens) -> bool:
+    *head, end = _head([token.text for token in tokens])
+    if end in ("{", "=") or "enum" in head or "()" in head:
+        return False
+    return any(word in head for word in _HOLDERS) or ("extern" in head and head[-1][0] == '"')
 
 
-_HOLDERS = ("namespace", "class", "struct", "extern")
+_HOLDERS = ("namespace", "class", "struct")
 
 
-def _closing(tokens: list[_Token], at: int) -> int:
+def _closing(tokens: Tokens, at: int) -> int:
     depth = 0
     for index in range(at, len(tokens)):
         depth += (tokens[index].text in _OPEN) - (tokens[index].text in _CLOSE)
@@ -188,35 +311,86 @@ def _closing(tokens: list[_Token], at: int) -> int:
     raise ValueError(f"line {tokens[at].line + 1}: {tokens[at].text} that nothing closes")
 
 
-def _key(tokens: list[_Token]) -> str:
+_ATTRIBUTE = re.compile(r"__\w+|alignas|noexcept|throw|decltype|requires|explicit")
+
+
+def _head(texts: list[str]) -> list[str]:
+    """Return the words of a declaration without attributes, and the sign that ends these.
+
+    Pairs of brackets are words, round ones without what is in them.
+    """
+    head: list[str] = []
+    at = 0
+    while at < len(texts):
+        text = texts[at]
+        if text in ("{", ";", "=", ":"):
+            return [*head, text]
+        if text == "operator":
+            end = texts.index("(", at + 2) if "(" in texts[at + 2 :] else len(texts)
+            head.append("".join(texts[at:end]))
+            at = end
+            continue
+        end = _past(texts, at)
+        if text == "template" and end < len(texts):
+            end = _past(texts, end)
+        elif text == "(" and not _is_attribute(head, texts[end : end + 1]):
+            head.append("()")
+        elif text == "(":
+            head.pop()
+        elif text == "<":
+            head.append("".join(texts[at:end]))
+        elif text != "[":
+            head.append(text)
+        at = end
+    return [*head, ""]
+
+
+def _is_attribute(head: list[str], after: list[str]) -> bool:
+    """Say whether the last word of a head, with brackets, is no name, as in `API(1) void f()`."""
+    name = head[-1] if head else ""
+    if not _MACRO.fullmatch(name):
+        return bool(_ATTRIBUTE.fullmatch(name))
+    is_word = bool(after and re.match(r"[A-Za-z_~]|::", after[0]) and after[0] not in _AFTER_HEAD)
+    return is_word or "()" in head
+
+
+def _past(texts: list[str], at: int) -> int:
+    """Return what follows a bracket, or another word."""
+    open_: list[str] = []
+    for index in range(at, len(texts)):
+        text = texts[index]
+        if text in ("(", "[", "{") or (text == "<" and open_[-1:] in ([], ["<"])):
+            open_.append(text)
+        elif text in (")", "]", "}"):
+            while open_ and open_.pop() == "<":
+                pass
+        elif text == ">" and open_[-1:] == ["<"]:
+            open_.pop()
+        if not open_:
+            return index + 1
+    return len(texts)
+
+
+def _key(tokens: Tokens) -> str:
     texts = [token.text for token in tokens if token.kind != "directive"]
-    if texts[:1] == ["template"]:
-        texts = _without_template(texts)
-    ends = [i for i, text in enumerate(texts) if text in "{;="]
-    head = texts[: ends[0]] if ends else texts
-    if "(" in head:
-        at = head.index("(")
-        name = head[:at][-1:]
-        while len(head[:at]) > len(name) and (
-            head[at - len(name) - 1] in ("::", "~") or name[0] in ("::", "~")
-        ):
-            name.insert(0, head[at - len(name) - 1])
-        if "operator" in head[:at]:
-            name = head[head.index("operator") : at]
-        if name and name[0].isupper() and name[0].upper() == name[0] and "::" not in name:
-            return squeezed(" ".join(head))
+    *head, sign = _head(texts)
+    plain = squeezed(" ".join(texts[: texts.index(sign)] if sign else texts)) or "empty"
+    if "()" in head[1:]:
+        at = len(head) - 1 - head[::-1].index("()")
+        name = head[at - 1 : at]
+        for part in reversed(head[: at - 1]):
+            if name[0] not in ("::", "~") and part not in ("::", "~"):
+                break
+            name.insert(0, part)
+        if _MACRO.fullmatch(name[-1]) and len(name) == 1:
+            return plain
         return "".join(name) + "()"
-    for word in (*_HOLDERS, "enum", "using", "typedef"):
-        if word in head:
-            return squeezed(" ".join(head if word != "class" else head[head.index(word) :][:2]))
-    names = [text for text in head if re.fullmatch(r"[A-Za-z_]\w*", text)]
-    return f"variable {names[-1]}" if names else squeezed(" ".join(texts)) or "empty"
-
-
-def _without_template(texts: list[str]) -> list[str]:
-    depth = 0
-    for index, text in enumerate(texts):
-        depth += (text == "<") - (text == ">")
-        if text == ">" and not depth:
-            return texts[index + 1 :]
-    return texts
+    if "class" in head or "struct" in head:
+        words = [word for word in head if word != "final"]
+        places = [i for i, word in enumerate(words) if not word.startswith(("<", '"'))]
+        kind = "class" if "class" in head else "struct"
+        return f"{kind} {''.join(words[places[-1] :])}"
+    if any(word in head for word in ("namespace", "extern", "enum", "using", "typedef")):
+        return plain
+    names = [word for word in head if re.fullmatch(r"[A-Za-z_]\w*", word)]
+    return f"variable {names[-1]}" if names else plain

@@ -12,7 +12,7 @@ import yaml
 
 from .blocks import unicode
 from .languages import YAML, language
-from .lines import split
+from .lines import margin, split
 from .tree import File, Tree
 
 Shift = Callable[[str], str]
@@ -40,14 +40,14 @@ def _raise(above: Sequence[str]) -> Shift:
         lines, found = split(text), _above(text)
         if not found or lines[found[0] : found[-1] + 1] != list(above):
             return text
-        margin = _column(text)
-        rest = [line[min(margin, _margin(line)) :] for line in lines[found[-1] + 1 :]]
+        column = _column(text)
+        rest = [line[min(column, margin(line)) :] for line in lines[found[-1] + 1 :]]
         return "".join([*lines[: found[0]], *rest])
 
     return shift
 
 
-def _lower(above: Sequence[str], head: Sequence[str], margin: int) -> Shift:
+def _lower(above: Sequence[str], head: Sequence[str], column: int) -> Shift:
     def shift(text: str) -> str:
         node = _compose(text)
         if node is None or node.flow_style:
@@ -56,7 +56,7 @@ def _lower(above: Sequence[str], head: Sequence[str], margin: int) -> Shift:
         at = first
         while at and lines[at - 1].startswith("#") and lines[at - 1] not in head[-1:]:
             at -= 1
-        rest = [" " * margin + line if line.strip() else line for line in lines[at:]]
+        rest = [" " * column + line if line.strip() else line for line in lines[at:]]
         return "".join([*lines[:at], *above, *rest])
 
     return shift
@@ -90,7 +90,3 @@ def _column(text: str) -> int:
     for _ in _above(text):
         node = node.value[0][1]  # type: ignore[union-attr]
     return node.start_mark.column if node else 0
-
-
-def _margin(line: str) -> int:
-    return len(line) - len(line.lstrip(" "))

@@ -9,7 +9,7 @@ from pathlib import PurePosixPath
 
 from . import cpp_blocks, outlines, python_blocks, xml_blocks
 from .blocks import Block, checked, squeezed
-from .lines import split
+from .lines import margin, split
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ def _lines(text: str) -> list[Block]:
 
 
 def _margin_counts(line: str) -> str:
-    return line[: len(line) - len(line.lstrip())] + squeezed(line)
+    return line[: margin(line)] + squeezed(line)
 
 
 def _exactly(one: str, other: str) -> bool:

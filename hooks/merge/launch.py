@@ -17,7 +17,7 @@ from ..data import load_data
 from .blocks import Block
 from .languages import XML
 from .lines import plain, split
-from .matching import match
+from .matching import match, set_beside
 from .package import Result
 from .renaming import Renaming
 from .tree import File, Tree, encode
@@ -128,9 +128,9 @@ class _Carrier:
             raise ForeignError
         for level, at in places:
             beside = level[max(at - 1, 0)] if level else block
-            shifted = _with_margin(text, _margin(beside))
             if not any(same.key == block.key for same in level):
-                level.insert(at, Block(block.key, split(shifted)))
+                lines = split(text if text.endswith("\n") else text + "\n")
+                level.insert(at, set_beside(Block(block.key, lines), beside))
         self._note(number, text)
 
     def _note(self, number: int, text: str) -> None:
@@ -266,18 +266,3 @@ def _with_attribute(text: str, name: str, value: str) -> str:
     if re.search(form, text):
         return re.sub(form, lambda _: f"{name}={value}", text, count=1)
     return re.sub(r"\s*(/?>)", lambda m: f" {name}={value}{m[1]}", text, count=1)
-
-
-def _margin(block: Block) -> int:
-    line = next((line for line in split(block.text) if line.strip()), "")
-    return len(line) - len(line.lstrip())
-
-
-def _with_margin(text: str, margin: int) -> str:
-    lines = split(text if text.endswith("\n") else text + "\n")
-    first = next((line for line in lines if line.strip()), "")
-    by = margin - (len(first) - len(first.lstrip()))
-    return "".join(
-        " " * max(0, len(line) - len(line.lstrip()) + by) + line.lstrip() if line.strip() else line
-        for line in lines
-    )

@@ -49,6 +49,11 @@ def split(text: str) -> Lines:
     return [line + "\n" for line in lines[:-1]] + ([lines[-1]] if lines[-1] else [])
 
 
+def margin(line: str) -> int:
+    """Return how many blanks a line begins with."""
+    return len(line) - len(line.lstrip())
+
+
 def plain(text: str) -> str:
     """Return a text with line ends of one sort, and without a mark of its encoding."""
     return text.removeprefix("\ufeff").replace("\r\n", "\n")

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import count, takewhile
 
 from .blocks import Block, is_condition
+from .lines import margin
 
 Blocks = Sequence[Block]
 _NUMBER = re.compile(r" #\d+$")
@@ -21,7 +22,75 @@ def align(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Blo
     """Return three versions in which a key is that of one thing, at one place."""
     match(new, old)
     match(mine, old, new)
+    mine = _retitled(unsplit(mine, old, new), old, new)
     return list(mine), wrap(old, mine, old, new), wrap(new, mine, old, new)
+
+
+_HEADING = re.compile(r"#+ ")
+_TITLE = re.compile(r"#+ |/")
+
+
+def _rejoined(mine: Blocks, old: Blocks) -> list[Block]:
+    """Return blocks with comments above them that an empty line of the developer's parts off."""
+    base = {block.key: block for block in old}
+    whole: list[Block] = []
+    for block in mine:
+        was, above = base.get(block.key), whole[-1] if whole else block
+        is_own = above.key.startswith(("comment ", "header")) and above.key not in base
+        if was and is_own and ({*was.lines} - {*block.lines, "\n"}) & {*above.lines}:
+            block.lines = whole.pop().lines + block.lines
+        if was:
+            block.children = _rejoined(block.children, was.children)
+        whole.append(block)
+    return whole
+
+
+def unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
+    """Return blocks in which what the developer has put there does not part what is generated.
+
+    So does a heading, and an empty line between an item and the comment above it.
+    """
+    mine = _rejoined(_rejoined(mine, old), new)
+    base = {block.key: {*block.lines} - {"\n"} for block in old}
+    taken = {*base, *(block.key for block in new)}
+    whole: list[Block] = []
+    own: list[Block] = []
+    for block in mine:
+        if block.key in taken or not whole or not _HEADING.match(block.key):
+            whole, own = [*whole, *own, block], []
+            continue
+        own.append(block)
+        if base.get(whole[-1].key, set()) & {*block.lines}:
+            whole[-1].lines += [line for part in own for line in part.lines]
+            own = []
+    return [*whole, *own]
+
+
+def _retitled(mine: Blocks, old: Blocks, new: Blocks) -> Blocks:
+    """Match sections whose headings the developer has changed, and maybe the new version, too.
+
+    So with the names of nodes, as a file of parameters has them.
+    """
+    sides = ({b.key: b for b in side if _TITLE.match(b.key)} for side in (mine, old, new))
+    ours, base, theirs = sides
+    for key, block in ours.items():
+        if key not in base and key not in theirs:
+            left = base.keys() - {one.key for one in mine}
+            was = _most_like(block, (o for k, o in base.items() if k in left))
+            came = _most_like(was, (n for k, n in theirs.items() if k not in base))
+            if was and came and was.key not in theirs:
+                came.key = was.key
+            if was and (came or was.key in theirs):
+                block.key = was.key
+    return mine
+
+
+def _most_like(block: Block | None, others: Iterable[Block]) -> Block | None:
+    """Return that of some blocks which has most of what a block holds."""
+    if block is None:
+        return None
+    alike = {_likeness(block, other): other for other in others}
+    return alike[max(alike)] if alike and max(alike) > ALIKE else None
 
 
 def match(blocks: Blocks, *versions: Blocks) -> None:
@@ -53,16 +122,22 @@ def _match(blocks: Blocks, free: dict[str, Block], known: Mapping[str, Blocks]) 
 
 
 def _match_changed(block: Block, free: dict[str, Block], known: Mapping[str, Blocks]) -> None:
-    """Match a condition that reads otherwise now, but most of what it holds is what it held."""
+    """Match a condition that reads otherwise now, but most of what it holds is what it held.
+
+    An import may be relative now.
+    """
+    if block.key.startswith("from ."):
+        ways = [key for key in free if key.endswith(f".{block.key[5:].lstrip('.')}")]
+        if len(ways) == 1:
+            _take_key(block, free[ways[0]], free)
     if is_condition(block) and _name(block.key) not in map(_name, known):
         inside = set(_names_in(block))
-        others = {
-            key: o for key, o in free.items() if is_condition(o) and _name(key) not in inside
-        }
-        alike = [(_likeness(block, other), key) for key, other in others.items()]
-        likeness, key = max(alike, default=(0, ""))
-        if likeness > 0.6:
-            _take_key(block, free[key], free)
+        alike = _most_like(
+            block,
+            (o for k, o in free.items() if is_condition(o) and _name(k) not in inside),
+        )
+        if alike:
+            _take_key(block, alike, free)
 
 
 def _names_in(block: Block) -> Iterator[str]:
@@ -77,9 +152,13 @@ def _likeness(one: Block, other: Block) -> float:
     return (ours & theirs).total() / max(ours.total(), 1)
 
 
+ALIKE = 0.6
+
+
 def _lines_in(block: Block) -> Counter[str]:
-    lines = "".join(child.text for child in block.children).split("\n")
-    return Counter(line.strip() for line in lines if line.strip())
+    inside = "".join(child.text for child in block.children) or "".join(block.lines[1:])
+    lines = inside.split("\n")
+    return Counter(line.partition(": ")[0].strip() for line in lines if line.strip())
 
 
 def _take_key(block: Block, other: Block, free: dict[str, Block]) -> None:
@@ -131,7 +210,8 @@ def wrap(blocks: Blocks, mine: Blocks, *versions: Blocks) -> list[Block]:
             children = (version.children for version in known[block.key])
             inner = wrap(block.children, same.children, *children)
             block = Block(block.key, block.lines, inner, block.tail)
-            block = _set_like(same, block) if around else block
+            if around or _RELATIVE.match(same.text):
+                block = _set_like(same, block)
         level.append(block)
     return wrapped
 
@@ -156,25 +236,37 @@ def _inside(level: list[Block], key: str) -> list[Block]:
     return found.children
 
 
+_RELATIVE = re.compile(r"\s*from \.\S* import")
+
+
 def _set_like(same: Block, block: Block) -> Block:
-    """Return a block with the margin of another one, and as many empty lines above."""
-    shifted = _shifted(block, _margin(same) - _margin(block))
+    """Return a block with the margin of another one, and as many empty lines above.
+
+    It is a relative import where that one is.
+    """
+    shifted = set_beside(block, same)
+    if relative := _RELATIVE.match(same.text):
+        head = relative[0].lstrip()
+        shifted.lines = [re.sub(r"\bfrom \S+ import", head, line) for line in shifted.lines]
     gaps, found = ([*takewhile(str.isspace, b.lines)] for b in (same, shifted))
     shifted.lines[: len(found)] = gaps
     return shifted
 
 
 def _margin(block: Block) -> int:
-    line = next((line for line in block.text.split("\n") if line.strip()), "")
-    return len(line) - len(line.lstrip())
+    return next((margin(line) for line in block.text.split("\n") if line.strip()), 0)
+
+
+def set_beside(block: Block, other: Block) -> Block:
+    """Return a block with the margin of another one."""
+    return _shifted(block, _margin(other) - _margin(block))
 
 
 def _shifted(block: Block, by: int) -> Block:
     """Return a block further to the right, or to the left."""
 
     def shift(line: str) -> str:
-        margin = len(line) - len(line.lstrip())
-        return line if not line.strip() else " " * (margin + by) + line[margin:]
+        return " " * (margin(line) + by) + line.lstrip() if line.strip() else line
 
     children = [_shifted(child, by) for child in block.children]
     return Block(block.key, [*map(shift, block.lines)], children, [*map(shift, block.tail)])

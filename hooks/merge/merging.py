@@ -7,6 +7,7 @@ version has it, and a block of the developer's own stays after the block it foll
 from __future__ import annotations
 
 import re
+import textwrap
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -27,6 +28,8 @@ class Outcome:
     """The edited blocks that left, because the new version has no such thing."""
     missing: list[str] = field(default_factory=list)
     """The blocks of the new version that the developer has deleted."""
+    own: list[str] = field(default_factory=list)
+    """The blocks that both sides have made, of which the developer's stays."""
 
     @property
     def conflict(self) -> bool:
@@ -64,7 +67,7 @@ def merge(path: str, mine: Version, old: Version | None, new: Version) -> Outcom
             sides = align(mine.read(known), base, new.read(known))
             merged = merger.sequence(*sides)
             if readable(known, merged):
-                return Outcome(merged, merger.removed, list(_deleted(*sides)))
+                return Outcome(merged, merger.removed, list(_deleted(*sides)), merger.own)
         except (ValueError, RecursionError):
             pass
     if old is None:
@@ -135,10 +138,15 @@ _LOOSE = re.compile(
 """Blocks that are known by what they say, or that nobody misses."""
 
 
+_UNNAMED = re.compile(r"from |import |install |list ")
+"""Blocks of which there may be several with one key."""
+
+
 class _Merger:
     def __init__(self, known: Language) -> None:
         self.language = known
         self.removed: list[str] = []
+        self.own: list[str] = []
 
     def sequence(
         self,
@@ -164,10 +172,15 @@ class _Merger:
         return merged
 
     def block(self, mine: Block, old: Block | None, new: Block) -> Merged:
-        """Merge one block; the developer's counts where there was none before."""
+        """Merge one block; where there was none before, both stay, or what has one name once."""
         if old is None:
             old = Block(mine.key, mine.lines, [], mine.tail)
             if not (mine.children and new.children):
+                if self.is_same(mine, new):
+                    return list(lines.split(mine.text))
+                if _UNNAMED.match(mine.key):
+                    return list(lines.split(new.text + mine.text))
+                self.own.append(block_name(mine.key))
                 return list(lines.split(mine.text))
             new = Block(new.key, mine.lines, new.children, mine.tail)
         if self.is_same(new, old):
@@ -186,9 +199,8 @@ class _Merger:
         In Python one that is empty cannot stay.
         """
         merged = self.block(mine, old, Block(mine.key, []))
-        held = {block.key for block in old.children}
-        own = [block.key for block in mine.children if block.key not in held]
-        if self.language is PYTHON and all(key.startswith("comment ") for key in own):
+        found = textwrap.dedent(lines.text(merged))
+        if self.language is PYTHON and not readable(PYTHON, [*lines.split(found)]):
             self.removed.append(block_name(mine.key))
             return []
         return merged

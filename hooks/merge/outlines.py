@@ -5,12 +5,12 @@ from __future__ import annotations
 import functools
 import itertools
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import yaml
 
 from .blocks import Block, Span, arrange, nested, squeezed, unicode
-from .lines import split
+from .lines import margin, split
 
 COMMENT = "#"
 
@@ -23,71 +23,46 @@ def yaml_blocks(text: str) -> list[Block]:
 
     """
     try:
-        list(yaml.compose_all(unicode(text), yaml.SafeLoader))
-        inside = _inside_of_values(text)
+        nodes = list(yaml.compose_all(unicode(text), yaml.SafeLoader))
     except yaml.YAMLError as error:
         raise ValueError(str(error)) from error
     lines = split(text)
-    spans = _keys(lines, 0, len(lines), inside)
+    starts = [text.count("\n", 0, _index(node.start_mark)) for node in nodes if node]
+    spans: list[Span] = []
+    for node, until in zip(filter(None, nodes), [*starts[1:], len(lines)], strict=False):
+        spans += _keys(text, lines, node, until)
     return arrange(lines, spans, 0, len(lines), COMMENT)
 
 
-def _inside_of_values(text: str) -> set[int]:
-    """Return the lines that go on with a value: nothing there is a key or a comment."""
-    found: set[int] = set()
-    for event in yaml.parse(unicode(text), yaml.SafeLoader):
-        if isinstance(event, yaml.ScalarEvent):
-            start, end = _index(event.start_mark), _index(event.end_mark)
-            value = text[start:end]
-            if event.style in ("|", ">"):
-                header = value.split("\n")[0].split("#")[0]
-                value = value.rstrip(" ").removesuffix("\n") if "+" in header else value.rstrip()
-            first = text.count("\n", 0, start)
-            found.update(range(first + 1, first + 1 + value.count("\n")))
-    return found
-
-
-_KEY = re.compile(
-    r"""(?P<margin>\s*)(?P<key>"[^"]*"|'[^']*'|[^\s#'"\[{-][^#]*?):(\s+(?P<value>.*))?$"""
-)
-
-
-def _keys(lines: Sequence[str], start: int, end: int, inside: set[int]) -> list[Span]:
-    found = [
-        i
-        for i in range(start, end)
-        if i in inside or (lines[i].strip() and not _is_comment(lines[i]))
-    ]
-    if not found:
-        return []
-    margin = _margin(lines[found[0]])
-    heads = [i for i in found if i not in inside and _margin(lines[i]) <= margin]
-    spans = []
-    for i, head in enumerate(heads):
-        until = heads[i + 1] if i + 1 < len(heads) else end
-        last = max(k for k in found if head <= k < until) + 1
-        match = _KEY.match(lines[head].rstrip("\n"))
-        value = (match["value"] or "").strip() if match else "-"
-        key = match["key"].strip("\"'") if match else squeezed("".join(lines[head:last]))
-        if match and last > head + 1 and (not value or value.startswith("#")):
-            inner = tuple(_keys(lines, head + 1, last, inside))
-            spans.append(Span(key, head, last, (head + 1, last), inner))
+def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Iterator[Span]:
+    """Yield what a mapping or a sequence holds, up to a line; nothing of one in braces."""
+    if not isinstance(node, yaml.CollectionNode) or node.flow_style:
+        return
+    is_map = isinstance(node, yaml.MappingNode)
+    entries = node.value if is_map else [(item, item) for item in node.value]
+    starts = [text.count("\n", 0, _index(key.start_mark)) for key, _ in entries]
+    for (key, value), start, end in zip(entries, starts, [*starts[1:], until], strict=True):
+        column = margin(lines[start])
+        written = 0  # the lines of a text, where a number sign begins no comment
+        is_here = _index(value.start_mark) >= _index(key.start_mark)  # no alias of another
+        if isinstance(value, yaml.ScalarNode) and is_here:
+            written = text.count("\n", 0, _index(value.end_mark))
+        while not (line := lines[end - 1].lstrip()) or (
+            line.startswith(COMMENT) and end > written and margin(lines[end - 1]) <= column
+        ):
+            end -= 1
+        inner = [*_keys(text, lines, value, end)] if is_map and is_here else []
+        is_named = is_map and isinstance(key, yaml.ScalarNode)
+        name = key.value if is_named else squeezed("".join(lines[start:end]))
+        if inner and inner[0].start > start:
+            yield Span(name, start, end, (start + 1, end), tuple(inner))
         else:
-            spans.append(Span(key, head, last))
-    return spans
-
-
-def _margin(line: str) -> int:
-    return len(line) - len(line.lstrip(" "))
-
-
-def _is_comment(line: str) -> bool:
-    return line.lstrip().startswith(COMMENT)
+            yield Span(name, start, end)
 
 
 _COMMAND = re.compile(
-    r"""(?P<comment> \#\[\[.*?\]\] | \#[^\n]* )
-      | (?P<bracket> \[(?P<mark>=*)\[.*?\](?P=mark)\] )
+    r"""(?P<bracket> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] )
+      | (?P<comment> \#[^\n]* ) | (?P<escaped> \\. )
       | (?P<string> "(?: \\. | [^"\\] )*" )
       | (?P<name> [A-Za-z_]\w* )(?= \s*\( )
       | (?P<sign> [()] )""",
@@ -113,8 +88,8 @@ def cmake_blocks(text: str) -> list[Block]:
             raise ValueError("a parenthesis that nothing opens")
         if match["sign"] == ")" and not depth:
             command = text[start : match.end()]
-            first = re.match(r"\w+\s*\(\s*([^\s)]*)", command)
-            key = f"{name.lower()} {first[1] if first else ''}".strip()
+            first = re.match(r"\w+\s*\((?:(?:\s*\n)?\s*([A-Z_]+\b)|[ \t]*([^\s)]*))", command)
+            key = " ".join(filter(None, (name.lower(), *(first.groups() if first else ()))))
             if name.lower() in ("if", "elseif"):
                 key = squeezed(command)
             ends = text.count("\n", 0, match.end()) + 1
@@ -138,14 +113,24 @@ def _role(span: Span) -> tuple[str, str]:
     return (statement, "end") if name != statement in _STATEMENTS else ("", "")
 
 
+_FENCE = re.compile(r"[ >*-]*(`{3,}(?=[^`]*$)|~{3,})(.*)")
+
+
 def markdown_blocks(text: str) -> list[Block]:
     """Return the sections of a text, each known by its heading."""
     lines = split(text)
     heads = []
-    fenced = False
+    until = ""
     for index, line in enumerate(lines):
-        fenced ^= line.lstrip().startswith("```")
-        if not fenced and re.match(r"#{1,6} ", line):
+        fence = _FENCE.match(line)
+        if until:
+            is_end = bool(fence and fence[1].startswith(until) and not fence[2].strip())
+            until = "" if is_end or (until == "-->" and until in line) else until
+        elif fence:
+            until = fence[1]
+        elif "<!--" in line and "-->" not in line.rpartition("<!--")[2]:
+            until = "-->"
+        elif re.match(r"#{1,6} ", line):
             heads.append(index)
     blocks = [Block("start", lines[: heads[0] if heads else len(lines)])] if lines else []
     for i, head in enumerate(heads):
@@ -223,7 +208,9 @@ def same_cmake(one: str, other: str) -> bool:
     return squeezed(one, _CMAKE_EXACT) == squeezed(other, _CMAKE_EXACT)
 
 
-_CODE = re.compile(r"(?P<exact>^[ ]*```.*?^[ ]*```|`[^`\n]+`)", re.DOTALL | re.MULTILINE)
+_CODE = re.compile(
+    r"(?P<exact>^[ ]*(?P<mark>`{3,}|~{3,}).*?^[ ]*(?P=mark)|`[^`\n]+`)", re.DOTALL | re.MULTILINE
+)
 
 
 def same_markdown(one: str, other: str) -> bool:

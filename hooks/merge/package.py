@@ -38,6 +38,8 @@ class Result:
     """By path of before, the edited parts that left a file."""
     missing: dict[str, list[str]] = field(default_factory=dict)
     """By path, the parts of the new version that the developer has deleted; "" is all of it."""
+    own: dict[str, list[str]] = field(default_factory=dict)
+    """By path, the parts that both sides have made, of which the developer's stay."""
     rejected: Tree = field(default_factory=dict)
     """Of the files in conflict, what was not merged, as a patch."""
     settled: Tree = field(default_factory=dict)
@@ -194,6 +196,8 @@ class _Package:
             self.result.removed[source] = outcome.removed
         if outcome.missing:
             self.result.missing[path] = outcome.missing
+        if outcome.own:
+            self.result.own[path] = outcome.own
 
 
 def _likeness(one: File, other: File) -> float:

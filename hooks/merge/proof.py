@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
+from pathlib import PurePosixPath
 
 from ..dictionary import WAS
+from ..names import class_name
 from ..package import SUFFIX
 from .blocks import Block, walk
 from .languages import TEXT, XML, Language, language
-from .lines import MARKS, split
-from .matching import match, wrap
+from .lines import MARKS, plain, split
+from .matching import match, unsplit, wrap
+from .origins import is_holder
 from .package import Result
 from .renaming import Renaming, rename
+from .tokens import words
 from .tree import File, Tree
 
 _NAME_BEFORE = re.compile(rf"""\b{WAS}\s*=\s*("[^"]*"|'[^']*')""")
@@ -70,12 +74,13 @@ def _prove_file(
         if found is None and path not in result.left and mine != base:
             proof.lost.append((target, "the file"))
         return
-    ours, old = _plain(mine.text), (base.text if base else None) or ""
+    ours, old = plain(mine.text), (base.text if base else None) or ""
     known = language(path, mine.text)
     if not _parses(known, ours):
         known = TEXT
     before, after = (_blocks(known, text, origin, renaming) for text in (old, ours))
     match(after, before)
+    after = unsplit(after, before, before)
     lines = [
         (scope, line, _number(split(ours), number, line))
         for scope, line, number in _developer_lines(known, after, before)
@@ -90,11 +95,12 @@ def _prove_file(
             else:
                 proof.left.append((path, number, line))
         return
-    text = _my_side(_plain(found.text or "")) if found else ""
+    text = _my_side(plain(found.text or "")) if found else ""
     there = _blocks(known, text, "", Renaming())
     if known is XML and target in result.conflicts:
         rename(there, there, renaming.keys.get(origin, {}))  # whose text has the names of before
     match(there, before, after)
+    there = unsplit(there, before, after)
     _read_back(proof, (path, target), known, lines, there, result.removed.get(path, []))
     changed = found is not None and target not in result.conflicts and text != ours
     if changed and _parses(known, ours) and not _parses(known, text):
@@ -112,7 +118,7 @@ def places(mine: Tree, lost: list[tuple[str, str]], renaming: Renaming) -> Itera
     for target, line in lost:
         path = next((path for path in mine if renaming.path(path) == target), target)
         text = mine[path].text if path in mine else None
-        lines = split(renaming.text(path, _plain(text or "")))
+        lines = split(renaming.text(path, plain(text or "")))
         numbers = [str(n) for n, found in enumerate(lines, 1) if found.strip() == line]
         yield ":".join([path, *numbers[:1], f" {line}"])
 
@@ -186,10 +192,6 @@ def _parses(known: Language, text: str) -> bool:
     return True
 
 
-def _plain(text: str) -> str:
-    return text.removeprefix("\ufeff").replace("\r\n", "\n")
-
-
 def _my_side(text: str) -> str:
     """Return a file with the developer's side of each conflict."""
     lines, side = [], "both"
@@ -208,27 +210,56 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
     Likewise for each identifier that now belongs to another interface. The spec's own `was` is
     what has said so.
     """
-    words = set(renaming.words())
+    known = set(renaming.words())
     taken = _uses_of_taken(mine, old, renaming)
     for path, file in sorted(found.items()):
-        if not (words or taken) or file.text is None:
+        if not (known or taken) or file.text is None:
             continue
         generated = set(split((new.get(path) or File(b"")).text or ""))
-        for number, line in enumerate(split(_plain(file.text)), 1):
+        for number, line in enumerate(split(plain(file.text)), 1):
             if line not in generated:
                 said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
                 said = _MARKUP.sub(" ", said) if language(path, "") is XML else said
-                for word in sorted(words & set(re.findall(r"\w+", said))):
+                for word in sorted(known & set(re.findall(r"\w+", said))):
                     yield f"{path}:{number}: {word}"
                 for word in taken.get((path, line), ()):
                     yield f"{path}:{number}: {word}, which is another's now"
+
+
+def uses_of_left(
+    gone: Iterable[tuple[str, str]], old: Tree, new: Tree, found: Tree
+) -> Iterator[str]:
+    """Yield `file:line: word` for each name of what left that the developer's lines still have.
+
+    `gone` has the names, each after that of its component.
+    """
+    gone = set(gone)
+    names = "|".join(re.escape(name.strip("~/")) for _, name in gone)
+    classes = "|".join(class_name(name) for _, name in gone)
+    form = rf"(?:\w*_)?(?:{names})(?:_\w*)?|(?:\w*[a-z\d_])?(?:{classes})(?:[A-Z_]\w*)?"
+    before, after = (
+        {w for f in tree.values() for w in re.findall(r"\w+", f.text or "")} if gone else set()
+        for tree in (old, new)
+    )
+    bare = {name for _, name in gone}
+    left = {word for word in before - after - bare if re.fullmatch(form, word)}
+    for path, file in sorted(found.items()) if gone else ():
+        generated = set(split((new.get(path) or File(b"")).text or ""))
+        text = plain(file.text or "")
+        lines, stem = split(text), PurePosixPath(path).stem
+        for word in words(language(path, text), text):
+            is_member = bool(word.chain) and is_holder(word.chain[-1])
+            owners = {owner for owner, name in gone if name == word.text and is_member}
+            is_own = bool(owners) and (word.text not in after or any(o in stem for o in owners))
+            if (word.text in left or is_own) and lines[word.line] not in generated:
+                yield f"{path}:{word.line + 1}: {word.text}, which has left"
 
 
 def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str, str], list[str]]:
     """Return the identifiers of what left in the developer's lines, as those are afterwards."""
     found: dict[tuple[str, str], list[str]] = {}
     for path, file in mine.items() if renaming.taken else ():
-        text = _plain(file.text or "")
+        text = plain(file.text or "")
         generated = set(split((old.get(path) or File(b"")).text or ""))
         before, after = split(text), split(renaming.text(path, text))
         for number, word in renaming.uses_of_taken(path, text):

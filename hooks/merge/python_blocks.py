@@ -6,26 +6,27 @@ import ast
 import functools
 import inspect
 import io
+import re
 import textwrap
 import tokenize
 import warnings
 from collections.abc import Sequence
 
-from .blocks import Block, Span, arrange, squeezed, unicode
+from .blocks import THEN, Block, Span, arrange, squeezed, unicode
 from .lines import split
 
 COMMENT = "#"
 
 
 def blocks(text: str) -> list[Block]:
-    """Return the blocks of a module; those of a class, or of an `if` without `else`, are inside.
+    """Return the blocks of a module; those of a class, `if`, `try` or `with` are inside.
 
     Raises:
         ValueError: it is not Python.
 
     """
     lines = split(text)
-    return arrange(lines, _spans(_parse(text).body, lines), 0, len(lines), COMMENT)
+    return arrange(lines, _spans(parse(text).body, lines), 0, len(lines), COMMENT)
 
 
 def same(one: str, other: str) -> bool:
@@ -36,19 +37,25 @@ def same(one: str, other: str) -> bool:
         return "".join(one.split()) == "".join(other.split())
 
 
-def _parse(text: str) -> ast.Module:
+def parse(text: str) -> ast.Module:
+    """Read Python.
+
+    Raises:
+        ValueError: it is not Python.
+
+    """
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             return ast.parse(unicode(text))
-    except (SyntaxError, RecursionError, MemoryError) as error:
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         raise ValueError(str(error)) from error
 
 
 @functools.lru_cache(maxsize=2048)
 def _meaning(text: str) -> tuple[str, list[str]]:
     dedented = textwrap.dedent(text)
-    tree = _parse(dedented)
+    tree = parse(dedented)
     for node in ast.walk(tree):
         if isinstance(node, ast.Expr) and _is_text(node.value):
             node.value.value = inspect.cleandoc(node.value.value).strip()  # type: ignore[attr-defined]
@@ -66,25 +73,50 @@ def _comments(text: str) -> list[str]:
 def _spans(statements: Sequence[ast.stmt], lines: Sequence[str]) -> list[Span]:
     spans = []
     for index, statement in enumerate(statements):
-        start, end = _first(statement), statement.end_lineno or statement.lineno
+        start, end = _first(statement) - 1, statement.end_lineno or statement.lineno
         key = _key(statement, index)
-        body = _body(statement)
-        first = _first(body[0]) if body else 0
-        if body and first > statement.lineno:
-            while not lines[first - 2].strip() or lines[first - 2].lstrip().startswith(COMMENT):
+        parts = _parts(statement, lines) if isinstance(statement, _CONTAINERS) else []
+        heads = [*(line for _, line, _ in parts[1:]), end]
+        branches = []
+        for (name, line, body), until in zip(parts, heads, strict=bool(parts)):
+            first = _first(body[0]) - 1
+            while first > line and not lines[first - 1].split("#")[0].strip():
                 first -= 1
             items = tuple(_spans(body, lines))
-            spans.append(Span(key, start - 1, end, (first - 1, end), items))
+            branches.append(Span(name, line, until, (first, until), items))
+        if any(one.body and one.body[0] <= one.start for one in branches) or not branches:
+            spans.append(Span(key, start, end))
+        elif len(branches) == 1:
+            spans.append(Span(key, start, end, branches[0].body, branches[0].items))
         else:
-            spans.append(Span(key, start - 1, end))
+            inside = branches[0].body or (start, end)
+            branches[0] = Span(THEN, inside[0], inside[1], inside, branches[0].items)
+            spans.append(Span(key, start, end, (inside[0], end), tuple(branches)))
     return spans
 
 
-def _body(statement: ast.stmt) -> list[ast.stmt]:
-    """Return the statements that a container holds."""
-    if isinstance(statement, ast.If) and statement.orelse:
-        return []
-    return statement.body if isinstance(statement, ast.ClassDef | ast.If) else []
+_CONTAINERS = (ast.ClassDef, ast.If, ast.Try, ast.With)
+_Part = tuple[str, int, list[ast.stmt]]
+
+
+def _parts(statement: ast.stmt, lines: Sequence[str]) -> list[_Part]:
+    """Return what a container holds: the name, the line before and the statements of each part."""
+    parts: list[_Part] = [(THEN, statement.lineno - 1, getattr(statement, "body", []))]
+    for handler in getattr(statement, "handlers", []):
+        what = f"except {ast.unparse(handler.type)}" if handler.type else "except"
+        parts.append((what, handler.lineno - 1, handler.body))
+    for name in ("orelse", "finalbody"):
+        body = getattr(statement, name, [])
+        line = _first(body[0]) - 1 if body else 0
+        if body and lines[line].lstrip().startswith("elif"):
+            (_, _, inner), *others = _parts(body[0], lines)
+            parts += [(f"elif {ast.unparse(body[0].test)}", line, inner), *others]
+        elif body:
+            word = {"orelse": "else", "finalbody": "finally"}[name]
+            while not re.match(rf"\s*{word}\s*:", lines[line]):
+                line -= 1
+            parts.append((word, line, body))
+    return parts
 
 
 def _first(statement: ast.stmt) -> int:
@@ -116,4 +148,6 @@ def _key(statement: ast.stmt, index: int) -> str:
         return f"{ast.unparse(call.func)}({first!s})"
     if isinstance(statement, ast.If):
         return f"if {ast.unparse(statement.test)}"
+    if isinstance(statement, ast.Try | ast.With):
+        return squeezed(ast.unparse(statement).split("\n")[0].rstrip(":"))
     return squeezed(ast.unparse(statement))

@@ -16,15 +16,14 @@ from ..changes import GONE, Mark, marked
 from ..dictionary import Dictionary
 from .blocks import Block
 from .depth import Shift, shifts
-from .languages import CMAKE, YAML, Language, language
+from .languages import CMAKE, CPP, PYTHON, YAML, Language, language
 from .lines import split
+from .origins import SELF, origins
 from .render import Renderer
 from .tokens import Word, exchange, words
 from .tree import Tree
 
 _MARK = re.compile(r"zq(\d+)x", re.IGNORECASE)
-_HOLDERS = re.compile(r"_?(config|data|passthrough)_?")
-"""What the logic calls the objects that hold parameters and messages."""
 _ABOUT_TARGETS = re.compile(r"target_|set_target_|ament_target_|add_executable$|add_dependencies$")
 
 
@@ -44,6 +43,14 @@ class Renaming:
     """The names of nodes, which are those of targets in CMake."""
     taken: dict[str, set[str]] = field(default_factory=dict)
     """By file, the identifiers of what left, which are those of another interface now."""
+    generated: dict[str, set[str]] = field(default_factory=dict)
+    """By file, the lines that the model has made of it."""
+    vocabulary: dict[str, set[str]] = field(default_factory=dict)
+    """By file, the words that these lines have by themselves: they are members of nothing."""
+    classes: set[str] = field(default_factory=set)
+    """Those of the package."""
+    roots: set[str] = field(default_factory=set)
+    """What imports and includes call the package."""
     names: list[tuple[str, str]] = field(default_factory=list)
     moved: dict[str, str] = field(default_factory=dict)
     """What the new version of the model renames."""
@@ -95,18 +102,30 @@ class Renaming:
         if not exact and not members and not self.packages and not self.targets:
             return text
 
+        roots = self.roots | self.packages.keys()
+        origin = origins(known, text, roots, exact.keys(), self.classes)
+        generated = self.generated.get(path, set())
+        is_made = [line.strip() in generated for line in split(text)]
+        vocabulary = (self.vocabulary.get(path, set()) & exact.keys()) | roots
+
         def by(word: Word) -> str:
+            is_include = word.before == ("#", "include")
+            if is_include and word.chain and word.chain[0] not in roots and not is_made[word.line]:
+                return word.text
+            is_ours = is_made[word.line] or is_include or known not in (CPP, PYTHON)
+            is_ours = is_ours or origin.has(word, vocabulary)
             if word.text in exact:
-                return exact[word.text]
+                return exact[word.text] if is_ours else word.text
+            if word.text in members and word.chain and word.before[1] != "::":
+                return members[word.text] if origin.has(word, vocabulary) else word.text
             holder, sign = word.before
-            if word.text in members and sign in (".", "->") and _HOLDERS.fullmatch(holder):
-                return members[word.text]
-            if word.text in self.targets and known is CMAKE and sign == "(":
-                return self.targets[word.text] if _ABOUT_TARGETS.match(holder) else word.text
-            if word.text in self.packages and (
-                word.after == "::" or sign in ("namespace", "from", "import")
-            ):
-                return self.packages[word.text]
+            if word.text in self.targets and known is CMAKE and sign in ("(", "TARGETS"):
+                is_target = sign == "TARGETS" or _ABOUT_TARGETS.match(holder)
+                return self.targets[word.text] if is_target else word.text
+            if word.text in self.packages and not word.chain and is_ours:
+                is_root = word.after == "::" or sign in ("namespace", "from", "import")
+                is_root = is_root or word.text in origin.ours
+                return self.packages[word.text] if is_root else word.text
             return word.text
 
         return exchange(known, text, by)
@@ -116,7 +135,7 @@ class Renaming:
         taken = self.taken.get(path, set())
         known = language(path, text)
         for number, line in enumerate(split(text) if taken else ()):
-            for word in taken & set(words(known, line)):
+            for word in taken & {word.text for word in words(known, line)}:
                 yield number, word
 
     def blocks(self, known: Language, path: str, text: str) -> list[Block]:
@@ -187,7 +206,17 @@ def plan(old: Tree, marked: Tree, marks: Sequence[Mark], mine: Iterable[str]) ->
         owned[before] = reader.numbers(path)
         text = file.text or ""
         known = language(before, text)
-        tokens[before] = set(words(known, text))
+        found = [*words(known, text)]
+        tokens[before] = {word.text for word in found}
+        plain = {
+            w.text for w in found if not w.chain or w.before[1] == "::" or w.chain[-1] in SELF
+        }
+        classes = {w.text for w in found if w.before[1] in ("class", "struct")}
+        renaming.classes |= {reader.both(word)[0] for word in classes}
+        renaming.vocabulary[before] = {reader.both(word)[0] for word in plain}
+        renaming.generated[before] = {line.strip() for line in split(reader.both(text)[0])}
+        if known in (CPP, PYTHON):
+            renaming.roots |= {*PurePosixPath(before).parts[:-1][known is CPP :][:1]}
         renaming.keys[before] = _keys(reader, before, text)
     _exchanges(renaming, reader, owned, tokens, {*old, *mine})
     return renaming
@@ -220,10 +249,11 @@ def _exchanges(
         members: dict[str, str] = {}
         for token in inner:
             before, after = reader.both(token)
-            if reader.owners(token) & owned.get(path, set()) or token in tokens.get(path, ()):
+            is_here = reader.owners(token) & owned.get(path, set()) or token in tokens.get(
+                path, ()
+            )
+            if is_here or (path not in owned and before not in ambiguous):
                 (members if reader.is_bare(token) else exact)[before] = after
-            elif path not in owned and not reader.is_bare(token) and before not in ambiguous:
-                exact[before] = after
         for token in gone:
             before, _ = reader.both(token)
             is_here = reader.owners(token) & owned.get(path, set()) or path not in owned

@@ -46,6 +46,11 @@ def report(
         for path, parts in sorted(result.back.items())
         for part in parts
     ]
+    others += [
+        f"yours     {path}: {part}, which the model makes now, too: compare"
+        for path, parts in sorted(result.own.items())
+        for part in parts
+    ]
     others += [f"still     {use}" for use in uses]
     others += [f"CONFLICT  {path}" for path in conflicts]
     if not changes and not files and not conflicts:

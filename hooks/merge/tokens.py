@@ -31,8 +31,8 @@ _CPP = re.compile(
     re.VERBOSE | re.DOTALL | re.MULTILINE,
 )
 _CMAKE = re.compile(
-    r"""(?P<comment> \#[^\n]* ) | (?P<plain> "(?: \\. | [^"\\] )*" )
-      | (?P<word> [A-Za-z_]\w* ) | (?P<sign> \S )""",
+    r"""(?P<plain> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] | "(?: \\. | [^"\\] )*" )
+      | (?P<comment> \#[^\n]* ) | (?P<word> [A-Za-z_]\w* ) | (?P<sign> \S )""",
     re.VERBOSE | re.DOTALL,
 )
 _PATTERNS = {PYTHON.name: _PYTHON, CPP.name: _CPP, CMAKE.name: _CMAKE}
@@ -45,9 +45,16 @@ class Word:
     text: str
     before: tuple[str, str]
     after: str
+    chain: tuple[str, ...] = ()
+    """The names before it, joined to it by signs: `a` and `b` of `a.b->word`."""
+    line: int = 0
+    """Counted from 0."""
 
 
-def exchange(known: Language, text: str, by: Callable[[Word], str]) -> str:
+_JOINTS = (".", "->", "::")
+
+
+def exchange(known: Language, text: str, by: Callable[[Word], str], line: int = 0) -> str:
     """Return a text with each word of its code exchanged; a text without code as it is."""
     pattern = _PATTERNS.get(known.name)
     if pattern is None:
@@ -55,40 +62,55 @@ def exchange(known: Language, text: str, by: Callable[[Word], str]) -> str:
     parts: list[str] = []
     at = 0
     signs = ("", "")
+    chain: tuple[str, ...] = ()
     for match in pattern.finditer(text):
         groups = match.groupdict()
         found = match[0]
+        line += text.count("\n", at, match.start())
         if groups.get("word"):
             after = text[match.end() : match.end() + 80].lstrip()
-            found = by(Word(found, signs, "::" if after.startswith("::") else after[:1]))
+            after = (
+                "::" if after.startswith("::") else after[:2] if after[:2] == "==" else after[:1]
+            )
+            chain = chain if signs[1] in _JOINTS else ()
+            found = by(Word(found, signs, after, chain, line))
+            chain = (*chain, match[0]) if match[0] not in ("from", "import") else ()
         elif groups.get("include"):
-            found = _path(found, by)
+            found = _path(found, by, line)
         elif groups.get("string") and "f" in (groups.get("prefix") or "").lower():
-            found = re.sub(r"\{[^{}]*\}", lambda m: exchange(known, m[0], by), found)
+            pieces = re.split(r"(\{[^{}]*\})", found)
+            pieces[1::2] = [exchange(known, part, by, line) for part in pieces[1::2]]
+            found = "".join(pieces)
         parts += [text[at : match.start()], found]
+        if match[0] in (")", "]"):
+            chain = (match[0],)
+        elif not groups.get("word") and match[0] not in _JOINTS and not groups.get("comment"):
+            chain = ()
+        line += match[0].count("\n")
         at = match.end()
         if not groups.get("comment"):
             signs = (signs[1], match[0])
     return "".join(parts) + text[at:]
 
 
-def _path(include: str, by: Callable[[Word], str]) -> str:
+def _path(include: str, by: Callable[[Word], str], line: int) -> str:
     """Exchange the words of an included file's path; the first part is that of a package."""
     head, quote, path = re.match(r"(.*?)([\"<])(.*)", include, re.DOTALL).groups()  # type: ignore[union-attr]
     words = re.split(r"(\W)", path)
     for i, word in enumerate(words):
         if re.match(r"[A-Za-z_]\w*$", word):
             follows = words[i + 1] if i + 1 < len(words) else ""
-            words[i] = by(Word(word, ("#", "include"), "::" if follows == "/" else follows))
+            after, chain = "::" if follows == "/" else follows, tuple(words[:i:2])
+            words[i] = by(Word(word, ("#", "include"), after, chain, line))
     return str(head + quote + "".join(words))
 
 
-def words(known: Language, text: str) -> Iterator[str]:
+def words(known: Language, text: str) -> Iterator[Word]:
     """Yield the words of code in a text."""
-    found: list[str] = []
+    found: list[Word] = []
 
     def keep(word: Word) -> str:
-        found.append(word.text)
+        found.append(word)
         return word.text
 
     exchange(known, text, keep)

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from ..changes import changed_answers, changes
+from ..changes import changed_answers, changes, left
 from ..dictionary import Dictionary
 from ..faults import SpecError
 from .builds import carry_build_files
 from .launch import carry_launch_files
 from .package import Result, merge_package
-from .proof import places, prove, uses
+from .proof import places, prove, uses, uses_of_left
+from .recount import recount
 from .renaming import Renaming, plan_renames
 from .render import Renderer, begin, recorded_answers
 from .report import Report, report
@@ -81,23 +82,35 @@ class Update:
 
         to_ros = int(ros[1] or 0) if ros[0] != ros[1] else None
         result = join(*trees, to_ros)
-        doubtful = prove(mine, old.tree, result, result.tree, renaming).lost
+        proof = prove(mine, old.tree, result, result.tree, renaming)
+        doubtful = [*proof.lost, *recount(*trees, result, result.tree, proof.left)]
         if doubtful:
             result = join(*trees, to_ros, {path for path, _ in doubtful})
         self.snapshot.put(result, {self.answers_file}, inline)
         found = read_paths(self.package, result.tree)
         proof = prove(mine, old.tree, result, found, renaming)
-        if proof.lost:
+        if lost := [*places(mine, proof.lost, renaming)]:
             raise SpecError(
                 "the update was undone, for it would have put lines of yours where you did not"
                 " write them; take these lines out and commit; update; put them in again:"
-                + "".join(f"\n  {place}" for place in places(mine, proof.lost[:20], renaming))
-                + "\n"
+                + _listed(lost)
+            )
+        if wrong := recount(*trees, result, found, proof.left):
+            raise SpecError(
+                "the update was undone, for these files would not be what both sides made of them;"
+                " take your changes of them out and commit; update; put them in again:"
+                + _listed(f"{path}: {what}" for path, what in wrong)
             )
         said = [*changed_answers(self.answers, answers)]
         said += changes(self.answers.get("spec") or {}, spec, dictionary)
-        still = uses(mine, old.tree, new.tree, found, renaming)
+        still = [*uses(mine, old.tree, new.tree, found, renaming)]
+        gone = left(self.answers.get("spec") or {}, spec, dictionary)
+        still += uses_of_left(gone, old.tree, new.tree, found)
         return report(self.package, self.snapshot.files, found, result, said, still, proof)
+
+
+def _listed(lines: Iterable[str]) -> str:
+    return "".join(f"\n  {line}" for line in [*lines][:20]) + "\n"
 
 
 def join(

@@ -15,7 +15,7 @@ from support.laboratory import specs
 from support.laboratory.edits import HABITS
 from support.laboratory.mutants import MUTANTS, OF_HABITS
 from support.laboratory.running import compiles, runs
-from support.laboratory.trials import DISTROS, MODELS, Counts, Laboratory, chain, trial
+from support.laboratory.trials import ALL_MODELS, DISTROS, MODELS, Counts, Laboratory, chain, trial
 
 TRIALS = int(os.environ.get("LAB_TRIALS", "20"))
 """Updates for each model and each ROS, and half as many of callbacks alone."""
@@ -52,7 +52,7 @@ def run(laboratory, has_ros1, model, distro, trials, ways=None):
         new_spec = specs.change(random, spec, only_logic, ways)
         moves = not only_logic and random.random() < 0.15
         other = random.choice(DISTROS) if moves else distro
-        old_version, version = random.choice(VERSIONS)
+        old_version, version = random.choice(VERSIONS if model in MODELS else VERSIONS[:2])
         pair = laboratory.pair(spec, new_spec, model, (distro, other), version, old_version)
         for _ in range(EACH):
             turn = check if counts.updates % 50 == 0 else None
@@ -69,7 +69,8 @@ def checks(model, distro, has_ros1):
     """Return what tells whether a package of this variant still runs, or compiles."""
     if model == "python_model":
         return runs
-    return compiles if distro == "noetic" and has_ros1 else None
+    is_built = model == "cpp_model" and distro == "noetic" and has_ros1
+    return compiles if is_built else None
 
 
 @pytest.mark.parametrize(("model", "distro"), VARIANTS)
@@ -82,7 +83,8 @@ def test_no_callback_changes_place(laboratory, has_ros1, model, distro):
     assert sum(counts.conflicts.values()) == 0
 
 
-@pytest.mark.parametrize(("model", "distro"), VARIANTS)
+@pytest.mark.parametrize("distro", DISTROS)
+@pytest.mark.parametrize("model", ALL_MODELS)
 def test_no_line_is_lost(laboratory, has_ros1, model, distro):
     """Edit everything, change everything."""
     counts = run(laboratory, has_ros1, model, distro, TRIALS)
@@ -201,6 +203,7 @@ def test_the_judge_sees_a_wrong_merge(pairs, mutant):
     for pair in pairs * (40 if mutant in OF_HABITS else 4):
         assert trial(random, pair, Counts(), ways=ways) == []
         complaints = trial(random, pair, Counts(), spoil, ways=ways)
+        complaints = [said for said in complaints if not said.startswith("proof: ")]
         assert complaints or not spoiled[-1], f"{mutant.__name__} was not seen"
         if sum(spoiled) == 3:
             break

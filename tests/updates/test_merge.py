@@ -6,6 +6,7 @@ import pytest
 
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
+from hooks.merge.recount import recount
 from hooks.merge.renaming import Renaming
 from hooks.merge.tree import EXECUTABLE, LINK, PLAIN, File
 from support.arm import MINE, NEW, OLD, PATH
@@ -230,7 +231,9 @@ def test_moved_file_of_a_renamed_node_is_renamed():
     """The developer has moved it; a rename of its node exchanges what is in it."""
     new = OLD.replace("Reach", "Grasp")
     renaming = Renaming(
-        paths={PATH: "arm/grasp_impl.py"}, in_file={PATH: {"ReachImpl": "GraspImpl"}}
+        paths={PATH: "arm/grasp_impl.py"},
+        in_file={PATH: {"ReachImpl": "GraspImpl"}},
+        vocabulary={PATH: {"ReachImpl"}},
     )
     trees = [{path: File(t.encode())} for path, t in (("arm/logic/mine.py", MINE), (PATH, OLD))]
     new_tree = {"arm/grasp_impl.py": File(new.encode())}
@@ -261,3 +264,63 @@ def test_bytes_of_another_encoding_do_not_make_a_merge_coarse(sign):
     assert result.removed == {path: ["serve_store"]}
     text = "".join(form.format(n, 0 if n == "estop" else f"{n}_1") for n in after)
     assert result.tree[path].data.split() == (first + text.encode()).split()
+
+
+BUILD = "project(arm)\n\nament_package()\n"
+CODE = "from arm.x import A\n\n\ndef run():\n    return A\n"
+
+
+@pytest.mark.parametrize(
+    ("path", "old", "place", "own", "generated"),
+    [
+        (
+            "CMakeLists.txt",
+            BUILD,
+            "ament_package",
+            "install(TARGETS core DESTINATION lib)\n\n",
+            "install(TARGETS\n  reach\n  DESTINATION lib/arm\n)\n\n",
+        ),
+        (
+            "arm/tools.py",
+            CODE,
+            "\n\ndef",
+            "from std_srvs.srv import Empty\n",
+            "from std_srvs.srv import Trigger\n",
+        ),
+    ],
+)
+def test_what_both_add_under_one_key_is_there_twice(path, old, place, own, generated):
+    mine, new = (old.replace(place, text + place, 1) for text in (own, generated))
+    trees = [{path: File(text.encode())} for text in (mine, old, new)]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    text = result.tree[path].text
+    assert not result.conflicts
+    assert text.count(own.strip()) == text.count(generated.strip()) == 1
+    assert result.own == {}
+
+
+@pytest.mark.parametrize(
+    ("path", "old", "own"),
+    [
+        ("arm/tools.py", CODE, "\n\ndef main():\n    return {}()\n"),
+        ("src/tools.cpp", "int run()\n{\n  return 1;\n}\n", "\nint main()\n{{\n  {}();\n}}\n"),
+        ("config/a.yaml", "a: 1\n", "\nmain: {}\n"),
+    ],
+)
+def test_what_has_one_name_and_both_make_stays_the_developers_and_is_said(path, old, own):
+    mine, new = (old + own.format(name) for name in ("mine", "run"))
+    trees = [{path: File(text.encode())} for text in (mine, old, new)]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    assert result.tree[path].text == mine
+    assert result.own == {path: ["main"]}
+    assert recount(*trees, Renaming(), {""}.__contains__, result, result.tree, []) == []
+
+
+def test_new_keys_reach_the_parameters_of_a_node_that_is_named():
+    old = "/**:\n  ros__parameters:\n    gain: 1.0\n    limit: 2\n"
+    mine = old.replace("/**", "/robot/worker").replace("1.0", "7.0")
+    trees = [{"config/a.yaml": File(t.encode())} for t in (mine, old, old + "    rate: 5\n")]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    assert result.tree["config/a.yaml"].text == mine + "    rate: 5\n"
+    assert prove(*trees[:2], result, result.tree, Renaming()).lost == []
+    assert recount(*trees, Renaming(), {""}.__contains__, result, result.tree, []) == []

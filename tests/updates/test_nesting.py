@@ -15,6 +15,7 @@ from support.laboratory.judge import nesting
 from support.laboratory.trials import Laboratory
 
 ARM, LEG, FOOT = ({"name": name, "frequency": 10, "items": []} for name in ("arm", "leg", "foot"))
+PUBLISHER = {"kind": "publisher", "name": "pose", "type": 0, "text": ""}
 
 
 @pytest.fixture(scope="module")
@@ -402,6 +403,28 @@ def test_target_of_a_renamed_node_has_its_new_name(update):
     found, _ = update("CMakeLists.txt", edit, [ARM, LEG], new_nodes)
     own[0] = own[0].replace("(leg", "(foot")
     assert "\n".join(["add_executable(foot src/foot_main.cpp)", *own, ""]) in found
+
+
+@pytest.mark.parametrize(
+    ("first", "last"),
+    [
+        ("install(\n  TARGETS leg\n", "  DESTINATION lib/${PROJECT_NAME}\n)"),
+        ("add_executable(leg src/leg_main.cpp)", "  DESTINATION lib/${PROJECT_NAME}\n)"),
+        ("ament_export_dependencies(", ")"),
+    ],
+)
+def test_condition_around_generated_cmake_holds_that_after_a_rename(update, first, last):
+    """Also where the first of a list has left, and another one is the first now."""
+    nodes = [{**LEG, "items": [PUBLISHER]}, {**ARM, "items": []}]
+    retyped = PUBLISHER | {"type": 1}
+    new_nodes = [{**LEG, "name": "foot", "was": "leg", "items": [retyped]}, nodes[1]]
+    edit = put_around(first, last, "if(MINE)", "endif()  # MINE")
+    found, _ = update("CMakeLists.txt", edit, nodes, new_nodes)
+    inside = found.partition("if(MINE)\n")[2].partition("endif()  # MINE")[0]
+    first = first.replace("leg", "foot")
+    assert inside.startswith(first), found
+    assert inside.rstrip().endswith(last)
+    assert found.count(first) == 1
 
 
 def test_callback_that_has_an_alternative_keeps_both(update):

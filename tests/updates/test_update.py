@@ -87,6 +87,43 @@ def test_removed_logic_is_said(arm, update_with):
     assert before != command.partition(":")[0]
 
 
+def test_uses_of_what_left_are_listed(arm, update_with):
+    """By where they come from, as those of a rename are; not what only looks like them."""
+    helper = "import gain\n\nprint(gain.gain, gain.out_pose_limit)  # out_pose of reach\n"
+    (arm / "arm/other.py").write_text(helper)
+    said = update_with(
+        ('    <publisher name="pose" type="std_msgs::Float64"/>\n', ""),
+        ('    <dynParameter name="gain" type="double" value="1"/>\n', ""),
+    )
+    text = (arm / "arm/reach_impl.py").read_text().split("\n")
+    number = 1 + next(i for i, line in enumerate(text) if "out_pose.data = config.gain" in line)
+    assert re.findall("^still +(.*)$", said, re.MULTILINE) == [
+        f"arm/reach_impl.py:{number}: {word}, which has left" for word in ("out_pose", "gain")
+    ]
+
+
+def test_last_line_says_whether_there_are_conflicts(arm, update_with, copier_command):
+    assert update_with(('frequency="10"', 'frequency="20"')).rstrip().split("\n")[-1] == (
+        "Done, without conflicts. To commit it, new files too: git add -A . && git commit"
+    )
+    commit(arm, "Update")
+    package_xml = arm / "package.xml"
+    text = package_xml.read_text()
+    package_xml.write_text(text.replace("An arm", "My arm"))
+    spec = arm / "arm.ros_package"
+    spec.write_text(spec.read_text().replace("An arm", "The arm"))
+    commit(arm, "Describe")
+    for way, word in (("rej", ".rej"), ("inline", "<<<<<<<")):
+        options = ("update", "--trust", "--defaults", f"--conflict={way}")
+        said = copier_command(*options, cwd=arm).stderr
+        assert said.rstrip().split("\n")[-1].startswith("Done, with conflicts. ")
+        assert [sign in said for sign in (".rej", "<<<<<<<")] == [
+            sign == word for sign in (".rej", "<<<<<<<")
+        ]
+        git(arm, "reset", "--hard", "--quiet")
+        git(arm, "clean", "-fdq")
+
+
 def test_logic_of_a_removed_interface_is_said(arm, update_with):
     said = update_with(
         ('    <serviceServer name="load" type="std_srvs::Trigger"/>\n    <s', "    <s")

@@ -42,6 +42,8 @@ class Edited:
     """Paths in which a callback was written before the spec had it."""
     around: dict = field(default_factory=dict)
     """By the mark of a line above a callback or node, that of the one below, and the name."""
+    exact: dict = field(default_factory=dict)
+    """By mark, lines that no rename changes: what they name is another's."""
     number: int = 0
 
     def follow(self, texts, moves, renamed):
@@ -115,6 +117,10 @@ def edit(random, texts, new_callbacks=(), only_logic=False, edited=None, ways=No
             write_logic(random, edited, path)
         elif not only_logic and random.random() < 0.6:
             edit_list(random, edited, path)
+        if not only_logic and random.random() < 0.3:
+            reshape(random, edited, path)
+    if not only_logic and random.random() < 0.3:
+        write_own_file(edited)
     for node, name in new_callbacks:
         write_ahead(random, edited, node, name)
     for habit in ("link", "format", "write_in_another_encoding", "end_lines_as_windows"):
@@ -399,6 +405,164 @@ def _header(random, edited, path, lines):
     at = next((i for i, line in enumerate(lines) if line.startswith("#include")), None)
     if at is not None:
         lines.insert(at, f"#include <cmath>  // {edited.mark(path)}")
+
+
+def reshape(random, edited, path):
+    """Write as developers do, but not as the model does."""
+    ways = [way for suffixes, way in SHAPES if path.endswith(suffixes)]
+    if ways and edited.texts[path].endswith("\n"):
+        lines = edited.texts[path].split("\n")
+        random.choice(ways)(random, edited, path, lines)
+        edited.texts[path] = "\n".join(lines)
+
+
+def _blank_end(random, edited, path, lines):
+    lines.append("")
+
+
+def _comment(random, edited, path, lines):
+    """Put a comment above an item, perhaps with an empty line after it."""
+    is_xml, is_cpp = path.endswith((".xml", ".launch")), path.endswith((".cpp", ".hpp"))
+    form = "<!-- {} -->" if is_xml else "// {}" if is_cpp else "# {}"
+    item = r"  <\w" if is_xml else r"[a-z_]+\(" if path.endswith(".txt") else r" *[\w/*]+:"
+    item = r"(  )?(\w+ )+\w+(::\w+)?\(" if is_cpp else item
+    places = [i for i, line in enumerate(lines) if i and re.match(item, line)]
+    if places:
+        at = random.choice(places)
+        margin = re.match(r"\s*", lines[at])[0]
+        gap = [""] if random.random() < 0.3 else []
+        lines[at:at] = [margin + form.format(edited.mark(path)), *gap]
+
+
+def _own_import(random, edited, path, lines):
+    """Make the import of the interface relative, or try it."""
+    start = next(
+        (i for i, line in enumerate(lines) if re.match(r"from \w+\.\w+_interface", line)), 0
+    )
+    if not start or lines[start].count("(") != 1:
+        return
+    end = next(i for i in range(start, len(lines)) if ")" in lines[i])
+    if random.random() < 0.5:
+        edited.replaced.setdefault(path, []).append(lines[start])
+        lines[start] = re.sub(r"from \w+\.", "from .", lines[start]) + f"  # {edited.mark(path)}"
+    else:
+        inside = ["    " + line for line in lines[start : end + 1]]
+        first, second, third = (edited.mark(path) for _ in range(3))
+        after = [f"except ImportError:  # {second}", f"    raise  # {third}"]
+        lines[start : end + 1] = [f"try:  # {first}", *inside, *after]
+
+
+def _definitions(path, lines):
+    form = (
+        r"  \w+ (\w+)\(" if path.endswith(".hpp") else r"\w+ \w+::((?:serve|receive|execute)\w+)\("
+    )
+    return [i for i, line in enumerate(lines) if re.match(form, line)]
+
+
+def _macro(random, edited, path, lines):
+    if places := _definitions(path, lines):
+        at = random.choice(places)
+        margin = re.match(r"\s*", lines[at])[0]
+        form = random.choice(("LAB_TRACE({})", "LAB_HOT  // {}", "[[gnu::hot]]  // {}"))
+        lines.insert(at, margin + form.format(edited.mark(path)))
+
+
+def _attribute(random, edited, path, lines):
+    if places := _definitions(path, lines):
+        at = random.choice(places)
+        edited.replaced.setdefault(path, []).append(lines[at])
+        margin, rest = re.match(r"(\s*)(.*)", lines[at]).groups()
+        form = random.choice(("__attribute__((hot)) ", "LAB_API(1) ", "LAB_API "))
+        lines[at] = f"{margin}{form}{rest}  // {edited.mark(path)}"
+
+
+def _ifdef(random, edited, path, lines):
+    """Put an indented condition around a declaration and the comment above it."""
+    if places := _definitions(path, lines):
+        first = last = random.choice(places)
+        while ";" not in lines[last] and "{" not in lines[last]:
+            last += 1
+        while lines[first - 1].lstrip().startswith("//") and ";" in lines[last]:
+            first -= 1
+        if ";" in lines[last] and not lines[first - 1].lstrip().startswith("#"):
+            lines.insert(last + 1, f"  #endif  // {edited.mark(path)}")
+            lines.insert(first, f"  # ifdef LAB_MINE  // {edited.mark(path)}")
+
+
+def _class_macro(random, edited, path, lines):
+    for at, line in enumerate(lines):
+        if re.match(r"class \w+$", line):
+            edited.replaced.setdefault(path, []).append(line)
+            lines[at] = line.replace("class ", "class LAB_API ") + f"  // {edited.mark(path)}"
+
+
+def _namespace(random, edited, path, lines):
+    """Close the namespace, and open it again."""
+    inside = lines.index("namespace lab") if "namespace lab" in lines else len(lines)
+    places = [i for i, line in enumerate(lines) if line == "}" and i > inside + 2]
+    if places:
+        at = random.choice(places) + 1
+        closed, opened, brace = (edited.mark(path) for _ in range(3))
+        lines[at:at] = ["", f"}}  // {closed}", f"namespace lab  // {opened}", f"{{  // {brace}"]
+
+
+def _fence(random, edited, path, lines):
+    fence = random.choice(("~~~", "````", "```"))
+    at = random.choice(
+        [i for i, line in enumerate(lines) if line.startswith("#")][1:] or [len(lines)]
+    )
+    inside = [f"## {edited.mark(path)}", *(["~~~"] if fence != "~~~" else ["```"])]
+    for line in (fence, inside[1]):
+        edited.repeated.setdefault(path, Counter())[line] += 1
+    lines[at:at] = [f"{fence} {edited.mark(path)}", *inside, fence, ""]
+
+
+def _heading(random, edited, path, lines):
+    if tables := [i for i, line in enumerate(lines[1:]) if line.startswith("|---")]:
+        at = random.choice(tables)
+        lines[at:at] = [f"### {edited.mark(path)}", ""]
+
+
+def _bracket(random, edited, path, lines):
+    form = random.choice(("#[=[ {} ( ]=]", r"set({} a\(b)", 'set({} [[")]])'))
+    at = random.choice([i for i, line in enumerate(lines) if re.match(r"[a-z_]+\(", line)])
+    lines.insert(at, form.format(edited.mark(path)))
+
+
+SHAPES = (
+    ((".py", ".cpp", ".hpp", ".xml", ".yaml", ".txt", ".md"), _blank_end),
+    ((".xml", ".launch", ".yaml", ".txt", ".hpp", "_impl.cpp"), _comment),
+    (("_impl.py",), _own_import),
+    (("_impl.hpp", "_impl.cpp"), _macro),
+    (("_impl.hpp", "_impl.cpp"), _attribute),
+    (("_impl.hpp",), _ifdef),
+    (("_impl.hpp",), _class_macro),
+    (("_impl.cpp",), _namespace),
+    ((".md",), _fence),
+    ((".md",), _heading),
+    ((".txt",), _bracket),
+)
+"""What is written in another way than the model does it, by the ends of paths."""
+
+
+def write_own_file(edited):
+    """Write a file of one's own that uses what only looks like the model's."""
+    nodes = [m[1] for path in edited.texts if (m := re.match(r"(?:src|lab)/(\w+)_impl\.", path))]
+    words = re.findall(r"\b(?:in|out)_\w+|\bserve_\w+", "".join(map(str, edited.texts.values())))
+    python = any(path.endswith("_impl.py") for path in edited.texts)
+    path, sign = ("lab/foreign.py", "#") if python else ("src/foreign.cpp", "//")
+    lines = []
+    for node in nodes:
+        name = _class(node)
+        forms = ("from kinematics import {0}Config", "print(msg.{2}, other.{1})", "{1} = 1")
+        if not python:
+            forms = ("using kin::{0}Config;", "int a_{1} = msg.{2} + other.{1};", '// "{1}"')
+        for form in forms:
+            mark = edited.mark(path)
+            word = (words or ["in_x"])[edited.number % len(words or [0])]
+            lines.append(form.format(name, node, word) + f"  {sign} {mark}")
+            edited.exact[mark] = lines[-1]
+    edited.texts[path] = edited.texts.get(path, "") + "\n".join([*lines, ""])
 
 
 WAYS = {

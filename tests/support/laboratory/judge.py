@@ -61,6 +61,9 @@ def judge(edited, old, new, tree, said, missing, moves, callbacks):
         lines = (line for path in marks.get(mark, []) for line in result[path].split("\n"))
         if any(re.search(rf"\b{mark}\b", line) and "\udce9" not in line for line in lines):
             complaints.append(f"{mark}: its encoding has changed")
+    for mark, line in edited.exact.items():
+        if mark in edited.lines and line not in "\n".join(result[p] for p in marks.get(mark, [])):
+            complaints.append(f"{mark}: a name of another has changed: {line}")
     complaints += _stays_deleted(edited, old, new, result, missing, moves, callbacks)
     deleted = {moves.get(path, path) for path in edited.deleted if isinstance(path, str)}
     places = {moves.get(origin, origin): path for path, origin in edited.moved.items()}
@@ -155,10 +158,17 @@ def _has(text, function):
     return re.search(rf"(^\s*def |::){function}\(", text, re.MULTILINE)
 
 
+def without_macros(text):
+    """Return C++ without what the developer has put before functions."""
+    return re.sub(
+        r"(?m)^\s*(LAB_TRACE\(\w+\)|(__attribute__\(\(hot\)\)|LAB_API(\(1\))?) )", "", text
+    )
+
+
 def enclosing(path, lines, at):
     """Return the name of the function that a line is in."""
     pattern = r"\s*def (\w+)\(" if path.endswith(".py") else r"(?:\w[\w:]* )*(?:\w+::)?(\w+)\("
-    for line in reversed(lines[: at + 1]):
+    for line in map(without_macros, reversed(lines[: at + 1])):
         match = re.match(pattern, line)
         if match and not line.startswith(("  ", "}", "#")) | path.endswith(".py"):
             return match[1]
@@ -190,7 +200,8 @@ def _template_side(edited, path, place, where, new, result, callbacks):
 def _parts(path, new, result, deleted):
     """Say which functions of the new version a formatted file has not, or has twice."""
     form = r"^\s*def (\w+)\(" if path.endswith(".py") else r"^(?:\w+ )?\w+::(\w+)\("
-    wanted, found = (Counter(re.findall(form, text, re.MULTILINE)) for text in (new, result))
+    texts = (new, without_macros(result))
+    wanted, found = (Counter(re.findall(form, text, re.MULTILINE)) for text in texts)
     return [
         f"{path}: {name} has {found[name]} bodies"
         for name, count in wanted.items()

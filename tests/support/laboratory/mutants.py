@@ -143,8 +143,9 @@ def words_exchanged(random, tree, edited, pair):
     before, after = pair.renaming.names[0]
     for path in _with_lines(tree, edited):
         text = re.sub(rf"\bmine_|\b{before}\b", f"{after}_", tree[path].text, count=1)
+        was = tree[path].text
         _write(tree, path, text)
-        return True
+        return text != was
     return False
 
 

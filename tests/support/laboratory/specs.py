@@ -133,14 +133,17 @@ def callbacks(node):
     return found
 
 
-def xml(spec):
-    """Write a spec."""
+def xml(spec, model=""):
+    """Write a spec; nodes are in the one or the other language where a model has both."""
+    is_mixed = model.startswith("mixed")
     lines = [
         '<package name="lab" author="A" author_email="a@example.org" license="MIT"'
         f" description={quoteattr(spec['description'])}>"
     ]
     for node in spec["nodes"]:
         was = f' was="{node["was"]}"' if node.get("was") else ""
+        language = ("python", "cpp")[len(node.get("was") or node["name"]) % 2] if is_mixed else ""
+        was += f' language="{language}"' if language else ""
         lines.append(f'  <node name="{node["name"]}" frequency="{node["frequency"]}"{was}>')
         for item in node["items"]:
             kind = item["kind"]

@@ -20,6 +20,7 @@ from hooks.dictionary import load
 from hooks.merge.moves import moved_files
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
+from hooks.merge.recount import recount
 from hooks.merge.renaming import Renaming, plan
 from hooks.merge.tree import File, encode, read_folder, remove, write
 from hooks.model import Model
@@ -31,6 +32,7 @@ from support.repository import commit, copy_collection, git
 
 ANSWERS = ".copier-answers.yml"
 MODELS = ("python_model", "cpp_model")
+ALL_MODELS = (*MODELS, "mixed_model")
 DISTROS = ("noetic", "kilted")
 
 
@@ -48,12 +50,15 @@ class Counts:
     moved: Counter = field(default_factory=Counter)
     """The same in packages that move to the other ROS, where generated code is another."""
     wrong: list = field(default_factory=list)
+    doubtful: int = 0
+    """Updates in which a proof has made a conflict of what the merge gave."""
 
     def row(self):
         return (
             f"{self.updates} updates, {self.lines} lines, {self.edited_files} edited files,"
             f" {self.both_changed} of them changed by both sides: {len(self.wrong)} wrong,"
             f" {sum(self.conflicts.values())} conflicts {dict(self.conflicts)},"
+            f" {self.doubtful} merges in doubt,"
             f" {sum(self.moved.values())} in moves to the other ROS {dict(self.moved)}"
         )
 
@@ -90,11 +95,11 @@ class Laboratory:
         layouts.flatten(self.versions["0.9.0"])
         second_version(self.collection)
         self.versions["2.0.0"] = self._version("2.0.0")
-        self.models = {model: Model(self.collection / model, self.collection) for model in MODELS}
+        self.models = {name: Model(self.collection / name, self.collection) for name in ALL_MODELS}
         self.renderers = {
             (version, model): DirectRenderer(source, model)
             for version, source in self.versions.items()
-            for model in MODELS
+            for model in (ALL_MODELS if version != "0.9.0" else MODELS)
         }
         self.number = 0
 
@@ -114,10 +119,10 @@ class Laboratory:
         commit(folder, "Render")
         return folder
 
-    def pair(self, spec, new_spec, model, distros, version, old_version="1.0.0"):
-        """Render both sides of an update."""
+    def pair(self, spec, new_spec, model, distros, version, old_version="1.0.0", own=()):
+        """Render both sides of an update; `own` are paths of the developer's own files."""
         known = self.models[model]
-        xmls = [specs.xml(one) for one in (spec, new_spec)]
+        xmls = [specs.xml(one, model) for one in (spec, new_spec)]
         contexts = [
             known.context(xml.encode(), "lab.ros_package", distro)
             for xml, distro in zip(xmls, distros, strict=True)
@@ -132,13 +137,13 @@ class Laboratory:
         context, marks = marked(*contexts, known.dictionary)
         renaming = Renaming()
         if any(mark.before != mark.after for mark in marks):
-            marked_render = _tree(renderers[0].render(context, distros[0]))
-            renaming = plan(_tree(old), marked_render, marks, old)
+            marked_render = tree_of(renderers[0].render(context, distros[0]))
+            renaming = plan(tree_of(old), marked_render, marks, [*old, *own])
         source = self.versions[version]
         dictionary = load(source / model / "dictionary.yaml", source)
         layout = moved_files(contexts[1], dictionary) if version != old_version else {}
         renaming.follow(layout, old, new)
-        renaming.move(_tree(old), _tree(new))
+        renaming.move(tree_of(old), tree_of(new))
         kept = {path for path in {*old, *new} if path.endswith((".ros_package", "CHANGELOG.md"))}
         return Pair(
             spec, new_spec, old, new, renaming, kept.__contains__, len({*distros}) > 1, layout
@@ -155,28 +160,37 @@ def trial(random, pair, counts, mutate=None, check=None, **options):
 
     """
     edited = edit(random, pair.old, ahead(random, pair), **options)
-    edited.texts["lab.ros_package"] = specs.xml(pair.new_spec)
-    mine, old, new = edited.tree(), _tree(pair.old), _tree(pair.new)
+    edited.texts["lab.ros_package"] = pair.new["lab.ros_package"]
+    mine, old, new = edited.tree(), tree_of(pair.old), tree_of(pair.new)
     trees = (mine, old, new, pair.renaming, pair.is_kept)
     result = merge_package(*trees)
-    if doubtful := prove(mine, old, result, result.tree, pair.renaming).lost:
-        # As an update does: what the proof does not find in its place becomes a conflict.
+    if doubtful := doubts(trees, result):
+        # As an update does: what the proofs do not find in its place becomes a conflict.
+        counts.doubtful += 1
         result = merge_package(*trees, unmerged={path for path, _ in doubtful})
     if mutate:
         mutate(random, result.tree, edited, pair)
     texts = {path: file.text or "" for path, file in result.tree.items()}
+    left = prove(mine, old, result, result.tree, pair.renaming).left
     said = {*result.left, *_said(result.removed)}
+    said |= {mark for *_, line in left for mark in re.findall(r"\bmine_\d+\b", line)}
     missing = {path for path, parts in result.missing.items() if "" in parts}
     missing |= {*_said(result.missing)}
     places, names = moves(pair, edited), renamed(pair, edited)
     complaints = judge(edited, pair.old, pair.new, result.tree, said, missing, places, names)
     complaints += unjustified(pair, result, names)
-    proof = prove(mine, old, result, result.tree, pair.renaming)
-    complaints += [f"proof: {path}: {line}" for path, line in proof.lost]
+    complaints += [f"proof: {path}: {line}" for path, line in doubts(trees, result)]
     if check and not result.conflicts:
         complaints += check(mine, result.tree, edited, pair, names)
     count(counts, pair, edited, texts, complaints)
     return complaints
+
+
+def doubts(trees, result):
+    """Return what the two proofs do not find as it should be."""
+    mine, old, _, renaming, _ = trees
+    proof = prove(mine, old, result, result.tree, renaming)
+    return proof.lost + recount(*trees, result, result.tree, proof.left)
 
 
 def chain(random, laboratory, model, distro, length, counts, check=None):
@@ -415,7 +429,7 @@ def _texts(folder):
     }
 
 
-def _tree(texts):
+def tree_of(texts):
     return {path: File(encode(text)) for path, text in texts.items()}
 
 
@@ -458,8 +472,9 @@ def second_version(collection):
         assert files
         for file in files:
             file.rename(file.with_name(after))
-    for model in MODELS:
+    for model in ALL_MODELS:
         (collection / model / "template/EXTRA.md.jinja").write_text("An added file.\n")
+    for model in MODELS:  # and so for a model that includes these
         moved = collection / model / "moved_files.yaml"
         moved.write_text(moved.read_text() + MOVED_FILES)
     commit(collection, "Second version", tag="2.0.0")

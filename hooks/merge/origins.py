@@ -1,0 +1,164 @@
+"""Where the names of a file come from: from the package itself, or from elsewhere.
+
+It is not how a name looks that tells. In doubt it is from elsewhere.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, field
+
+from .languages import CPP, PYTHON, Language
+from .python_blocks import parse
+from .tokens import Word
+
+SELF = ("self", "cls", "this")
+_HOLDERS = re.compile(r"_?(config|data|passthrough)_?")
+"""What the logic calls the objects that hold parameters and messages."""
+
+
+def is_holder(name: str) -> bool:
+    """Say whether an object is one of these by its name."""
+    return bool(_HOLDERS.fullmatch(name))
+
+
+@dataclass
+class Origins:
+    """What the code of a file says of its names."""
+
+    ours: set[str] = field(default_factory=set)
+    foreign: set[str] = field(default_factory=set)
+    holders: set[str] = field(default_factory=set)
+    """Names of objects whose classes are of the package."""
+    keywords: set[str] = field(default_factory=set)
+    """Those of arguments of these classes."""
+    imports: dict[int, bool] = field(default_factory=dict)
+    """By line of an import, the first counted 0, whether it is of the package."""
+
+    def has(self, word: Word, known: Collection[str]) -> bool:
+        """Say whether a word is a name of the package; `known` are those that are, by themselves.
+
+        A member is one where the object, the module, the namespace before it is.
+        """
+        if word.line in self.imports:
+            return self.imports[word.line]
+        if (word.chain or (word.text,))[0] in self.foreign:
+            return False
+        if not word.chain:
+            is_argument = word.after == "=" and word.text in self.keywords
+            return is_argument or word.text in self.ours or word.text in known
+        holder = word.chain[-1]
+        if holder in SELF:
+            return word.text in known
+        if all(part in known or part in self.ours for part in word.chain):
+            return True
+        is_own = len(word.chain) == 1 or (len(word.chain) == 2 and word.chain[0] in SELF)
+        return is_own and (holder in self.holders or is_holder(holder))
+
+
+def origins(
+    known: Language,
+    text: str,
+    roots: Collection[str],
+    names: Collection[str],
+    classes: Collection[str],
+) -> Origins:
+    """Read where the names of a file come from.
+
+    Args:
+        known: the language of the text.
+        text: all of a file.
+        roots: the package's own modules, or folders of headers.
+        names: what is looked for.
+        classes: the classes of the package.
+
+    """
+    if known is PYTHON:
+        try:
+            return _python(parse(text), roots, names, classes)
+        except ValueError:
+            return Origins()
+    return _cpp(text, roots, names, classes) if known is CPP else Origins()
+
+
+def _python(
+    tree: ast.Module, roots: Collection[str], names: Collection[str], classes: Collection[str]
+) -> Origins:
+    found = Origins()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom):
+            is_ours = bool(node.level) or (node.module or "").split(".")[0] in roots
+            bound = {alias.asname or alias.name for alias in node.names}
+            (found.ours if is_ours else found.foreign).update(bound)
+            found.ours |= {*names} if is_ours and "*" in bound else set()
+            lines = range(node.lineno - 1, node.end_lineno or node.lineno)
+            found.imports |= dict.fromkeys(lines, is_ours)
+        elif isinstance(node, ast.Import):
+            for alias in node.names:
+                root = alias.name.split(".")[0]
+                is_ours = root in roots
+                bound = {alias.asname} if alias.asname else {*alias.name.split(".")}
+                (found.ours if is_ours else found.foreign).update(bound)
+                found.imports[node.lineno - 1] = is_ours or found.imports.get(
+                    node.lineno - 1, False
+                )
+        elif isinstance(node, ast.Call) and _last(node.func) in classes:
+            found.keywords |= {keyword.arg for keyword in node.keywords if keyword.arg}
+    found.foreign -= found.ours
+    for target, value in _bindings(tree):
+        if {*_words(value)} & {*classes} - found.foreign or (
+            isinstance(value, ast.Name | ast.Attribute)
+            and (_last(value) in found.holders or is_holder(_last(value)))
+        ):
+            found.holders.add(target)
+    return found
+
+
+def _bindings(tree: ast.Module) -> Iterator[tuple[str, ast.expr]]:
+    """Yield the names of arguments and variables, each with its type or its value."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.arg) and node.annotation:
+            yield node.arg, node.annotation
+        elif isinstance(node, ast.AnnAssign):
+            yield _last(node.target), node.annotation
+        elif isinstance(node, ast.Assign):
+            is_made = isinstance(node.value, ast.Call)
+            value = node.value.func if isinstance(node.value, ast.Call) else node.value
+            if is_made or isinstance(value, ast.Name | ast.Attribute):
+                yield from ((_last(target), value) for target in node.targets)
+
+
+def _last(node: ast.expr) -> str:
+    """Return the last word of a name with dots."""
+    return str(getattr(node, "attr", getattr(node, "id", "")))
+
+
+def _words(node: ast.expr) -> Iterator[str]:
+    """Yield the words of a type, those in quotes too."""
+    yield from re.findall(r"\w+", ast.unparse(node))
+
+
+_INCLUDE = re.compile(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"](\w+)/')
+_USING = re.compile(r"\busing\s+(?:(namespace)\s+)?(?:(\w+)\s*=\s*)?(?:::)?(\w+)(?:::(\w+))*\s*;")
+
+
+def _cpp(
+    text: str, roots: Collection[str], names: Collection[str], classes: Collection[str]
+) -> Origins:
+    found = Origins()
+    is_user = any(root in roots for root in _INCLUDE.findall(text))
+    for kind, alias, root, last in _USING.findall(text):
+        if root not in {*roots, *classes, "std"}:
+            is_user = is_user and not kind
+            found.foreign |= {alias or last} - {""}
+    if is_user:
+        found.ours |= {*names}
+    types = "|".join(map(re.escape, {*classes} - found.foreign)) or "(?!)"
+    spaces = "|".join(map(re.escape, roots)) or "(?!)"
+    ours = rf"(?<![\w:])(?:(?:::)?(?:{spaces})::)?(?:{types})\b"
+    declared = rf"{ours}[\s&*>)]*(?:const\b)?[\s&*]*\b(\w+)\b(?!\s*::)"
+    made = rf"\bauto\b[\s&*]*(\w+)\s*=[^;=]*?{ours}"
+    found.holders |= {*re.findall(declared, text), *re.findall(made, text)}
+    return found

@@ -1,0 +1,289 @@
+"""A second proof, with eyes of its own: it knows no block and no matching of the merge.
+
+It counts. A line is there as often as the new version has it, more what the developer has added,
+less what they have deleted. And what was sound is so: brackets, conditions, fences, keys, names.
+"""
+
+from __future__ import annotations
+
+import ast
+import builtins
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+import yaml
+
+from .blocks import unicode
+from .lines import plain
+from .package import Result
+from .python_blocks import parse
+from .renaming import Renaming
+from .tree import LINK, File, Tree
+
+_WORD = re.compile(r"(?<=\bfrom )\s*\w*\.(?=\w)|(\w+|[<>=!&|+.:~%${}-])")
+"""What is no form: words and signs, without what makes an import relative."""
+Places = list[tuple[str, str]]
+
+
+def _tight(text: str) -> str:
+    """Return a text without what a formatter changes: blanks, quotes, brackets, commas."""
+    return "".join(f"\t{word}\n" for word in _WORD.findall(text) if word)
+
+
+class _Text:
+    """A text, and how often something stands in it, whatever the form of both."""
+
+    def __init__(self, text: str) -> None:
+        self.tight = _tight(text)
+        lines = ((line.strip(), _tight(line)) for line in text.split("\n"))
+        self.lines = [(line, tight) for line, tight in lines if tight]
+
+    def __getitem__(self, tight: str) -> int:
+        return self.tight.count(tight)
+
+
+def recount(
+    mine: Tree,
+    old: Tree,
+    new: Tree,
+    renaming: Renaming,
+    is_kept: Callable[[str], bool],
+    result: Result,
+    found: Tree,
+    left: Iterable[tuple[str, int, str]],
+) -> Places:
+    """Return what is wrong with `found`: paths, and what is there too often, or is not.
+
+    `left` are the developer's lines that left with what the summary names.
+    """
+    excused: dict[str, str] = {}
+    for path, _, line in left:
+        excused[path] = f"{excused.get(path, '')}{line}\n"
+    carried = {path for targets, _ in result.carried.values() for path in targets}
+    places = {renaming.path(path): path for path in old}
+    wrong = [*_files(mine, old, new, renaming, is_kept, result, found)]
+    for path, file in mine.items():
+        target = renaming.path(path)
+        origin = result.origins.get(target) or places.get(target, path)
+        made = renaming.path(origin)
+        others = ((old, origin), (new, made), (found, target))
+        files = [file, *(tree.get(place, File(b"")) for tree, place in others)]
+        texts = [one.text for one in files]
+        if None in texts or not texts[3] or target in result.conflicts or is_kept(target):
+            continue
+        if files[0] == files[1] and files[2] == files[3]:
+            continue
+        ours, base, theirs, there = (plain(text or "") for text in texts)
+        ours, base = (renaming.text(origin, text) for text in (ours, base))
+        if target not in carried:
+            sides = [_Text(text) for text in (ours, base, theirs, there)]
+            parts = [*result.own.get(target, []), *result.missing.get(target, [])]
+            excuse = excused.get(path, "") + _about(theirs, parts)
+            lines = _lines(sides, _Text(excuse), target in result.missing)
+            wrong += ((target, line) for line in lines)
+        faults = _faults(target, there)
+        for side in (ours, theirs) if faults else ():
+            faults -= _faults(target, side)
+        wrong += ((target, fault) for fault in sorted(faults))
+    return wrong + _halves(mine, old, new, found, result, renaming)
+
+
+def _files(
+    mine: Tree,
+    old: Tree,
+    new: Tree,
+    renaming: Renaming,
+    is_kept: Callable[[str], bool],
+    result: Result,
+    found: Tree,
+) -> Iterator[tuple[str, str]]:
+    """Yield the files that should be there, or should not, or are of another sort."""
+    had, have = (
+        {renaming.path(path): file for path, file in tree.items()} for tree in (old, mine)
+    )
+    moved = {renaming.path(path): target for target, path in result.origins.items()}
+    due = {
+        moved.get(path, path) for path in new if path not in had or moved.get(path, path) in have
+    }
+    due |= {p for p in have if p not in had or is_kept(p) or (have[p].mode == LINK and p in new)}
+    may = due | {path for path in new if is_kept(path)} | {*result.conflicts}
+    for path in sorted(due ^ {*found}):
+        if path in due or path not in may:
+            yield path, "the file"
+    for path, file in have.items():
+        there = found.get(path, file)
+        is_windows = [b"\r\n" in one.data for one in (file, there)]
+        wanted = new.get(path) if file == had.get(path) else file
+        if LINK in (file.mode, there.mode) and there != wanted:
+            yield path, "the link"
+        elif path not in result.conflicts and file.text and is_windows == [True, False]:
+            yield path, "the ends of its lines"
+
+
+def _about(text: str, parts: Iterable[str]) -> str:
+    """Return the paragraphs of a text that have the names of parts."""
+    names = {name for part in parts for name in re.findall(r"\w+", part)[-1:]}
+    found = [p for p in re.split(r"\n\s*\n", text) if names & {*re.findall(r"\w+", p)}]
+    return "\n".join(found)
+
+
+def _lines(sides: Sequence[_Text], excused: _Text, has_missing: bool) -> Iterator[str]:
+    """Yield the lines that are there too often, or not often enough.
+
+    `excused` has those that left, and those in whose place is what the developer has written.
+    """
+    mine, old, new, found = sides
+    is_deleted = False  # what stands above in the new version
+    above = [""] * 3
+    seen: set[str] = set()
+    for side in (new, mine, found):
+        for line, tight in side.lines:
+            ours, before, theirs, there = (text[tight] for text in sides)
+            is_first, above = tight not in seen, [*above[1:], tight]
+            seen.add(tight)
+            if side is new and before:
+                is_deleted = has_missing and ours < before
+                place = "".join(above)
+                if ours < before and old[place] and found[place] and not mine[place]:
+                    yield f"{line} (deleted)"
+            if is_first and any(letter.isalnum() for letter in tight):
+                added, deleted = max(0, ours - before), max(0, before - ours)
+                both = added and theirs > before
+                least = max(theirs, ours) if both else theirs + added - deleted
+                least = 0 if side is new and is_deleted else least - excused[tight]
+                if there > theirs + added or there < least:
+                    yield f"{line} ({there} times)"
+
+
+def _faults(path: str, text: str) -> set[str]:
+    """Return what is not sound in a text."""
+    return next((find(text) for suffixes, find in _SOUND if path.endswith(suffixes)), set())
+
+
+def _unbound(text: str) -> set[str]:
+    """Return the names of Python that are used and bound nowhere."""
+    try:
+        nodes = [*ast.walk(parse(text))]
+    except ValueError:
+        return {"cannot be read any more"}
+    bound = {*dir(builtins), "__file__", "*"}
+    for node in nodes:
+        name = getattr(node, "asname", None) or getattr(node, "name", getattr(node, "arg", None))
+        bound |= {name.split(".")[0]} if isinstance(name, str) else set()
+        bound |= (
+            {node.id} if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) else set()
+        )
+    used = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
+    stars = any(isinstance(n, ast.alias) and n.name == "*" for n in nodes)
+    return set() if stars else {f"{name} is not defined" for name in used - bound}
+
+
+def _keys_twice(text: str) -> set[str]:
+    try:
+        nodes = [*yaml.compose_all(unicode(text), yaml.SafeLoader)]
+    except yaml.YAMLError:
+        return {"cannot be read any more"}
+    twice: set[str] = set()
+    while nodes:
+        node = nodes.pop()
+        if isinstance(node, yaml.CollectionNode):
+            is_map = isinstance(node, yaml.MappingNode)
+            counts = Counter(str(key.value) for key, _ in node.value) if is_map else Counter()
+            twice |= {f"{key} is there {n} times" for key, n in counts.items() if n > 1}
+            nodes += [value for _, value in node.value] if is_map else node.value
+    return twice
+
+
+def _unbalanced(ignored: str, *pairs: tuple[str, str]) -> Callable[[str], set[str]]:
+    """Return what finds the signs that open or close nothing, but for those in what is ignored."""
+    skip = re.compile(ignored, re.DOTALL)
+    forms = [re.compile(f"(?m)({opens})|{closes}") for opens, closes in pairs]
+
+    def find(text: str) -> set[str]:
+        code = skip.sub(" ", text)
+        found: set[str] = set()
+        for form in forms:
+            depths, depth = [0], 0
+            for match in form.finditer(code):
+                depth += 1 if match[1] else -1
+                depths.append(depth)
+            if min(depths) < 0 or depth:
+                found.add(f"{form.pattern[5:]} do not match")
+        return found
+
+    return find
+
+
+_STRING = r'"(?:\\.|[^"\\\n])*"'
+_COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+_WORDS = r"\b{}(?:if|foreach|while|function|macro|block)\s*\("
+_SOUND: tuple[tuple[str | tuple[str, ...], Callable[[str], set[str]]], ...] = (
+    (".py", _unbound),
+    ((".yaml", ".yml"), _keys_twice),
+    (
+        ".md",
+        lambda text: {"a fence is open"} if len(re.findall(r"(?m)^ *```", text)) % 2 else set(),
+    ),
+    (
+        (".cpp", ".hpp", ".h", ".cc"),
+        _unbalanced(
+            rf"{_COMMENTS.pattern}|{_STRING}|'(?:\\.|[^'\\\n])'",
+            (r"\{", r"\}"),
+            (r"\(", r"\)"),
+            (r"^[ \t]*#[ \t]*if", r"^[ \t]*#[ \t]*endif"),
+        ),
+    ),
+    (
+        ("CMakeLists.txt", ".cmake"),
+        _unbalanced(
+            rf"#?\[(=*)\[.*?\]\1\]|#[^\n]*|{_STRING}",
+            (r"\(", r"\)"),
+            (_WORDS.format(""), _WORDS.format("end")),
+        ),
+    ),
+)
+
+
+def _halves(
+    mine: Tree, old: Tree, new: Tree, found: Tree, result: Result, renaming: Renaming
+) -> Places:
+    """Return the functions of C++ that are but declared, or but defined, and were both."""
+    if any(path.endswith((".cpp", ".hpp")) for path in result.conflicts):
+        return []
+    before, ours = ({p: renaming.text(p, f.text or "") for p, f in t.items()} for t in (old, mine))
+    versions = [ours, before, *({p: f.text or "" for p, f in t.items()} for t in (new, found))]
+    codes = [
+        {p: _COMMENTS.sub("", text) for p, text in one.items() if p.endswith((".cpp", ".hpp"))}
+        for one in versions
+    ]
+    defined = [_defined(code) for code in codes]
+    wrong: Places = []
+    classes = {cls for cls, _ in defined[2]}  # a file of another may be the developer's now
+    for name in {one for one in {*defined[1], *defined[2]} if one[0] in classes}:
+        has = [
+            (name in names, _declared(code, name))
+            for names, code in zip(defined, codes, strict=True)
+        ]
+        if (True, True) in has[1:3] and has[3][0] != has[3][1] and has[0][0] == has[0][1]:
+            places = {renaming.path(defined[1].get(name, "")), defined[2].get(name, "")}
+            wrong += ((path, f"{'::'.join(name)} is but half there") for path in places if path)
+    return wrong
+
+
+_DEFINITION = re.compile(r"(?m)^[A-Za-z_][^\n;={}#]*?\b(\w+)::(~?\w+)\s*\(")
+
+
+def _defined(code: dict[str, str]) -> dict[tuple[str, str], str]:
+    """Return the members that sources define, each with its path."""
+    found: dict[tuple[str, str], str] = {}
+    for path, text in code.items():
+        found |= {(c, n): path for c, n in _DEFINITION.findall(text) if path.endswith(".cpp")}
+    return found
+
+
+def _declared(code: dict[str, str], member: tuple[str, str]) -> bool:
+    """Say whether a header with a class names a member of it."""
+    forms = rf"\b(?:class|struct)\b[^;{{]*\b{member[0]}\b", rf"(?<![\w:]){member[1]}\s*\("
+    headers = [text for path, text in code.items() if path.endswith(".hpp")]
+    return any(all(re.search(form, text) for form in forms) for text in headers)

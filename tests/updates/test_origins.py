@@ -1,0 +1,178 @@
+"""A rename exchanges the package's own names; where a name comes from decides, not its look."""
+
+import pytest
+
+from hooks.merge.languages import CMAKE
+from hooks.merge.tokens import words
+from support.arm import SPEC
+from support.laboratory.trials import Laboratory
+from support.repository import commit, git
+
+KINDS = {
+    "directSubscriber": "say",
+    "subscriber": "goal",
+    "serviceServer": "load",
+    "dynParameter": "gain",
+    "publisher": "pose",
+}
+NAMES = {"say": "speak", "goal": "target", "load": "fetch", "gain": "factor", "pose": "place"}
+ITEMS = [{"kind": kind, "name": name, "type": 0, "text": ""} for kind, name in KINDS.items()]
+NEW_ITEMS = [{**item, "name": NAMES[item["name"]], "was": item["name"]} for item in ITEMS]
+OLD = {"name": "reach", "frequency": 10, "items": ITEMS}
+NEW = {"name": "grasp", "was": "reach", "frequency": 10, "items": NEW_ITEMS}
+
+
+OWN = {"python_model": "lab/tools.py", "cpp_model": "src/tools.cpp"}
+
+
+@pytest.fixture(scope="module")
+def pairs(tmp_path_factory):
+    laboratory = Laboratory(tmp_path_factory.mktemp("lab"))
+    specs = [{"description": "Arms", "nodes": [node]} for node in (OLD, NEW)]
+    return {
+        model: laboratory.pair(*specs, model, ("kilted", "kilted"), "1.0.0", own=[path])
+        for model, path in OWN.items()
+    }
+
+
+FOREIGN = [
+    "from kinematics import ReachConfig\n\nuse(ReachConfig(gain=1))\n",
+    "from serial_lib import (\n    A,\n    SayMessage as B,\n    SayMessage,\n)\n\nSayMessage()\n",
+    "import serial_lib\n\nserial_lib.SayMessage().in_goal\n",
+    "import vendor.lab.reach_interface as r\n\nr.ReachData()\n",
+    "from vendor import reach_interface\n\nreach_interface.ReachData()\n",
+    "import reach_interface\n\nreach_interface.ReachData()\n",
+    "def turn(msg):\n    return msg.in_goal + msg.data.in_goal\n",
+    "class ReachData:\n    in_goal = 1\n\n\nReachData().in_goal\n",
+    "def receive_say(in_goal):\n    return in_goal\n",
+    "try:\n    from vendor import ReachData\nexcept ImportError:\n    ReachData = None\n",
+    "import vendor as data\n\ndata.in_goal\n",
+    "in_goal = 3\nprint(f'{in_goal} {x.in_goal}')\n",
+    "move(in_goal=3)\n",
+]
+OURS = {
+    "from lab.reach_interface import ReachConfig\n\nReachConfig(gain=1)\n": (
+        "from lab.grasp_interface import GraspConfig\n\nGraspConfig(gain=1)\n"
+    ),
+    "from lab.reach_interface import (  # a\n    A,\n    ReachData as B,\n)\n\nB(in_goal=1)\n": (
+        "from lab.grasp_interface import (  # a\n    A,\n    GraspData as B,\n)\n\nB(in_goal=1)\n"
+    ),
+    "from .reach_interface import ReachData\n\nReachData(in_goal=1).x\n": (
+        "from .grasp_interface import GraspData\n\nGraspData(in_target=1).x\n"
+    ),
+    "from . import reach_impl, reach_interface\n\nx = reach_interface.ReachData()\nx.in_goal\n": (
+        "from . import grasp_impl, grasp_interface\n\n"
+        "x = grasp_interface.GraspData()\nx.in_target\n"
+    ),
+    "import lab.reach_interface as r\n\n\ndef f(d: r.ReachData):\n    d.in_goal\n": (
+        "import lab.grasp_interface as r\n\n\ndef f(d: r.GraspData):\n    d.in_target\n"
+    ),
+    "import lab.reach_interface\n\nlab.reach_interface.ReachData\n": (
+        "import lab.grasp_interface\n\nlab.grasp_interface.GraspData\n"
+    ),
+    "def f(data, config):\n    return f'{data.in_goal} {config.gain}'\n": (
+        "def f(data, config):\n    return f'{data.in_target} {config.factor}'\n"
+    ),
+    "class A:\n    def f(self):\n        self._data.in_goal = self.msg.in_goal\n": (
+        "class A:\n    def f(self):\n        self._data.in_target = self.msg.in_goal\n"
+    ),
+    "from lab.reach_impl import ReachImpl\n\nimpl = ReachImpl()\nimpl.receive_say(1)\n": (
+        "from lab.grasp_impl import GraspImpl\n\nimpl = GraspImpl()\nimpl.receive_speak(1)\n"
+    ),
+    "def f(d: 'ReachData'):\n    d.in_goal\n": "def f(d: 'ReachData'):\n    d.in_target\n",
+}
+CPP_FOREIGN = [
+    "#include <vendor/reach_interface.hpp>\nvendor::ReachConfig a;\nReachConfig b;\n",
+    '#include "vendor/lab/reach_interface.hpp"\n',
+    '#include "lab/mine.hpp"\nvendor::SayMessage a;\nint b = a.in_goal;\n',
+    "struct Own\n{\n  int in_goal;\n};\nint f(const Own & msg) {return msg.in_goal;}\n",
+    "#include <lab/mine.hpp>\nusing vendor::ReachData;\nReachData a;\nint b = a.in_goal;\n",
+    "#include <lab/mine.hpp>\nusing namespace vendor;\nReachData a;\n",
+    "ReachData a;\n",
+]
+CPP_OURS = {
+    '#include "lab/reach_interface.hpp"\nint f(const lab::ReachData & d) {d.in_goal;}\n': (
+        '#include "lab/grasp_interface.hpp"\nint f(const lab::GraspData & d) {d.in_target;}\n'
+    ),
+    '#include "lab/reach_impl.hpp"\nusing lab::ReachImpl;\nReachImpl i;\ni.receive_say(m);\n': (
+        '#include "lab/grasp_impl.hpp"\nusing lab::GraspImpl;\nGraspImpl i;\ni.receive_speak(m);\n'
+    ),
+    "#include <lab/reach_impl.hpp>\nauto i = make<lab::ReachImpl>();\ni->receive_say(m);\n": (
+        "#include <lab/grasp_impl.hpp>\nauto i = make<lab::GraspImpl>();\ni->receive_speak(m);\n"
+    ),
+    "void f() {data_.in_goal = this->config_.gain + config->gain;}\n": (
+        "void f() {data_.in_target = this->config_.factor + config->factor;}\n"
+    ),
+}
+CASES = [("lab/tools.py", text, text) for text in FOREIGN]
+CASES += [("lab/tools.py", *case) for case in OURS.items()]
+CASES += [("src/tools.cpp", text, text) for text in CPP_FOREIGN]
+CASES += [("src/tools.cpp", *case) for case in CPP_OURS.items()]
+
+
+@pytest.mark.parametrize(("path", "text", "wanted"), CASES)
+def test_names_in_own_files(pairs, path, text, wanted):
+    model = "python_model" if path.endswith(".py") else "cpp_model"
+    assert pairs[model].renaming.text(path, text) == wanted
+
+
+IN_LOGIC = {
+    "self.receive_say(message)": "self.receive_speak(message)",
+    "data.in_goal.data": "data.in_target.data",
+    "message.in_goal": "message.in_goal",
+    "self.in_goal": "self.in_goal",
+    "in_goal = 1": "in_goal = 1",
+    "vendor.ReachConfig()": "vendor.ReachConfig()",
+    "move(goal=config.gain)": "move(goal=config.factor)",
+}
+IN_CPP_LOGIC = {
+    "receive_say(message);": "receive_speak(message);",
+    "this->receive_say(message);": "this->receive_speak(message);",
+    "data.in_goal.data = message.in_goal;": "data.in_target.data = message.in_goal;",
+    "message->in_goal;": "message->in_goal;",
+    "vendor::ReachConfig a;": "vendor::ReachConfig a;",
+    "ReachData & d = data; d.in_goal;": "GraspData & d = data; d.in_target;",
+}
+
+
+@pytest.mark.parametrize(("code", "wanted"), {**IN_LOGIC, **IN_CPP_LOGIC}.items())
+def test_names_in_generated_files(pairs, code, wanted):
+    model = "cpp_model" if code in IN_CPP_LOGIC else "python_model"
+    path = {"python_model": "lab/reach_impl.py", "cpp_model": "src/reach_impl.cpp"}[model]
+    before = {"python_model": "        return True\n", "cpp_model": "  return true;\n"}[model]
+    pair = pairs[model]
+    assert before in pair.old[path]
+    margin = before[: len(before) - len(before.lstrip())]
+    mine = pair.old[path].replace(before, f"{margin}{code}\n{before}", 1)
+    text = pair.renaming.text(path, mine)
+    assert f"{margin}{wanted}\n" in text
+    assert text.replace(f"{margin}{wanted}\n", "", 1) == pair.renaming.text(path, pair.old[path])
+
+
+def test_foreign_look_alikes_are_listed_and_ours_renamed(render, copier_command):
+    """The whole of an update: a node, its interface and the package have other names."""
+    package = render(SPEC, name="arm")
+    tools = package / "arm/tools.py"
+    foreign = "from vendor import arm\nfrom kinematics import ReachConfig\n"
+    tools.write_text(
+        f"{foreign}from arm.reach_interface import ReachData\n\narm.go(ReachConfig)\n"
+    )
+    commit(package, "Write tools")
+    git(package, "mv", "arm.ros_package", "robot_arm.ros_package")
+    spec = package / "robot_arm.ros_package"
+    text = spec.read_text().replace('<package name="arm"', '<package name="robot_arm" was="arm"')
+    spec.write_text(text.replace('<node name="reach"', '<node name="grasp" was="reach"'))
+    commit(package, "Rename")
+    result = copier_command("update", "--trust", "--defaults", cwd=package)
+    assert result.returncode == 0, result.stderr
+    found = (package / "robot_arm/tools.py").read_text()
+    ours = "from robot_arm.grasp_interface import GraspData\n"
+    assert found == f"{foreign}{ours}\narm.go(ReachConfig)\n"
+    for use in ("1: arm", "2: ReachConfig", "5: ReachConfig", "5: arm"):
+        assert f"still     robot_arm/tools.py:{use}\n" in result.stderr
+
+
+def test_bracket_argument_of_cmake_hides_no_names():
+    """A quote in it begins no text."""
+    found = [*words(CMAKE, 'set(mine [[")]])\nadd_executable(reach a.cpp)\nset(a "b")\n')]
+    assert [word.text for word in found] == "set mine add_executable reach a cpp set a".split()

@@ -1,0 +1,471 @@
+"""Files as developers write them, read as blocks: each side's change is in the merged file."""
+
+import random
+from pathlib import Path
+
+import pytest
+
+from hooks.merge.languages import CPP, MARKDOWN, PYTHON, language
+from hooks.merge.package import merge_package
+from hooks.merge.proof import prove
+from hooks.merge.renaming import Renaming
+from hooks.merge.tree import File, encode
+
+
+def merge(path, mine, old, new):
+    """Merge a file; say whether it is in conflict, and what it is."""
+    trees = [{path: File(encode(text))} for text in (mine, old, new)]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    if not result.conflicts:
+        assert prove(*trees[:2], result, result.tree, Renaming()).lost == []
+    return not result.conflicts, result.tree[path].text, result
+
+
+def changed(text, *changes):
+    for before, after in changes:
+        assert text.count(before) == 1, (before, text)
+        text = text.replace(before, after)
+    return text
+
+
+HPP = """#ifndef ARM__WORKER_IMPL_HPP_
+#define ARM__WORKER_IMPL_HPP_
+
+#include "arm/worker_interface.hpp"
+
+namespace arm
+{
+
+class WorkerImpl
+{
+public:
+  // Prepare the logic; return whether that worked
+  bool configure(const WorkerConfig & config);
+
+  // Service load
+  void serve_load(Request & request);
+
+  // Service reset
+  void serve_reset(Request & request);
+
+private:
+  int mine_ = 0;
+};
+
+}  // namespace arm
+
+#endif  // ARM__WORKER_IMPL_HPP_
+"""
+CPP_FILE = """#include "arm/worker_impl.hpp"
+
+namespace arm
+{
+
+bool WorkerImpl::configure(const WorkerConfig & config)
+{
+  return true;
+}
+
+// Service load
+void WorkerImpl::serve_load(Request & request)
+{
+}
+
+// Service reset
+void WorkerImpl::serve_reset(Request & request)
+{
+}
+
+}  // namespace arm
+"""
+PY = '''"""The logic of worker."""
+
+from arm.worker_interface import WorkerConfig, WorkerData
+
+
+class WorkerImpl:
+    """The logic."""
+
+    # Service load
+    def serve_load(self, request):
+        """Load."""
+        return True
+
+    # Service reset
+    def serve_reset(self, request):
+        """Reset."""
+        return True
+'''
+NO_RESET = {
+    "hpp": ("  // Service reset\n  void serve_reset(Request & request);\n\n", ""),
+    "cpp": ("// Service reset\nvoid WorkerImpl::serve_reset(Request & request)\n{\n}\n\n", ""),
+}
+HOME = {
+    "hpp": (
+        "\nprivate:",
+        "\n  // Service home\n  void serve_home(Request & request);\n\nprivate:",
+    ),
+    "cpp": (
+        "}  // namespace arm",
+        "// Service home\nvoid WorkerImpl::serve_home(Request & request)\n{\n}\n\n}"
+        "  // namespace arm",
+    ),
+    "py": ("WorkerConfig, WorkerData", "Home, WorkerConfig, WorkerData"),
+}
+SOURCES = {"hpp": HPP, "cpp": CPP_FILE, "py": PY}
+
+STAYS = {
+    "indented conditional above": (
+        "hpp",
+        ("  // Service reset", "  #ifdef TRACE\n  int traced_;\n  #endif\n  // Service reset"),
+    ),
+    "empty indented conditional above": (
+        "hpp",
+        ("  // Service reset", "  #ifdef TRACE\n  #endif\n  // Service reset"),
+    ),
+    "nested conditional above": (
+        "hpp",
+        (
+            "  // Service reset",
+            "  # if A\n    #ifdef B\n  int b_;\n    #endif\n  # endif\n\n  // Service reset",
+        ),
+    ),
+    "macro above": ("cpp", ("// Service reset", "ARM_TRACE(reset)\n\n// Service reset")),
+    "macro without brackets": ("hpp", ("public:", "  Q_OBJECT\n\npublic:")),
+    "attribute": (
+        "cpp",
+        ("// Service load", "__attribute__((hot)) void mine()\n{\n}\n\n// Service load"),
+    ),
+    "comment with a brace": ("cpp", ("// Service reset", "// mine: {\\\n }\n\n// Service reset")),
+    "code that is off": (
+        "cpp",
+        ("// Service reset", "#if 0\nvoid off() {\n#endif\n\n// Service reset"),
+    ),
+    "branches of one head": (
+        "cpp",
+        (
+            "// Service load\nvoid WorkerImpl::serve_load(Request & request)\n{\n",
+            "// Service load\n#ifdef A\nvoid WorkerImpl::serve_load(Request & request)\n{\n"
+            "#else\nvoid WorkerImpl::serve_load(Request & request, int)\n{\n  int a;\n#endif\n",
+        ),
+    ),
+    "branches without brace": (
+        "cpp",
+        (
+            "// Service load\nvoid WorkerImpl::serve_load(Request & request)\n{\n",
+            "// Service load\n#ifdef A\nvoid WorkerImpl::serve_load(Request & request)\n"
+            "#else\nvoid WorkerImpl::serve_load(Request & request, int)\n#endif\n{\n",
+        ),
+    ),
+    "brace in a branch of a body": (
+        "cpp",
+        (
+            "  return true;\n",
+            "#ifdef A\n  if (a) {\n#else\n  if (b) {\n#endif\n  }\n  return true;\n",
+        ),
+    ),
+    "nested namespaces in one line": (
+        "cpp",
+        (
+            "// Service reset",
+            "namespace a { namespace b {\nint c = 0;\nvoid d() {}\n}}\n\n// Service reset",
+        ),
+    ),
+    "template": (
+        "hpp",
+        (
+            "  // Service load",
+            "  template<T t>\n  T mine(T one) {return one;}\n\n  // Service load",
+        ),
+    ),
+    "exported class": ("hpp", ("class WorkerImpl", "class ARM_API WorkerImpl")),
+    "aligned class": ("hpp", ("class WorkerImpl", "class alignas(8) WorkerImpl final")),
+    "class with a base": (
+        "hpp",
+        ("class WorkerImpl", "class ARM_API(1) WorkerImpl : public Base<int>, private Other"),
+    ),
+    "reopened namespace": (
+        "cpp",
+        ("// Service reset", "}  // namespace arm\n\nnamespace arm\n{\n\n// Service reset"),
+    ),
+}
+
+
+@pytest.mark.parametrize(("suffix", "edit"), STAYS.values(), ids=STAYS)
+@pytest.mark.parametrize("change", ["remove", "add", "both"])
+def test_cpp_of_the_developer_stays_whole(suffix, edit, change):
+    """It is the new version's file, but for the developer's edit."""
+    old = SOURCES[suffix]
+    changes = [NO_RESET[suffix]] if change != "add" else []
+    changes += [HOME[suffix]] if change != "remove" else []
+    new = changed(old, *changes)
+    merges, found, result = merge(f"arm/worker_impl.{suffix}", changed(old, edit), old, new)
+    assert merges
+    assert (result.removed, result.missing) == ({}, {})
+    before, after = edit
+    kept = after if after in found else after.removesuffix(before).rstrip()
+    assert kept in found
+    assert found.replace(kept, before if after in found else "").split() == new.split()
+
+
+REMOVED = {
+    "attribute": "__attribute__((hot)) void",
+    "attribute of the standard": "[[gnu::hot]] void",
+    "macro with brackets": "ARM_API(1) void",
+    "macro": "ARM_API void",
+    "macro on its own line": "ARM_API(1)  // traced\nvoid",
+    "specifier": "__declspec(dllexport) void",
+}
+
+
+@pytest.mark.parametrize("head", REMOVED.values(), ids=REMOVED)
+@pytest.mark.parametrize("suffix", ["hpp", "cpp"])
+def test_function_in_cpp_leaves_with_what_stands_before_it(suffix, head):
+    old = SOURCES[suffix]
+    before, _ = NO_RESET[suffix]
+    mine = changed(old, (before, before.replace("void", head)))
+    merges, found, result = merge(f"arm/worker_impl.{suffix}", mine, old, old.replace(before, ""))
+    assert merges
+    assert "serve_reset(" not in found
+    assert [*result.removed.values()] == [
+        ["WorkerImpl::serve_reset" * (suffix == "cpp") or "serve_reset"]
+    ]
+
+
+IMPORT = "from arm.worker_interface import WorkerConfig, WorkerData\n"
+IMPORTS = {
+    "try": "try:\n    {}except ImportError:\n    WorkerConfig = WorkerData = None\n",
+    "try, else": "try:\n    {}except E:\n    raise\nelse:\n    A = 1\nfinally:\n    B = 1\n",
+    "if": "if True:\n    {}",
+    "if, else": "if True:\n    {}else:\n    WorkerConfig = None\n",
+    "with": "with suppress(ImportError):\n    {}",
+    "type checking": "if TYPE_CHECKING:\n    {}elif A:\n    B = 1\n",
+    "nested": "if True:\n    try:\n        {}    finally:\n        A = 1\n",
+    "relative": "from .worker_interface import WorkerConfig, WorkerData\n",
+    "wrapped": "from arm.worker_interface import (\n    WorkerConfig,\n    WorkerData,\n)\n",
+    "relative in try": "try:\n    from .worker_interface import WorkerConfig, WorkerData\n"
+    "except ImportError:\n    raise\n",
+}
+
+
+@pytest.mark.parametrize("form", IMPORTS.values(), ids=IMPORTS)
+def test_import_in_python_gets_new_names_wherever_it_is(form):
+    mine = changed(PY, (IMPORT, form.format(IMPORT)))
+    callback = "\n    # Service home\n    def serve_home(self, request):\n        return Home()\n"
+    new = changed(PY, HOME["py"]) + callback
+    merges, found, result = merge("arm/worker_impl.py", mine, PY, new)
+    assert merges
+    assert result.missing == {}
+    assert found.count("Home") == 2
+    assert found.count("worker_interface import") == 1
+    assert "def serve_home" in found
+    compile(found, "worker_impl.py", "exec")
+    assert found.index("Home") < found.index("class WorkerImpl")
+
+
+YAML_FILE = "/**:\n  ros__parameters:\n    rate: 1.0  # Hz\n    gain: 2.0\n"
+ENDS = {
+    "a.py": ('"""A."""\n\n\nclass A:\n    """A."""\n\n    b = 1\n', "    b = 1\n", "    c = 2\n"),
+    "b.py": ("if True:\n    a = 1\n    b = 1\n", "    b = 1\n", "    c = 2\n"),
+    "a.yaml": (YAML_FILE, "    gain: 2.0\n", "    limit: 3.0\n"),
+    "a.hpp": (HPP, "  int mine_ = 0;\n", "  int other_ = 0;\n"),
+    "package.xml": (
+        "<package>\n  <name>arm</name>\n  <depend>a</depend>\n</package>\n",
+        "  <depend>a</depend>\n",
+        "  <depend>b</depend>\n",
+    ),
+    "CMakeLists.txt": (
+        "project(arm)\nif(A)\n  find_package(b)\nendif()\n",
+        "  find_package(b)\n",
+        "  find_package(c)\n",
+    ),
+}
+
+
+@pytest.mark.parametrize("path", ENDS)
+@pytest.mark.parametrize("whose", ["mine", "new"])
+@pytest.mark.parametrize("blank", ["\n", "\n\n", "   \n"])
+@pytest.mark.parametrize("change", ["add", "replace", "add before"])
+def test_blank_line_at_the_end_of_a_file_is_no_conflict(path, whose, blank, change):
+    old, item, other = ENDS[path]
+    after = {"add": item + other, "replace": other, "add before": other + item}[change]
+    sides = {"mine": old, "new": old}
+    sides[whose] += blank
+    sides["new"] = changed(sides["new"], (item, after))
+    merges, found, _ = merge(path, sides["mine"], old, sides["new"])
+    assert merges
+    assert found.rstrip() == changed(old, (item, after)).rstrip()
+
+
+OWN = {"comment": "{}# mine\n\n", "two": "{}# mine\n{}# mine too\n\n", "blank": "\n{}# mine\n\n"}
+
+
+@pytest.mark.parametrize("own", OWN.values(), ids=OWN)
+@pytest.mark.parametrize("path", ["a.yaml", "CMakeLists.txt", "package.xml"])
+@pytest.mark.parametrize("change", ["remove", "add", "replace", "add before"])
+def test_own_comment_above_a_generated_item_is_no_conflict(path, own, change):
+    old, item, other = ENDS[path]
+    margin = item[: len(item) - len(item.lstrip())]
+    words = own.replace("{}", margin)
+    if path == "package.xml":
+        words = words.replace("# mine", "<!-- mine").replace("\n\n", " -->\n\n")
+        words = words.replace("<!-- mine\n ", "<!-- mine -->\n ")
+    new = {"remove": "", "add": item + other, "replace": other, "add before": other + item}
+    new = changed(old, (item, new[change]))
+    if change == "remove" and path == "a.yaml":
+        new = new.replace("gain", "gain")
+    merges, found, _ = merge(path, changed(old, (item, words + item)), old, new)
+    assert merges
+    assert found.replace(words.strip(), "", 1).split() == new.split()
+
+
+README = """# arm
+
+Words.
+
+## Use
+
+```sh
+# not a heading
+ros2 run
+```
+
+## Interface
+
+| name | type |
+|---|---|
+| load | Trigger |
+
+## Licence
+
+Apache
+"""
+FENCES = {
+    "tildes": ("Words.\n", "Words.\n\n~~~sh\n## no heading\n```\n~~~\n"),
+    "longer": ("Words.\n", "Words.\n\n````md\n```sh\n## no heading\n```\n## none\n````\n"),
+    "indented": ("Words.\n", "Words.\n\n- a\n\n  ```sh\n  ## no heading\n  ```\n"),
+    "in a line": ("Words.\n", "Words and ```code``` and\n``` more ``` words.\n"),
+    "underlined": ("Words.\n", "Words.\n\nMine\n----\n\nMore words.\n"),
+    "own heading": ("## Interface\n", "## Interface\n\n### Notes\n\nMine.\n\n### Table\n"),
+    "comment": ("Words.\n", "Words.\n\n<!--\n## no heading\n-->\n"),
+    "changed heading": ("## Licence", "## Licence and thanks"),
+}
+
+
+@pytest.mark.parametrize("edit", FENCES.values(), ids=FENCES)
+def test_markdown_of_the_developer_stays_whole(edit):
+    row = ("| load | Trigger |\n", "| load | Trigger |\n| home | Trigger |\n")
+    changes = (row, ("ros2 run\n", "ros2 launch\n"))
+    merges, found, _ = merge("README.md", changed(README, edit), README, changed(README, *changes))
+    assert merges
+    assert found == changed(README, edit, *changes)
+
+
+def test_heading_that_both_change_is_asked_once():
+    mine, new = (changed(README, ("## Use", f"## {name}")) for name in ("How to", "Usage"))
+    merges, found, _ = merge("README.md", mine, README, new)
+    assert not merges
+    assert found.count("ros2 run") == 1
+
+
+BRACKETS = {
+    "comment": "#[=[ if( ]=]\n",
+    "comment of two lines": "#[[\nset(\n]]\n",
+    "escaped": 'string(REGEX REPLACE a\\(b "" out ${in})\n',
+    "argument": "set(MINE [=[ ) ]] ]=])\n",
+    "quoted": 'set(MINE "a\\")")\n',
+}
+
+
+@pytest.mark.parametrize("own", BRACKETS.values(), ids=BRACKETS)
+def test_brackets_of_cmake_are_read(own):
+    old, item, other = ENDS["CMakeLists.txt"]
+    mine = changed(old, ("project(arm)\n", "project(arm)\n" + own))
+    new = changed(old, (item, item + other))
+    merges, found, _ = merge("CMakeLists.txt", mine, old, new)
+    assert merges
+    assert found == changed(mine, (item, item + other))
+
+
+HEADERS = Path("/usr/include")
+MAX_HEADERS = 200
+
+
+@pytest.mark.parametrize("library", ["boost", "eigen3", "gtest", "pcl", "ros", "tf2", "c++"])
+def test_headers_of_others_can_be_read(library):
+    """At most one in a hundred cannot; blocks are always the whole text."""
+    files = sorted(
+        file for file in (HEADERS / library).rglob("*.h*") if file.stat().st_size < 100_000
+    )
+    if not files:
+        pytest.skip("not installed")
+    files = random.Random(1).sample(files, min(len(files), MAX_HEADERS))
+    unread = {}
+    for file in files:
+        text = file.read_text(errors="surrogateescape")
+        try:
+            CPP.blocks(text)
+        except ValueError as error:
+            unread[str(file)] = str(error)
+    assert len(unread) <= len(files) / 100, unread
+
+
+def test_blocks_are_the_whole_text():
+    for known, text in ((CPP, HPP), (PYTHON, PY), (MARKDOWN, README)):
+        assert "".join(block.text for block in known.blocks(text)) == text
+    assert language("a.hpp", "") is CPP
+
+
+def test_guard_of_a_header_that_moves_is_one_guard():
+    """What the developer has written below it stays below it."""
+    old = HPP
+    new = HPP.replace("ARM__WORKER_IMPL", "ARM__ROS__WORKER_IMPL")
+    include = '#include "arm/worker_interface.hpp"\n'
+    mine = changed(HPP, (include, f"#include <cmath>\n{include}"))
+    is_merged, text, _ = merge("include/arm/worker_impl.hpp", mine, old, new)
+    assert is_merged
+    assert text == changed(new, (include, f"#include <cmath>\n{include}"))
+
+
+def test_own_heading_before_a_table_does_not_part_its_section():
+    old = "# Arm\n\n## Nodes\n\nAll.\n\n| Topic | |\n|---|---|\n| a | |\n| b | |\n"
+    mine = changed(old, ("| Topic", "### Mine\n\n| Topic"))
+    new = changed(old, ("| a | |", "| a | odd |"))
+    is_merged, text, _ = merge("README.md", mine, old, new)
+    assert is_merged
+    assert text == changed(new, ("| Topic", "### Mine\n\n| Topic"))
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "item"),
+    [
+        (
+            "config/a.yaml",
+            "/**:\n  a:\n    # Speed\n    b: 1\n    # Load\n    c: 2\n",
+            "    b: 1\n",
+        ),
+        (
+            "a.hpp",
+            "struct A\n{\n  /// Speed\n  void f();\n\n  /// Load\n  int a;\n};\n",
+            "  void f();\n",
+        ),
+        ("a.py", "class A:\n    # Speed\n    b = 1\n    # Load\n    c = 2\n", "    b = 1\n"),
+    ],
+)
+@pytest.mark.parametrize("change", ["its comment", "it leaves"])
+def test_own_comment_and_blank_line_between_an_item_and_its_comment(path, text, item, change):
+    sign = {"hpp": "//"}.get(path[-3:], "#")
+    own = f"    {sign} Mine\n\n"
+    mine = changed(text, (item, own + item))
+    start = text.index(text[text[: text.index(item) - 1].rindex("\n") + 1 : text.index(item)])
+    comment = text[start : text.index(item)]
+    new = changed(
+        text, ("Speed", "The speed") if change == "its comment" else (comment + item, "")
+    )
+    is_merged, found, result = merge(path, mine, text, new)
+    assert is_merged
+    if change == "its comment":
+        assert found == changed(new, (item, own + item))
+    else:
+        assert found.split() == new.split()
+        assert result.removed

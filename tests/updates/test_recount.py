@@ -1,0 +1,193 @@
+"""The second proof counts: it sees what the first does not, and stays silent where all is well."""
+
+from collections import Counter
+from random import Random
+
+import pytest
+
+from hooks.merge.package import merge_package
+from hooks.merge.proof import prove
+from hooks.merge.recount import recount
+from hooks.merge.renaming import Renaming
+from hooks.merge.tree import LINK, File, encode
+from support.laboratory import specs
+from support.laboratory.edits import edit
+from support.laboratory.mutants import MUTANTS, OF_HABITS
+from support.laboratory.trials import MODELS, Laboratory, ahead, tree_of
+
+CMAKE = "project(arm)\n\nadd_library(core src/core.cpp)\n"
+README = "# Arm\n\nMoves.\n\n## Use\n\nRun it.\n"
+HPP = """#pragma once
+namespace arm {
+class WorkerImpl
+{
+public:
+  // Service load
+  void serve_load(Request & request);
+#ifdef ARM_RESET
+  // Service reset
+  void serve_reset(Request & request);
+#endif
+};
+}
+"""
+CPP = """#include "arm/worker_impl.hpp"
+
+void arm::WorkerImpl::serve_load(Request & request)
+{
+  use(request);
+}
+
+void arm::WorkerImpl::serve_reset(Request & request)
+{
+  reset(request);
+}
+"""
+PYTHON = """from arm.reach_interface import ReachData
+
+
+def run():
+    return ReachData()
+"""
+NEW = {
+    "CMakeLists.txt": CMAKE + "\ninstall(TARGETS core DESTINATION lib)\n",
+    "README.md": README.replace("Run it.", "Run it.\n\n```sh\nrun --all\n```"),
+    "include/arm/worker_impl.hpp": HPP.replace("Service load", "The service load"),
+    "src/worker_impl.cpp": CPP,
+    "arm/tools.py": PYTHON.replace("import ReachData", "import ReachConfig, ReachData").replace(
+        "ReachData()", "ReachData(ReachConfig())"
+    ),
+    "config/worker.yaml": "rate: 10  # Hz\ngain: 1\n",
+}
+OLD = {
+    "CMakeLists.txt": CMAKE,
+    "README.md": README,
+    "include/arm/worker_impl.hpp": HPP,
+    "src/worker_impl.cpp": CPP,
+    "arm/tools.py": PYTHON,
+    "config/worker.yaml": "rate: 10\ngain: 1\n",
+}
+MINE = {
+    "CMakeLists.txt": CMAKE.replace("\n\n", "\n\noption(OWN on)\n\n"),
+    "README.md": README.replace("Moves.", "Moves well."),
+    "include/arm/worker_impl.hpp": HPP.replace("};", "  int mine_;\n};"),
+    "src/worker_impl.cpp": CPP.replace("  use", "  mine();\n  use"),
+    "arm/tools.py": PYTHON.replace("    return", "    mine = 1  # counted\n    return"),
+    "config/worker.yaml": "rate: 10\ngain: 7\n",
+}
+
+
+def trees(**changes):
+    return [{path: File(encode(t)) for path, t in side.items()} for side in (MINE, OLD, NEW)]
+
+
+def counted(change=lambda tree: None):
+    sides = (*trees(), Renaming(), {"arm.ros_package"}.__contains__)
+    result = merge_package(*sides)
+    assert not result.conflicts
+    change(result.tree)
+    return recount(
+        *sides, result, result.tree, prove(*sides[:2], result, result.tree, sides[3]).left
+    )
+
+
+def test_right_merge_is_right():
+    assert counted() == []
+
+
+FAULTS = {
+    "line of the model dropped": ("CMakeLists.txt", "install(TARGETS core DESTINATION lib)\n", ""),
+    "line of the developer dropped": ("CMakeLists.txt", "option(OWN on)\n", ""),
+    "section twice": ("README.md", "## Use\n", "## Use\n\nRun it.\n\n## Use\n"),
+    "deleted line back": ("config/worker.yaml", "gain: 7", "gain: 1\nown_gain: 7"),
+    "end of a condition gone": ("include/arm/worker_impl.hpp", "#endif\n", ""),
+    "brace gone": ("include/arm/worker_impl.hpp", "};\n", ""),
+    "declaration gone": ("include/arm/worker_impl.hpp", "void serve_load(", "void serve_other("),
+    "definition gone": ("src/worker_impl.cpp", "::serve_reset(", "::serve_other("),
+    "import gone": ("arm/tools.py", "ReachConfig, ReachData\n", "ReachData\n"),
+    "name of another": ("arm/tools.py", "ReachData()", "SpeakData()"),
+    "fence open": ("README.md", "run --all\n```", "run --all"),
+    "key twice": ("config/worker.yaml", "gain: 7", "gain: 7\nrate: 10"),
+    "parenthesis gone": ("CMakeLists.txt", "DESTINATION lib)", "DESTINATION lib"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS)
+def test_fault_is_seen(fault):
+    path, before, after = fault
+
+    def spoil(tree):
+        assert before.split("(")[0] in tree[path].text
+        text = tree[path].text
+        text = (
+            text.replace("ReachData(ReachConfig())", "ReachData()")
+            if "SpeakData" in after
+            else text
+        )
+        tree[path] = File(encode(text.replace(before, after)))
+
+    assert path in {place for place, _ in counted(spoil)}
+
+
+def test_files_are_counted_too():
+    def remove(tree):
+        del tree["src/worker_impl.cpp"]
+
+    def link(tree):
+        tree["README.md"] = File(b"docs/README.md", LINK)
+
+    def windows(tree):
+        tree["other.py"] = File(b"")
+
+    assert ("src/worker_impl.cpp", "the file") in counted(remove)
+    assert ("README.md", "the link") in counted(link)
+    assert ("other.py", "the file") in counted(windows)
+
+
+FIRST = {"line_at_the_end", "bodies_swapped", "condition_ends_elsewhere"}
+"""Faults that the first proof alone sees: lines that are there, elsewhere."""
+
+
+@pytest.fixture(scope="module")
+def seen(tmp_path_factory):
+    """Count by mutant how often it spoils a merge, and how often each proof sees that."""
+    laboratory, found = Laboratory(tmp_path_factory.mktemp("lab")), {}
+    for model in MODELS * 2:
+        random = Random(f"{model} {len(laboratory.versions)} {sum(map(len, found.values()))}")
+        spec = specs.random_spec(random)
+        pair = laboratory.pair(spec, specs.change(random, spec), model, ("kilted",) * 2, "2.0.0")
+        for _ in range(4):
+            edited = edit(random, pair.old, ahead(random, pair))
+            sides = (edited.tree(), tree_of(pair.old), tree_of(pair.new), pair.renaming)
+            result = merge_package(*sides, pair.is_kept)
+            for mutant in MUTANTS + OF_HABITS:
+                counts, spoiled = found.setdefault(mutant.__name__, Counter()), {**result.tree}
+                if counts["all"] < 3 and mutant(random, spoiled, edited, pair):
+                    proof = prove(*sides[:2], result, spoiled, pair.renaming)
+                    second = recount(*sides, pair.is_kept, result, spoiled, proof.left)
+                    counts.update(all=1, first=bool(proof.lost), second=bool(second))
+                    counts["either"] += bool(proof.lost or second)
+    return found
+
+
+def test_each_proof_is_needed(seen):
+    for name in FIRST:
+        assert seen[name]["first"] == seen[name]["all"]
+    others = [name for name in seen if name not in FIRST]
+    assert any(seen[name]["second"] < seen[name]["all"] for name in FIRST)
+    assert (
+        sum(seen[name]["first"] < seen[name]["all"] for name in others) >= 5
+    )  # the second is needed
+    missed = {name: counts for name, counts in seen.items() if counts["either"] < counts["all"]}
+    assert sum(counts["all"] - counts["either"] for counts in missed.values()) <= 2, missed
+
+
+def test_logic_that_was_moved_may_stay_when_its_node_leaves():
+    """Its header is generated, and gone: that is no fault of the merge."""
+    cpp, hpp = "src/mine/worker_impl.cpp", "include/arm/worker_impl.hpp"
+    mine = {cpp: File(encode(CPP)), hpp: File(encode(HPP))}
+    old = {"src/worker_impl.cpp": File(encode(CPP)), hpp: File(encode(HPP))}
+    sides = (mine, old, {}, Renaming(), {""}.__contains__)
+    result = merge_package(*sides)
+    assert list(result.tree) == [cpp]
+    assert recount(*sides, result, result.tree, []) == []
