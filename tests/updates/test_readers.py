@@ -469,3 +469,18 @@ def test_own_comment_and_blank_line_between_an_item_and_its_comment(path, text, 
     else:
         assert found.split() == new.split()
         assert result.removed
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("@skip('a', 'why')\nclass A(B):\n", '@skip(\n    "a", "why"\n)\nclass A(B):\n'),
+        ("@skip('a', 'why')\n", '@skip(\n    "a", "why"\n)\n'),
+        ("    if a('b'):\n", '    if a(\n        "b"\n    ):\n'),
+    ],
+)
+def test_head_that_a_formatter_has_broken(one, other):
+    """It is no code by itself; what it says counts, and not how it is written."""
+    assert PYTHON.same(one, other)
+    assert not PYTHON.same(one, other.replace('"', "'c", 1))
+    assert not PYTHON.same(one, other.replace("(", "(c, ", 1))

@@ -348,7 +348,7 @@ def unjustified(pair, result, names):
         for part in parts:
             name = part.rpartition("::")[2]
             if name not in taken and re.search(
-                rf"\b{re.escape(name)}\(", pair.new.get(target, "")
+                rf"(?<![.>])\b{re.escape(name)}\(", pair.new.get(target, "")
             ):
                 complaints.append(f"{path}: {part} removed, and is new")
     return complaints
