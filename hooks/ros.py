@@ -37,6 +37,8 @@ def translate_dependency(package: str, generation: int) -> tuple[str | None, str
 
 def nearest_available(name: str, generation: int) -> str | None:
     """Return what is nearest to a package or type that a ROS generation is known not to have."""
+    if name in _ROS["both"]:
+        return None
     nearest: str | None = _ROS["nearest"][generation].get(name)
     successor = translate_dependency(name, generation)[0]
     return nearest or (successor if successor != name else None)

@@ -389,3 +389,10 @@ def test_skeleton(distro):
     spec = MODEL.context(text.encode(), "spec.xml", distro)
     assert [len(spec[key]) for key in ("messages", "services", "actions")] == [1, 1, 1]
     assert spec["actions"][0]["feedback"]["fields"][0]["name"] == "example"
+
+
+def test_types_of_actionlib_msgs_in_both():
+    """ROS 2 has the package still; a `<depend>` of a node becomes that of its actions."""
+    for distro in ("noetic", "kilted"):
+        found = context(message(field("actionlib_msgs::GoalID")), distro)
+        assert "actionlib_msgs" in found["depends"]

@@ -8,7 +8,7 @@ import dynamic_reconfigure.client
 import rospy
 import tf2_ros
 
-TIMEOUT = 10.0
+TIMEOUT = 30.0
 RESULTS = {
     actionlib.GoalStatus.SUCCEEDED: "succeeded",
     actionlib.GoalStatus.PREEMPTED: "canceled",

@@ -261,6 +261,11 @@ private:
 
   std::uint8_t state() {return get_current_state().id();}
 
+  Stop::Seconds stop_timeout() const
+  {
+    return Stop::Seconds(get_parameter("stop_timeout").as_double());
+  }
+
   void declare_own_parameters()
   {
     rcl_interfaces::msg::ParameterDescriptor autostart;
@@ -272,11 +277,6 @@ private:
     stop_timeout.floating_point_range.resize(1);
     stop_timeout.floating_point_range[0].to_value = 3600.0;
     declare("stop_timeout", 2.0, stop_timeout);
-  }
-
-  Stop::Seconds stop_timeout() const
-  {
-    return Stop::Seconds(get_parameter("stop_timeout").as_double());
   }
 
   /// Wait for a transition that is under way in another thread.
