@@ -51,7 +51,7 @@ def split(text: str) -> Lines:
 
 def margin(line: str) -> int:
     """Return how many blanks a line begins with."""
-    return len(line) - len(line.lstrip())
+    return len(line) - len(line.lstrip(" \t"))
 
 
 def plain(text: str) -> str:

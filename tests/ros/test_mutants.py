@@ -56,7 +56,7 @@ def chosen(mutants):
 class Python:
     """all_kinds for Python. A mutant is a copy of it, which needs no build."""
 
-    at_once = 4  # they wait more than they compute
+    at_once = 2  # they wait more than they compute
     passed = r"^OK$"
     failed = r"^(FAIL|ERROR): ({test}|setUpClass|tearDownClass) "
 
@@ -127,7 +127,7 @@ class Cpp:
 
 
 class CppRos1(Cpp):
-    at_once = 6
+    at_once = 3
 
     def run(self, name, mutant=None):
         """Run tests with a master of their own."""
@@ -146,7 +146,7 @@ def cpp_noetic(ros1, ros1_interfaces, render, tmp_path):
 
 
 class CppRos2(Cpp):
-    at_once = 4
+    at_once = 2
 
     def __init__(self, ros, package, variant, build):
         super().__init__(package, variant)
