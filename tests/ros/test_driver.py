@@ -107,7 +107,8 @@ def test_driver_in_ros2(ros2, render, tmp_path, model):
     make(render, model, ros2.distro)
     ros2.build(tmp_path)
     check_installed(tmp_path / "install/driver")
-    with ros2.running(tmp_path / "install/driver/lib/driver/sensor-driver", tmp_path):
+    program = tmp_path / "install/driver/lib/driver/sensor-driver"
+    with ros2.running(program, tmp_path, ends_well=False):
         sleep(3)  # it ends by itself where it cannot start
     if ros.has(ros2, "launch_ros"):
         ask = "ros2 lifecycle get /right/sensor --no-daemon"
