@@ -28,6 +28,16 @@ class PublishError(Exception):
     """Why nothing was published, in a sentence."""
 
 
+class GitError(PublishError):
+    """A command of git that failed, with the line in which git says why."""
+
+    def __init__(self, result: subprocess.CompletedProcess[str]) -> None:
+        self.stderr = result.stderr
+        lines = self.stderr.splitlines()
+        said = [line for line in lines if line.startswith(("fatal:", "error:"))]
+        super().__init__(said[0] if said else f"git ends with exit code {result.returncode}")
+
+
 def publish(repository: Path, model: str, target: str) -> list[str]:
     """Push each version of `model` to the repository at `target`, or nothing; return the tags.
 
@@ -48,9 +58,9 @@ def publish(repository: Path, model: str, target: str) -> list[str]:
     new = [f"{commit}:refs/tags/{tag}" for tag, commit in made.items() if tag not in there]
     try:
         _git(repository, "push", "--quiet", "--atomic", target, *new, f"{latest}:refs/heads/main")
-    except subprocess.CalledProcessError as error:
+    except GitError as error:
         if "rejected" not in error.stderr:
-            raise PublishError(_reason(error)) from error
+            raise
         raise PublishError("main there has commits that were not published from here") from error
     return list(made)
 
@@ -86,17 +96,8 @@ def _versions(repository: Path, model: str) -> dict[str, str]:
 
 def _published(repository: Path, target: str) -> dict[str, str]:
     """Return the tags at `target`, each with its commit."""
-    try:
-        lines = _git(repository, "ls-remote", "--tags", "--refs", target).splitlines()
-    except subprocess.CalledProcessError as error:
-        raise PublishError(_reason(error)) from error
+    lines = _git(repository, "ls-remote", "--tags", "--refs", target).splitlines()
     return {ref.removeprefix("refs/tags/"): hash_ for hash_, ref in map(str.split, lines)}
-
-
-def _reason(error: subprocess.CalledProcessError) -> str:
-    """Return what git says of a failure, in a line."""
-    lines = [line for line in error.stderr.splitlines() if line.startswith(("fatal:", "error:"))]
-    return lines[0] if lines else f"git ends with exit code {error.returncode}"
 
 
 def _version_tags(repository: Path) -> list[str]:
@@ -161,8 +162,9 @@ def _git(repository: Path, *arguments: str, **environment: str) -> str:
         env=os.environ | environment,
         capture_output=True,
         text=True,
-        check=True,
     )
+    if result.returncode:
+        raise GitError(result)
     return result.stdout.strip()
 
 

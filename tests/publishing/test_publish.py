@@ -1,5 +1,6 @@
 """What `scripts/publish.py` makes of versions, and what it says where it cannot publish."""
 
+import shutil
 import subprocess
 import sys
 
@@ -131,6 +132,13 @@ def test_shallow_clone(own, target, tmp_path):
     result = run(tmp_path / "shallow", target)
     assert "the clone is shallow; run git fetch --unshallow --tags" in result.stderr
     assert tags(target) == {}
+
+
+def test_collection_that_was_not_cloned(own, target):
+    shutil.rmtree(own / ".git")
+    result = run(own, target)
+    assert "fatal: not a git repository" in result.stderr
+    assert result.returncode == 1
 
 
 def test_address_that_is_wrong(own, tmp_path):
