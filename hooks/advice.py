@@ -45,26 +45,23 @@ def contradictions(context: Mapping[str, Any], dictionary: Dictionary) -> list[s
 
 def elements(
     context: Mapping[str, Any], dictionary: Dictionary
-) -> Iterator[tuple[str, Component | Interface, Mapping[str, Any]]]:
-    """Yield components and all interfaces, each with the component's name, and its values."""
+) -> Iterator[tuple[Component, str, Component | Interface, Mapping[str, Any]]]:
+    """Yield components and all interfaces: the component, its name, what it is, its values."""
     for component in dictionary.components.values():
         for values in context[component.key]:
             owner = str(values[next(iter(component.attributes))])
-            yield owner, component, values
+            yield component, owner, component, values
             for interface, item in _inside(component, values):
-                yield owner, interface, item
+                yield component, owner, interface, item
 
 
 def _endpoints(
     context: Mapping[str, Any], dictionary: Dictionary
 ) -> Iterator[tuple[str, Endpoint]]:
     """Yield what is in the ROS graph, each after the component it belongs to."""
-    tag = ""
-    for owner, kind, item in elements(context, dictionary):
-        if isinstance(kind, Component):
-            tag = kind.tag
-        elif found := endpoint(owner, kind, item):
-            yield f"{tag} {owner}", found
+    for component, owner, kind, item in elements(context, dictionary):
+        if isinstance(kind, Interface) and (found := endpoint(owner, kind, item)):
+            yield f"{component.tag} {owner}", found
 
 
 def _inside(

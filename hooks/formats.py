@@ -170,10 +170,11 @@ _IN_CODE = {
     "float": "float32",
     "int": "int32",
     "long": "int64",
+    "str": "string",
+    "std::string": "string",
+    "std::wstring": "wstring",
+    **{f"{std}{name}_t": name for std in ("", "std::") for name in PRIMITIVES if "int" in name},
 }
-_IN_CODE |= {"str": "string", "std::string": "string", "std::wstring": "wstring"}
-_IN_CODE |= {f"std::{name}_t": name for name in PRIMITIVES if "int" in name}
-_IN_CODE |= {f"{name}_t": name for name in PRIMITIVES if "int" in name}
 """What fields of the languages of nodes are in messages."""
 _BIGGEST_SIZE = 2**31 - 1
 

@@ -41,7 +41,7 @@ def missing_types(
 
 
 def _types(context: Mapping[str, Any], dictionary: Dictionary) -> Iterator[tuple[str, str, str]]:
-    for _, kind, values in elements(context, dictionary):
+    for _, _, kind, values in elements(context, dictionary):
         for attribute in kind.attributes.values():
             value = values.get(attribute.name)
             if attribute.format in TYPES and value and (type_ := split_type(value)):
