@@ -158,6 +158,11 @@ def _comment(lines: Lines, is_first: bool) -> Block:
     return Block("header" if is_first and words else f"comment {words}" if words else "", lines)
 
 
+def is_comment(key: str) -> bool:
+    """Say whether a block is a comment on its own; the first of a file is its header."""
+    return key == "header" or key.startswith("comment ")
+
+
 def _close_gaps(blocks: list[Block]) -> list[Block]:
     """Give empty lines to the block that follows them, or that they follow at the end."""
     closed: list[Block] = []

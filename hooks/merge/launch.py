@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..data import load_data
@@ -70,7 +70,8 @@ def carry_launch_files(
 
 def carry(mine: Sequence[Block], old: Sequence[Block], new: str, ros: int) -> Carried:
     """Carry what `mine` has more than `old` into a file of another ROS, which is `new`."""
-    carrier = _Carrier(XML.blocks(new), ros)
+    lines = {line.strip() for block in old for line in split(block.text)}
+    carrier = _Carrier(XML.blocks(new), ros, lines)
     match(mine, old)
     carrier.children(mine, old, [], 1)
     has = set(keys(XML.blocks(new)))
@@ -90,8 +91,8 @@ def keys(blocks: Sequence[Block]) -> Iterator[str]:
 
 
 class _Carrier:
-    def __init__(self, new: list[Block], ros: int) -> None:
-        self.new, self.ros = new, ros
+    def __init__(self, new: list[Block], ros: int, generated: Collection[str]) -> None:
+        self.new, self.ros, self.generated = new, ros, generated
         self.lines: dict[int, tuple[str, ...]] = {}
 
     def children(
@@ -118,7 +119,11 @@ class _Carrier:
             number += len(split(block.text))
 
     def _insert(self, block: Block, around: list[Block], before: list[Block], number: int) -> None:
-        text = translate(block.text, self.ros)
+        own = split(block.text)
+        while own[0].strip() in self.generated and not _TAG.match(own[0].strip()):
+            number += 1
+            del own[0]  # of a comment above, which is about a generated element
+        text = translate("".join(own), self.ros)
         passed = _ARGUMENT.fullmatch(block.text.strip())
         if passed and any(_found(self.new, f"arg {passed[1]}")):
             self._note(number, text)  # the generated file passes its arguments on by itself

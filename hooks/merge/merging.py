@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 from ..changes import GONE
 from . import lines
-from .blocks import Block, walk
+from .blocks import Block, is_comment, walk
 from .languages import CPP, MARKDOWN, PYTHON, TEXT, Language, language
 from .lines import Conflict, Merged
 from .matching import align
@@ -157,7 +157,9 @@ class _Merger:
         """Merge the blocks of a file, a class, an element."""
         ours, base, theirs = ({block.key: block for block in side} for side in (mine, old, new))
         merged: Merged = []
+        last = ""
         for key in _order(list(ours), list(base), list(theirs)):
+            end = len(merged)
             if key in ours and key in theirs:
                 merged += self.block(ours[key], base.get(key), theirs[key])
             elif key in ours and key in base and not base[key].lines:
@@ -169,6 +171,9 @@ class _Merger:
                 merged += lines.split(ours[key].text)
             elif key not in base:
                 merged += lines.split(theirs[key].text)
+            if is_comment(last) and last not in theirs and _touch(merged[end - 1 : end + 1]):
+                merged.insert(end, "\n")  # or the comment would be about what follows it now
+            last = key
         return merged
 
     def block(self, mine: Block, old: Block | None, new: Block) -> Merged:
@@ -187,7 +192,8 @@ class _Merger:
             return list(lines.split(mine.text))
         if self.is_same(mine, old):
             return list(lines.split(new.text))
-        if not mine.children or (new.lines and not new.children):
+        is_leaf = not new.children and new.lines and new.lines != old.lines
+        if not mine.children or is_leaf:
             return self.lines(*(lines.split(block.text) for block in (mine, old, new)))
         head = self.lines(mine.lines, old.lines, new.lines)
         inner = self.sequence(mine.children, old.children, new.children)
@@ -210,6 +216,11 @@ class _Merger:
 
     def is_same(self, one: Block, other: Block) -> bool:
         return one.text == other.text or self.language.same(one.text, other.text)
+
+
+def _touch(merged: Merged) -> bool:
+    """Say whether there are two lines, and neither is empty."""
+    return len(merged) == 2 and all(isinstance(line, str) and line.strip() for line in merged)
 
 
 def _order(mine: list[str], old: list[str], new: list[str]) -> list[str]:

@@ -12,7 +12,7 @@ from pathlib import PurePosixPath
 from ..dictionary import WAS
 from ..names import class_name
 from ..package import SUFFIX
-from .blocks import Block, walk
+from .blocks import Block, is_comment, walk
 from .languages import TEXT, XML, Language, language
 from .lines import MARKS, plain, split
 from .matching import match, unsplit, wrap
@@ -153,7 +153,7 @@ def _developer_lines(
     """
     before = _scopes(wrap(old, mine, old))
     numbers: dict[str, list[int]] = {}
-    for number, (scope, _) in enumerate(walk(mine)):
+    for number, (scope, _) in enumerate(_walk(mine)):
         numbers.setdefault(scope, []).append(number)
     for scope, inside in _scopes(mine).items():
         base = before.get(scope, [])
@@ -179,9 +179,16 @@ def _blocks(known: Language, text: str, path: str, renaming: Renaming) -> list[B
 
 def _scopes(blocks: list[Block]) -> _SCOPES:
     scopes: _SCOPES = {}
-    for scope, line in walk(blocks):
+    for scope, line in _walk(blocks):
         scopes.setdefault(scope, []).append(line)
     return scopes
+
+
+def _walk(blocks: list[Block]) -> Iterator[tuple[str, str]]:
+    """Yield every line with the blocks it is in; a comment may become the first of a file."""
+    for scope, line in walk(blocks):
+        around, _, last = scope.rpartition(" > ")
+        yield f"{around} > comment" if is_comment(last) else scope, line
 
 
 def _parses(known: Language, text: str) -> bool:

@@ -340,6 +340,44 @@ ros2 run
 
 Apache
 """
+LAST = ENDS | {
+    "A.msg": ("float64 load\nfloat64 gain\n", "float64 gain\n", "float64 limit\n"),
+    "A.srv": ("---\nfloat64 gain\n", "float64 gain\n", "float64 limit\n"),
+    "B.msg": ("float64 gain\n", "float64 gain\n", "float64 limit\n"),
+}
+
+
+@pytest.mark.parametrize("path", LAST)
+@pytest.mark.parametrize("change", ["remove", "add", "replace", "add before"])
+def test_own_comment_below_a_generated_item_is_no_conflict(path, change):
+    old, item, other = LAST[path]
+    margin = item[: len(item) - len(item.lstrip())]
+    sign = {"a.hpp": "// mine", "package.xml": "<!-- mine -->"}.get(path, "# mine")
+    new = {"remove": "", "add": item + other, "replace": other, "add before": other + item}
+    new = changed(old, (item, new[change]))
+    mine = changed(old, (item, f"{item}{margin}{sign}\n"))
+    merges, found, _ = merge(path, mine, old, new)
+    assert merges
+    assert found.replace(sign, "", 1).split() == new.split()
+
+
+def test_own_comment_stays_with_the_field_that_changes_places():
+    fields = [f"float64 {name}\n" for name in "abc"]
+    old, new = "".join(fields), "".join(reversed(fields))
+    merges, found, _ = merge("A.msg", old + "# mine\n", old, new)
+    assert merges
+    assert found == new.replace(fields[2], fields[2] + "# mine\n\n")
+
+
+def test_own_field_of_a_response_stays_when_those_of_the_spec_leave():
+    old, own = "float64 a\n---\nfloat64 b\nfloat64 c\n", "float64 mine\n"
+    new = "float64 a\n---\n"
+    for mine in (old + own, changed(old, ("float64 b\n", "float64 b\n" + own))):
+        merges, found, _ = merge("A.srv", mine, old, new)
+        assert merges
+        assert found == new + own
+
+
 FENCES = {
     "tildes": ("Words.\n", "Words.\n\n~~~sh\n## no heading\n```\n~~~\n"),
     "longer": ("Words.\n", "Words.\n\n````md\n```sh\n## no heading\n```\n## none\n````\n"),
