@@ -39,7 +39,7 @@ def has_ros1():
     return ros.ros1() is not None
 
 
-def run(laboratory, has_ros1, model, distro, trials, ways=None):
+def run(laboratory, has_ros1, model, distro, trials, ways=None, moving=0.15):
     """Run the trials of a variant; say how far they are, and how long it will take.
 
     One in fifty of the packages is run, or compiled.
@@ -48,9 +48,12 @@ def run(laboratory, has_ros1, model, distro, trials, ways=None):
     only_logic = ways is not None
     check = checks(model, distro, has_ros1)
     while counts.updates < trials:
-        spec = specs.random_spec(random, only_logic)
+        has_nodes = model != "interfaces_model"
+        spec = (
+            specs.random_spec(random, only_logic) if has_nodes else specs.random_interfaces(random)
+        )
         new_spec = specs.change(random, spec, only_logic, ways)
-        moves = not only_logic and random.random() < 0.15
+        moves = not only_logic and random.random() < moving
         other = random.choice(DISTROS) if moves else distro
         old_version, version = random.choice(VERSIONS if model in MODELS else VERSIONS[:2])
         pair = laboratory.pair(spec, new_spec, model, (distro, other), version, old_version)
@@ -101,6 +104,15 @@ def test_updates_follow_one_another(laboratory, has_ros1, model, distro):
     chain(random, laboratory, model, distro, CHAIN, counts, check)
     print(f"{model} {distro}, chain: {counts.row()}")
     assert counts.updates
+    assert counts.wrong == []
+
+
+@pytest.mark.parametrize("distro", DISTROS)
+@pytest.mark.parametrize("model", ALL_MODELS)
+def test_moves_lose_nothing_in_silence(laboratory, has_ros1, model, distro):
+    """Edit everything, change everything, and move to the other ROS."""
+    counts = run(laboratory, has_ros1, model, distro, TRIALS, moving=1)
+    assert counts.lines > counts.updates
     assert counts.wrong == []
 
 

@@ -391,6 +391,13 @@ def _readme(random, edited, path, lines):
     lines[at:at] = [f"Words of mine, {edited.mark(path)}.", ""]
 
 
+def _definition(random, edited, path, lines):
+    mark = edited.mark(path)
+    form = random.choice(("# {}", "float64 {}", "float64 {0}  # {0}"))
+    free = [i for i in range(len(lines)) if not lines[max(i - 1, 0)].startswith("#")]
+    lines.insert(random.choice(free), form.format(mark))
+
+
 def _code(random, edited, path, lines):
     python = path.endswith(".py")
     found = list(functions(path, "\n".join(lines)))
@@ -549,6 +556,8 @@ def write_own_file(edited):
     """Write a file of one's own that uses what only looks like the model's."""
     nodes = [m[1] for path in edited.texts if (m := re.match(r"(?:src|lab)/(\w+)_impl\.", path))]
     words = re.findall(r"\b(?:in|out)_\w+|\bserve_\w+", "".join(map(str, edited.texts.values())))
+    if not nodes:
+        return
     python = any(path.endswith("_impl.py") for path in edited.texts)
     path, sign = ("lab/foreign.py", "#") if python else ("src/foreign.cpp", "//")
     lines = []
@@ -573,6 +582,9 @@ WAYS = {
     "CMakeLists.txt": _cmake,
     "setup.py": _setup,
     "README.md": _readme,
+    ".msg": _definition,
+    ".srv": _definition,
+    ".action": _definition,
     "_ros.py": _code,
     "_ros.cpp": _code,
     "worker.py": _code,
@@ -627,6 +639,8 @@ def delete_file(random, edited):
 def delete_function(random, edited):
     """Delete a callback that the spec has."""
     paths = [path for path in sorted(edited.texts) if is_logic(path)]
+    if not paths:
+        return
     path = random.choice(paths)
     found = [
         (name, first, last)

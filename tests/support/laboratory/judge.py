@@ -39,7 +39,7 @@ def judge(edited, old, new, tree, said, missing, moves, callbacks):
     }
     for path in sorted(edited.crlf):
         text = result.get(where[path], "")
-        if text.count("\r\n") != text.count("\n"):
+        if "\n" in edited.texts[path] and text.count("\r\n") != text.count("\n"):
             complaints.append(f"{path}: its line ends have changed")
         result |= {where[path]: text.replace("\r\n", "\n")} if text else {}
     for path, target in edited.links.items():

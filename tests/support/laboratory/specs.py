@@ -23,6 +23,12 @@ TYPES = OTHERS | {kind: types for kind, (_, types) in CALLBACKS.items()}
 NAMES = """load store estop home reset range map pose arm_state grip plan scan cloud track speed
     goal level mode tool power""".split()
 NODES = "lab reach watch drive grasp map_server".split()
+PARTS = {
+    "message": ("",),
+    "service": ("request", "response"),
+    "action": ("goal", "result", "feedback"),
+}
+FIELDS = ("float64", "string[]", "geometry_msgs::Point", "int8[3]")
 
 
 def random_spec(random, callbacks_only=False):
@@ -47,8 +53,59 @@ def random_items(random, callbacks_only):
     ]
 
 
+def random_interfaces(random):
+    """Return a spec of messages, services and actions."""
+    spec = {"description": "Messages", "nodes": [], "types": []}
+    for _ in range(random.randint(1, 4)):
+        _add_type(random, spec)
+    return spec
+
+
+def _add_type(random, spec):
+    kind = random.choice(sorted(PARTS))
+    free = [name for name in NAMES if name not in {n for t in spec["types"] for n in names_of(t)}]
+    parts = {
+        part: [_field(random, name) for name in random.sample(NAMES, k=random.randint(0, 4))]
+        for part in PARTS[kind]
+    }
+    spec["types"].append({"kind": kind, "name": random.choice(free), "parts": parts})
+
+
+def _field(random, name):
+    return {"name": name, "type": random.choice(FIELDS), "text": random.choice(("", "Size, m"))}
+
+
+def change_interfaces(random, spec):
+    """Return a changed spec of messages, services and actions."""
+    spec = copy.deepcopy(spec)
+    for how in random.sample("type field remove reorder rename describe retype".split(), k=3):
+        one = random.choice(spec["types"])
+        fields = random.choice([*one["parts"].values()])
+        taken = {name for field in fields for name in names_of(field)}
+        free = [name for name in NAMES if name not in taken]
+        if how == "type":
+            _add_type(random, spec)
+        elif how == "field":
+            fields.insert(random.randint(0, len(fields)), _field(random, random.choice(free)))
+        elif not fields:
+            continue
+        elif how == "remove":
+            fields.pop()
+        elif how == "reorder":
+            random.shuffle(fields)
+        elif how == "rename":
+            fields[0]["was"], fields[0]["name"] = fields[0]["name"], random.choice(free)
+        elif how == "describe":
+            fields[0]["text"] = "What it is for"
+        else:
+            fields[0]["type"] = random.choice(FIELDS)
+    return spec
+
+
 def change(random, spec, callbacks_only=False, ways=None):
     """Return a changed spec; the names of before are said where something was renamed."""
+    if "types" in spec:
+        return change_interfaces(random, spec)
     spec = copy.deepcopy(spec)
     ways = ways or "add remove reorder replace retype describe rename swap frequency node".split()
     for _ in range(random.randint(1, 3)):
@@ -154,4 +211,19 @@ def xml(spec, model=""):
             text += f' was="{item["was"]}"' if item.get("was") else ""
             lines.append(text + "/>")
         lines.append("  </node>")
+    for type_ in spec.get("types", ()):
+        lines += _type(type_)
     return "\n".join([*lines, "</package>", ""])
+
+
+def _type(type_):
+    name = "".join(word.capitalize() for word in type_["name"].split("_"))
+    yield f'  <{type_["kind"]} name="{name}">'
+    for part, fields in type_["parts"].items():
+        yield f"    <{part}>" if part else ""
+        for field in fields:
+            text = f'      <field name="{field["name"]}" type="{field["type"]}"'
+            text += f" description={quoteattr(field['text'])}"
+            yield text + (f' was="{field["was"]}"/>' if field.get("was") else "/>")
+        yield f"    </{part}>" if part else ""
+    yield f"  </{type_['kind']}>"

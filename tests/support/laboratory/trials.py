@@ -18,11 +18,11 @@ import copier
 from hooks.changes import marked
 from hooks.dictionary import load
 from hooks.merge.moves import moved_files
-from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
 from hooks.merge.recount import recount
 from hooks.merge.renaming import Renaming, plan
 from hooks.merge.tree import File, encode, read_folder, remove, write
+from hooks.merge.update import join
 from hooks.model import Model
 from support.direct_render import Renderer as DirectRenderer
 from support.laboratory import layouts, specs
@@ -32,7 +32,7 @@ from support.repository import commit, copy_collection, git
 
 ANSWERS = ".copier-answers.yml"
 MODELS = ("python_model", "cpp_model")
-ALL_MODELS = (*MODELS, "mixed_model")
+ALL_MODELS = (*MODELS, "mixed_model", "interfaces_model")
 DISTROS = ("noetic", "kilted")
 
 
@@ -73,8 +73,8 @@ class Pair:
     new: dict
     renaming: Renaming
     is_kept: object
-    moves: bool
-    """Whether the package moves to the other ROS."""
+    to_ros: int | None
+    """The ROS that the package moves to, if it does."""
     layout: dict = field(default_factory=dict)
     """New paths of files that the new version of the model calls otherwise, by the old ones."""
 
@@ -144,10 +144,9 @@ class Laboratory:
         layout = moved_files(contexts[1], dictionary) if version != old_version else {}
         renaming.follow(layout, old, new)
         renaming.move(tree_of(old), tree_of(new))
+        to_ros = contexts[1]["ros"] if contexts[0]["ros"] != contexts[1]["ros"] else None
         kept = {path for path in {*old, *new} if path.endswith((".ros_package", "CHANGELOG.md"))}
-        return Pair(
-            spec, new_spec, old, new, renaming, kept.__contains__, len({*distros}) > 1, layout
-        )
+        return Pair(spec, new_spec, old, new, renaming, kept.__contains__, to_ros, layout)
 
 
 def trial(random, pair, counts, mutate=None, check=None, **options):
@@ -163,11 +162,11 @@ def trial(random, pair, counts, mutate=None, check=None, **options):
     edited.texts["lab.ros_package"] = pair.new["lab.ros_package"]
     mine, old, new = edited.tree(), tree_of(pair.old), tree_of(pair.new)
     trees = (mine, old, new, pair.renaming, pair.is_kept)
-    result = merge_package(*trees)
+    result = join(*trees, pair.to_ros)
     if doubtful := doubts(trees, result):
         # As an update does: what the proofs do not find in its place becomes a conflict.
         counts.doubtful += 1
-        result = merge_package(*trees, unmerged={path for path, _ in doubtful})
+        result = join(*trees, pair.to_ros, {path for path, _ in doubtful})
     if mutate:
         mutate(random, result.tree, edited, pair)
     texts = {path: file.text or "" for path, file in result.tree.items()}
@@ -414,7 +413,7 @@ def count(counts, pair, edited, texts, complaints):
             generated = pair.renaming.path(origin)
             counts.both_changed += pair.new.get(generated) != pair.old[origin]
             if CONFLICT in texts.get(target, ""):
-                where = counts.moved if pair.moves else counts.conflicts
+                where = counts.moved if pair.to_ros else counts.conflicts
                 where[re.sub(r"\w+(?=_(impl|ros|interface|node))", "node", path)] += 1
 
 
