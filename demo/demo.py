@@ -24,9 +24,8 @@ BATTERY = (
     '    <subscriber name="battery" type="std_msgs::Float64" description="Charge, 0 to 1"/>\n'
 )
 COPIER = f"{shlex.quote(sys.executable)} -m copier"
-NOISE = (
-    "template version\\|No git tags\\|^$"  # what Copier says of a template that is not released
-)
+NOISE = "template version\\|No git tags\\|^Rendering\\|^$"
+"""What Copier says of a template that is not released, and progress of a slow machine."""
 
 
 def main() -> None:
