@@ -82,7 +82,7 @@ class Scenario:
         wait_for(lambda: self.said("heard "), "the worker does not hear its own counter")
 
     def check_direct(self):
-        """Direct topics do not wait for the cycle: after an echo, the next would take all of it."""
+        """Direct topics do not wait for the cycle, which each echo would take all of."""
         wait_for(lambda: self.say.connected(), "no subscriber of say")
         self.spoken("hello")
         times = []
