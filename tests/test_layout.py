@@ -5,6 +5,9 @@ import re
 from pathlib import Path
 
 import pytest
+import yaml
+
+from hooks import ros
 
 TESTS = Path(__file__).parent
 MODULES = sorted(TESTS.rglob("*.py"))
@@ -37,7 +40,7 @@ def test_readme_names_every_folder():
 
 
 ROOT = TESTS.parent
-PAGES = [ROOT / "README.md", *ROOT.glob("docs/*.md"), *ROOT.glob("*/README.md")]
+PAGES = [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("*/README.md")]
 
 
 def test_make_targets_of_the_documentation():
@@ -52,3 +55,36 @@ def test_make_targets_of_the_documentation():
 def test_links_of_the_documentation(page):
     for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text()):
         assert (page.parent / link).exists(), link
+
+
+def test_paths_of_the_guide_for_contributors():
+    guide = (ROOT / "CONTRIBUTING.md").read_text()
+    paths = [
+        path for path in re.findall(r"`([\w./*-]+)`", guide) if re.search(r"[/*]|\.\w+$", path)
+    ]
+    assert len(paths) > 20
+    for path in paths:
+        assert [*ROOT.glob(path), *ROOT.glob(f"*_model/{path}")], path
+
+
+def test_linters_before_a_commit_are_those_of_the_tests():
+    hooks = yaml.safe_load((ROOT / ".pre-commit-config.yaml").read_text())["repos"][0]["hooks"]
+    makefile = (ROOT / "Makefile").read_text()
+    for hook in hooks:
+        assert f"\n\t{hook['entry'].replace('.venv/tools', '$(TOOLS)')}" in makefile, hook["entry"]
+    assert len(hooks) == len(re.findall(r"^\t\$\(TOOLS\)/bin/(?:ruff|mypy)", makefile, re.M)) / 2
+
+
+LISTS = {
+    "README.md": r"chooses the ROS \(([\w, ]+)\)",
+    ".github/workflows/test.yml": r"distro: \[([\w, ]+)\]",
+    "starter_model/template/copier.yml.starter": r"choices: \[([\w, ]+)\]",
+}
+
+
+@pytest.mark.parametrize("path", LISTS)
+def test_distributions_that_are_listed(path):
+    listed = re.search(LISTS[path], (ROOT / path).read_text())[1].split(", ")
+    assert listed == [
+        distro for distro in ros.DISTROS if distro == listed[0] or ros.DISTROS[distro] > 1
+    ]

@@ -5,9 +5,11 @@ import shutil
 
 import yaml
 
+from hooks import ros
 from support.repository import EXAMPLES, ROOT, commit, git
 
 DATA = ROOT / "tests/data"
+DISTROS = tuple(ros.DISTROS)
 HOSTILE = DATA / "hostile.ros_package"
 RUNTIME = DATA / "node_runtime.ros_package"
 SPECS = {
@@ -16,7 +18,6 @@ SPECS = {
     "hostile": HOSTILE,
     "starter": None,
 }
-DISTROS = ("noetic", "humble", "jazzy", "kilted", "lyrical", "rolling")
 QUIET = ("--trust", "--defaults", "--quiet")
 MODELS = ["python_model", "cpp_model"]
 # The examples that are for one model alone.
