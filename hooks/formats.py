@@ -19,7 +19,7 @@ from .data import load_data
 from .faults import allowed, quoted, shown
 from .names import class_name
 from .names import identifier as identifier_of
-from .words import CPP_NAMES, KEYWORDS, MODULES, PACKAGES, meaning
+from .words import CPP_NAMES, DEVICES, KEYWORDS, MODULES, PACKAGES, meaning
 
 _LICENSES = {name: spdx for spdx, names in load_data("licenses.yaml").items() for name in names}
 _LONGEST_NAME = 100
@@ -62,6 +62,18 @@ def _free(word: str, meanings: Iterable[str] = KEYWORDS) -> str:
     if found := meaning(word, meanings):
         raise ValueError(f'"{word}" is {found}; choose another')
     return word
+
+
+def _as_file(format_: Callable[[str], str]) -> Callable[[str], str]:
+    """Return a format of names that files get: Windows has devices of some names."""
+
+    def check(value: str) -> str:
+        name = format_(value)
+        _free(name.partition(".")[0].lower(), DEVICES)
+        return name
+
+    check.__doc__ = format_.__doc__
+    return check
 
 
 def identifier(value: str) -> str:
@@ -310,14 +322,14 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "text": text,
     "raw": raw,
     "identifier": identifier,
-    "component_name": identifier,
-    "package_name": package_name,
+    "component_name": _as_file(identifier),
+    "package_name": _as_file(package_name),
     "dependency": dependency,
     "ros_name": ros_name,
     "message_type": _type("msg", "std_msgs/String"),
     "service_type": _type("srv", "std_srvs/Trigger"),
     "action_type": _type("action", "tf2_msgs/LookupTransform"),
-    "interface_name": interface_name,
+    "interface_name": _as_file(interface_name),
     "field_name": field_name,
     "constant_name": constant_name,
     "field_type": field_type,
@@ -330,13 +342,13 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "license": license_name,
     "version": version,
     "url": url,
-    "file_name": file_name,
+    "file_name": _as_file(file_name),
 }
 """The names a dictionary may write after `format:`."""
 FORMATS_OF_ROS: dict[int, dict[str, Callable[[str], Any]]] = {
     1: {},
     2: {
-        "interface_name": _interface_name,
+        "interface_name": _as_file(_interface_name),
         "field_name": _name(
             "[a-z][a-z0-9]*(_[a-z0-9]+)*",
             "not a field name; allowed: a-z, 0-9 and single underscores, a letter",

@@ -11,6 +11,7 @@ from .data import load_data
 
 KEYWORDS = ("a keyword of Python", "a keyword of C++")
 CPP_NAMES = (*KEYWORDS, "a macro of C++")
+DEVICES = ("a device of Windows",)
 MODULES = ("a module of Python", "a module that packages import")
 PACKAGES = (*CPP_NAMES, *MODULES, "a name of C or C++", "a package of ROS itself")
 

@@ -5,6 +5,7 @@ import ast
 import pytest
 
 from hooks.faults import SpecError
+from hooks.formats import FORMATS, FORMATS_OF_ROS
 from hooks.model import Model
 from hooks.words import PACKAGES, meaning
 from support.repository import EXAMPLES, ROOT
@@ -135,6 +136,19 @@ def modules_of(package):
                 yield from (name.name.split(".")[0] for name in statement.names)
             elif isinstance(statement, ast.ImportFrom):
                 yield statement.module.split(".")[0]
+
+
+@pytest.mark.parametrize("name", ["aux", "COM1", "Lpt9", "nul"])
+def test_devices_of_windows_are_no_names_of_files(name):
+    """Whatever has files of its name: packages, nodes, executables, messages."""
+    formats = [FORMATS[each] for each in ("component_name", "package_name", "interface_name")]
+    formats += [FORMATS["file_name"], FORMATS_OF_ROS[2]["interface_name"]]
+    for format_, form in zip(
+        formats, (name, name.lower(), name, name + ".txt", name.title()), strict=True
+    ):
+        with pytest.raises(ValueError, match=f'"{name.lower()}" is a device of Windows'):
+            format_(form)
+    assert FORMATS["ros_name"](name) == FORMATS["field_name"](name) == name
 
 
 def test_what_packages_import_is_reserved():
