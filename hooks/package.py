@@ -134,8 +134,8 @@ def _text(xml: bytes) -> bytes:
 
 def shown(path: Path) -> str:
     """Name a file as the user would, seen from the working directory."""
-    relative = os.path.relpath(path)
-    return str(path) if relative.startswith("..") else relative
+    here = Path.cwd()
+    return str(path.relative_to(here) if path.is_relative_to(here) else path)
 
 
 def _login() -> str:
