@@ -7,6 +7,7 @@ import sys
 import pytest
 import yaml
 
+from support import ros
 from support.packages import QUIET, answers
 from support.repository import bare_repository, commit, git
 
@@ -178,5 +179,4 @@ def test_package_of_a_new_model_in_ros(team, ros2, tmp_path):
     result = ros2.run("colcon test-result --all --verbose", workspace, workspace).stdout
     assert "1 test, 0 errors, 0 failures, 0 skipped" in result, result
     with ros2.running("install/robot/lib/robot/driver", workspace, workspace) as log:
-        ros2.run("sleep 5", workspace)
-        assert "driving" in log()
+        ros.wait_for("driving", log)

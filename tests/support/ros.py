@@ -165,7 +165,7 @@ def ros1():
         workspace_setup="devel/setup.bash",
         build_command="catkin_make",
         test_command="catkin_make run_tests -j4",  # tests wait more than they compute
-        result_command="catkin_test_results",
+        result_command="catkin_test_results --verbose",
         python="/usr/bin/python3",
     )
 

@@ -57,10 +57,13 @@ def learn(contact, center):
 
 def evaluated(center):
     """Return the contact that the node finds."""
-    with measuring(center):
-        evaluation = goal("evaluate", duration=0.5)
-        outcome, result = evaluation.answer()
-    assert outcome == "succeeded", outcome
+    for duration in (0.5, 2.0, 8.0):
+        with measuring(center):
+            evaluation = goal("evaluate", duration=duration)
+            outcome, result = evaluation.answer()
+        assert outcome == "succeeded", outcome
+        if evaluation.feedback:
+            break  # on a busy machine half a second may bring none
     last = evaluation.feedback[-1].cop
     assert abs(last.x - center[0]) < 0.02, last
     return result.contact
