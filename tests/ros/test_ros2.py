@@ -63,6 +63,16 @@ def test_launch_file(ros2, ros2_spec, ros2_with_logic):
         ros2.talk(workspace, "all_kinds", *ros2_spec[1])
 
 
+def test_node_that_is_destroyed_twice(ros2, ros2_untouched, model):
+    """As by `with` and by an executor of others; the second time nothing is left to do."""
+    if model != "python_model":
+        pytest.skip("C++ has destructors")
+    code = "rclpy.init(); node = ClerkNode(); node.destroy_node(); node.destroy_node()"
+    code = f"import rclpy; from serving.clerk_ros import ClerkNode; {code}; rclpy.shutdown()"
+    workspace = ros2_untouched.workspace
+    ros2.run(f"python3 -c '{code}'", workspace, workspace, timeout=60)
+
+
 def test_messages_are_not_copied(ros2, render, tmp_path):
     """python_model hands on the message that came; C++ moves what it owns."""
     render(EXAMPLES / "../benchmarks/fast.ros_package", ros_distro=ros2.distro, name="src/fast")
