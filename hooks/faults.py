@@ -7,6 +7,10 @@ from collections.abc import Iterable, Sequence
 
 _LONGEST = 60
 _MOST = 20
+_SHORTEST_PART = 3
+_MOST_PARTS = 3
+_SLIP = 0.8
+"""How like a word is that was meant and misspelt, of 1."""
 
 
 class SpecError(Exception):
@@ -37,7 +41,14 @@ def allowed(word: str, words: Iterable[str]) -> str:
 
 
 def nearest(word: str, words: Iterable[str]) -> str:
-    """Ask whether one of the `words` is meant by `word`, where one is near; a blank follows."""
-    known, word = list(words), word[:_LONGEST]
-    near = difflib.get_close_matches(word.lower(), {known_word.lower() for known_word in known}, 1)
-    return next((f'did you mean "{w}"? ' for w in known if [w.lower()] == near), "")
+    """Ask whether one of the `words` is meant by `word`, where one is near; a blank follows.
+
+    A word that is a part of several may mean each: `client` is in `serviceClient`, too.
+    """
+    known, word = list(words), word[:_LONGEST].lower()
+    parts = [w for w in known if len(word) >= _SHORTEST_PART and word in w.lower()]
+    spelled = {known_word.lower(): known_word for known_word in known}
+    if 1 < len(parts) <= _MOST_PARTS and not difflib.get_close_matches(word, spelled, 1, _SLIP):
+        return f"did you mean {', '.join(map(quoted, parts[:-1]))} or {quoted(parts[-1])}? "
+    near = difflib.get_close_matches(word, spelled, 1)
+    return f"did you mean {quoted(spelled[near[0]])}? " if near else ""

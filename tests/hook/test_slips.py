@@ -118,6 +118,11 @@ NODE = ITEM.format('<node name="n" frequency="1">{}</node>')
 @pytest.mark.parametrize(
     ("spec", "says"),
     [
+        (NODE.format('<service name="x"/>'), 'did you mean "serviceServer" or "serviceClient"?'),
+        (NODE.format('<client name="x"/>'), 'did you mean "serviceClient" or "actionClient"?'),
+        (NODE.format('<pub name="x"/>'), 'did you mean "publisher" or "directPublisher"?'),
+        (NODE.format('<param name="x"/>'), 'did you mean "parameter" or "dynParameter"?'),
+        (NODE.format('<servicServer name="x"/>'), 'did you mean "serviceServer"?'),
         (ITEM.format('<node name="n" rate="10"/>'), '"rate"; did you mean frequency="..."?'),
         (NODE.format('<publisher topic="x" type="a::B"/>'), '"topic"; did you mean name="..."?'),
         (NODE.format('<subscriber name="x" msg="a::B"/>'), '"msg"; did you mean type="..."?'),
