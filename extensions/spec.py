@@ -19,10 +19,14 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+import copier
 from copier.errors import UserMessageError
 from jinja2 import Environment, pass_context
 from jinja2.ext import Extension
 from jinja2.runtime import Context
+
+NEWEST_COPIER = (9, 19)
+"""The newest Copier that the tests run with."""
 
 
 class SpecExtension(Extension):
@@ -74,6 +78,7 @@ class SpecExtension(Extension):
         question with choices calls this: an update asks in the version before, too, where no
         spec is read.
         """
+        _check_copier(copier.__version__)
         data = context["_copier_conf"]["data"]
         if isinstance(data.get("spec"), str):  # Copier itself gives a mapping
             self.hooks.questions.check_options(["spec"], self.root)
@@ -288,6 +293,18 @@ class SpecExtension(Extension):
     @staticmethod
     def _is_given(context: Context) -> bool:
         return "spec" in context["_copier_conf"]["data"]
+
+
+def _check_copier(version: str) -> None:
+    """Refuse a Copier that may treat packages in another way, before it writes anything."""
+    major, minor = (int(number) for number in version.split(".")[:2])
+    if (major, minor) > NEWEST_COPIER and "UNTESTED_COPIER" not in os.environ:
+        newest = ".".join(map(str, NEWEST_COPIER))
+        raise UserMessageError(
+            f"Copier {version} is newer than {newest}, the newest that this version of the model"
+            f' is tested with; install that, as by pipx install --force "copier=={newest}.*",'
+            " or set UNTESTED_COPIER=1 to try"
+        )
 
 
 def _can_ask() -> bool:

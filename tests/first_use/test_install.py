@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 
+import copier
 import pytest
 
 from support.documentation import blocks
@@ -80,6 +81,17 @@ def test_readme_names_every_distribution():
     """With its least version."""
     told = re.search(r"The models import (.*?);", (ROOT / "README.md").read_text(), re.DOTALL)[1]
     assert dict(re.findall(r"`([\w-]+)`(?:\s([\d.]+))?", told)) == dependencies()
+
+
+def test_newest_copier_is_the_same_everywhere():
+    """Of the extension, what is installed for the tests, CI of packages, models of one's own."""
+    text = (ROOT / "extensions/spec.py").read_text()
+    major, minor = map(int, re.search(r"^NEWEST_COPIER = \((\d+), (\d+)\)$", text, re.M).groups())
+    below = f"<{major}.{minor + 1}"
+    assert f'"copier>=9.19,{below}"' in (ROOT / "pyproject.toml").read_text()
+    assert below in (ROOT / "starter_model/template/requirements.txt").read_text()
+    assert f" copier=={major}.{minor}.* " in (ROOT / "shared/ci/commands.jinja").read_text()
+    assert tuple(map(int, copier.__version__.split(".")[:2])) <= (major, minor)
 
 
 def test_what_is_imported_is_declared():

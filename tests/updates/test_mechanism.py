@@ -1,5 +1,6 @@
 """From a spec to the answers and back: copy, recopy, update, and every way they can fail."""
 
+import os
 import re
 import shlex
 import subprocess
@@ -323,6 +324,33 @@ def test_unknown_option(collection, package, copier_command, tmp_path):
     options = "allowed: spec_file, ros_distro, ci, runtime\n"
     fails(result, f'-d ros_distr: no such option; did you mean "ros_distro"? {options}')
     assert git(package, "status", "--short") == ""
+
+
+@pytest.mark.parametrize("version", ["9.20.0", "10.0.1", "9.19.7", "9.20.0.dev3+g1234"])
+@pytest.mark.parametrize("command", ["copy", "update"])
+def test_copier_that_is_newer_than_those_tested(collection, package, tmp_path, version, command):
+    """It may work another way: nothing is written. What mends the newest is taken."""
+    new = [collection, tmp_path / "new"] if command == "copy" else [package]
+    code = f"import copier, runpy; copier.__version__ = {version!r}; runpy.run_module('copier')"
+    code = code.replace("'copier')", "'copier', run_name='__main__')")
+
+    def run(**environment):
+        return subprocess.run(
+            [sys.executable, "-c", code, command, *QUIET, *new],
+            env=os.environ | environment,
+            capture_output=True,
+            text=True,
+        )
+
+    result = run()
+    if version == "9.19.7":
+        assert result.returncode == 0, result.stderr
+        return
+    fails(result, f"Copier {version} is newer than 9.19, ", '"copier==9.19.*"')
+    assert not (tmp_path / "new").exists()
+    assert git(package, "status", "--short") == ""
+    if version == "9.20.0":
+        assert run(UNTESTED_COPIER="1").returncode == 0
 
 
 def test_option_that_a_version_has_of_its_own(own_collection, render, copier_command):
