@@ -74,7 +74,7 @@ def dependencies():
     """Return the distributions of pyproject.toml, each with its least version or ""."""
     text = (ROOT / "pyproject.toml").read_text()
     listed = re.search(r"^dependencies = \[\n(.*?)^\]", text, re.DOTALL | re.MULTILINE)[1]
-    return dict(re.findall(r'"([\w-]+)(?:>=([\d.]+))?"', listed))
+    return dict(re.findall(r'"([\w-]+)(?:>=([\d.]+))?(?:,<[\d.]+)?"', listed))
 
 
 def test_readme_names_every_distribution():
