@@ -72,7 +72,7 @@ class SpecExtension(Extension):
 
         For one that is no choice Copier shows a traceback, or takes the default. The first
         question with choices calls this: an update asks in the version before, too, where no
-        spec is read.
+        spec is read (decision 85).
         """
         data = context["_copier_conf"]["data"]
         if isinstance(data.get("spec"), str):  # Copier itself gives a mapping
@@ -291,11 +291,15 @@ class SpecExtension(Extension):
 
 
 def _can_ask() -> bool:
+    """Say whether there is a terminal: without one, defaults count (decision 5)."""
     return bool(sys.stdin and not sys.stdin.closed and sys.stdin.isatty())
 
 
 def _load_hooks(root: Path) -> ModuleType:
-    """Load the template's own `hooks` beside other versions, each once: its content names it."""
+    """Load the template's own `hooks` beside other versions, each once: its content names it.
+
+    Decision 3: an update runs two versions in one process.
+    """
     folder = root / "hooks"
     name = f"hooks_{_digest(folder)}"
     spec = importlib.util.spec_from_file_location(
