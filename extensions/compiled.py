@@ -21,7 +21,8 @@ _LIBRARIES = ("copier", "jinja2", "jinja2-ansible-filters")
 class CompiledExtension(Extension):
     """Keep compiled templates in the folder where Jinja keeps them: by default, a temporary one.
 
-    An update renders a package several times, and each render has an environment of its own.
+    An update renders a package several times, and each render has an environment of its own
+    (decision 4).
     """
 
     def __init__(self, environment: Environment) -> None:

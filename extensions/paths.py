@@ -17,9 +17,11 @@ _PART = re.compile(r"\[spec\.(\w+)\]")
 class PathsExtension(Extension):
     """Turn `[node.name]_impl.py` into Copier's own way to make a file of each of `spec.nodes`.
 
+    Decision 15: names of template files are plain.
     `[topic.name]` does so for what stands inside of components, too: the file sees it as `topic`.
     A folder `[spec.arm]` is the package itself, for the part of the spec that the model's function
-    `parts` gives for `arm`: what is in the folder sees it as `part`, and has its components.
+    `parts` gives for `arm`: what is in the folder sees it as `part`, and has its components
+    (decision 87).
     """
 
     def __init__(self, environment: Environment) -> None:

@@ -12,7 +12,10 @@ WIDTH = 99
 
 
 def python_type(type_: str) -> str:
-    """Return the Python name of a ROS type or of the type of a parameter."""
+    """Return the Python name of a ROS type or of the type of a parameter.
+
+    Decision 35: of a ROS type with its package, as types of two packages may have one name.
+    """
     if type_.endswith("[]"):
         return f"Sequence[{python_type(type_[:-2])}]"
     names = {"double": "float", "string": "str"}

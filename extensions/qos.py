@@ -83,7 +83,7 @@ def rclpy_qos(topic: Mapping[str, Any], indent: int) -> str:
     """Return the QoSProfile of a topic in Python, split where it is too long after `indent`.
 
     Nothing where the QoS is the default one. No profile of rclpy is named, for rclpy writes
-    overrides into the object that it is given.
+    overrides into the object that it is given (decision 37).
     """
     policies = qos(topic)
     changed = _changed(policies, _DEFAULT | {"depth": policies["depth"]})

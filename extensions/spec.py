@@ -26,7 +26,7 @@ from jinja2.ext import Extension
 from jinja2.runtime import Context
 
 NEWEST_COPIER = (9, 19)
-"""The newest Copier that the tests run with."""
+"""The newest Copier that the tests run with (decision 97)."""
 
 
 class SpecExtension(Extension):
@@ -76,7 +76,7 @@ class SpecExtension(Extension):
 
         For one that is no choice Copier shows a traceback, or takes the default. The first
         question with choices calls this: an update asks in the version before, too, where no
-        spec is read.
+        spec is read (decision 85).
         """
         _check_copier(copier.__version__)
         data = context["_copier_conf"]["data"]
@@ -308,11 +308,15 @@ def _check_copier(version: str) -> None:
 
 
 def _can_ask() -> bool:
+    """Say whether there is a terminal: without one, defaults count (decision 5)."""
     return bool(sys.stdin and not sys.stdin.closed and sys.stdin.isatty())
 
 
 def _load_hooks(root: Path) -> ModuleType:
-    """Load the template's own `hooks` beside other versions, each once: its content names it."""
+    """Load the template's own `hooks` beside other versions, each once: its content names it.
+
+    Decision 3: an update runs two versions in one process.
+    """
     folder = root / "hooks"
     name = f"hooks_{_digest(folder)}"
     spec = importlib.util.spec_from_file_location(

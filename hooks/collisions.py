@@ -1,6 +1,7 @@
 """The names that a spec has in a package: unique in their scope, and not reserved there.
 
-Which names those are, the dictionary says under `names`; docs/designers describes it.
+Which names those are, the dictionary says under `names`; docs/designers describes it
+(decision 11).
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ WAS = "was"
 RESERVED_KEYS = frozenset({"ros", "kinds", "declared", "depends", "other_depends", "notes"})
 """The keys of the context that the hook itself adds to the attributes of the package."""
 COMPONENT_KEYS = frozenset({"tag", "class_name"})
-"""The keys that the hook itself adds to the attributes of a component."""
+"""The keys that the hook itself adds to the attributes of a component (decision 7)."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ NAME_BEFORE = Attribute(WAS, "the name before, so that the code of a renamed one
 
 @dataclass(frozen=True)
 class Interface:
-    """One interface kind: its attributes, what it is for, and the kinds inside of it."""
+    """One interface kind: its attributes, what it is for, the kinds inside of it (decision 79)."""
 
     kind: str
     attributes: Mapping[str, Attribute]
@@ -179,7 +179,10 @@ def load(file: Path, root: Path) -> Dictionary:
 
 
 def _read(file: Path, root: Path, files: list[Path]) -> dict[str, Any]:
-    """Return what a dictionary says, added to what those that it includes say; note its file."""
+    """Return what a dictionary says, added to what those that it includes say; note its file.
+
+    Decision 89: with a key that took the place of the included one, all of it had to be repeated.
+    """
     content = _mapping(file)
     included: dict[str, Any] = {}
     names = content.pop("include", None) or []

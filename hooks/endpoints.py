@@ -38,7 +38,10 @@ def endpoint(owner: str, interface: Interface, item: Mapping[str, Any]) -> Endpo
 
 
 def clashes(elements: Sequence[Checked], dictionary: Dictionary) -> Iterator[tuple[Element, str]]:
-    """Yield each interface whose name has another type in its own component, as no ROS allows."""
+    """Yield each interface whose name has another type in its own component, as no ROS allows.
+
+    Decision 78: between components that is but a note.
+    """
     types: dict[tuple[str, str, str], str] = {}
     for item in elements:
         component = list(item.owners.values())[1]

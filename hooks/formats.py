@@ -27,7 +27,10 @@ _BIDIRECTIONAL = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u20
 
 
 def raw(value: str) -> str:
-    """Any text as it stands, but for signs that are no text and would change what is read."""
+    """Any text as it stands, but for signs that are no text and would change what is read.
+
+    Decision 12: YAML, compilers and reviewers each read something else.
+    """
     for sign in value if not value.isprintable() else "":
         category = unicodedata.category(sign)
         if sign in _BIDIRECTIONAL or (
@@ -201,6 +204,7 @@ def _name(
 _WORD = r"[A-Za-z]\w*"
 _LETTERS = "allowed: letters, digits and underscores, a letter"
 interface_name = _name(_WORD, f"not a name of a type; {_LETTERS}")
+# Decision 81: keywords of IDL are names of fields, those of Python and C++ are not.
 field_name = _name(_WORD, f"not a field name; {_LETTERS}", KEYWORDS[1:])
 constant_name = _name(_WORD, f"not a constant name; {_LETTERS}", KEYWORDS[1:])
 _interface_name = _name(

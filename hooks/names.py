@@ -19,7 +19,10 @@ def graph_id(name: str, owner: str) -> str:
 
 
 def ros_type(type_: str, ros: int) -> str:
-    """Return a type as users of a ROS generation write it: in ROS 1 `std_msgs/String`."""
+    """Return a type as users of a ROS generation write it: in ROS 1 `std_msgs/String`.
+
+    Decision 80: the context has one spelling for both.
+    """
     return f"{type_package(type_)}/{type_name(type_)}" if ros == 1 else type_
 
 

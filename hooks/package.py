@@ -80,7 +80,7 @@ class Package:
         return f"bring it back with git -C {folder} checkout {commit} -- ':(glob)*{SUFFIX}'"
 
     def check_file_name(self, name: str) -> None:
-        """Insist on `<package>.ros_package`: templates could not find it by another name."""
+        """Insist on `<package>.ros_package`: templates find it by that name alone (decision 6)."""
         for file in self.specs:
             if file.stem != name:
                 raise SpecError(
@@ -95,7 +95,10 @@ class Package:
         return Package(folder / self.folder.resolve().relative_to(top), self.answers_file)
 
     def about(self) -> dict[str, str]:
-        """Say what a new package is called and whose it is: its folder, git's configuration."""
+        """Say what a new package is called and whose it is: its folder, git's configuration.
+
+        It goes into the text of a first spec, never into the context (decision 2).
+        """
         name = re.sub(r"[^a-z0-9]+", "_", self.folder.name.lower()).strip("_")
         name = name if re.match(r"[a-z]", name) else f"pkg_{name}".rstrip("_")
         login = _login()

@@ -72,7 +72,10 @@ def parse(xml: bytes, file: str) -> Element:
 
 
 def _places(xml: bytes, file: str) -> list[Place]:
-    """Return the place of each element, in the order they end: what xmltodict does not tell."""
+    """Return the place of each element, in the order they end: what xmltodict does not tell.
+
+    Decision 10: a first pass of expat, which also refuses what no spec has.
+    """
     parser = expat.ParserCreate("UTF-8")
     count = 0
     begun: list[tuple[str, Place]] = []

@@ -19,7 +19,7 @@ def check_options(given: Iterable[str], root: Path) -> None:
     Names that begin with _ are Copier's own.
 
     Raises:
-        SpecError: there is no such question, so Copier would ignore the option.
+        SpecError: there is no such question: Copier would ignore the option (decision 14).
 
     """
     known = questions(root)

@@ -139,7 +139,7 @@ def written_value(value: Any) -> str:
 def written_constant(constant: dict[str, Any], ros: int) -> str:
     """Return the value of a constant as rosidl or genmsg reads it.
 
-    In ROS 1 the text counts, not the value: the checksum of a message is made of it.
+    In ROS 1 the text counts, not the value: the checksum of a message is made of it (decision 83).
     """
     text, type_ = str(constant["value"]), constant["type"]
     if type_ in ("string", "wstring"):

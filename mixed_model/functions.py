@@ -40,7 +40,7 @@ def dependencies_from_interface(
 def parts(spec: dict[str, Any], language: str, ros_distro: str) -> list[dict[str, Any]]:
     """Return the spec of the nodes of one language, as its model sees it; none without nodes.
 
-    What <depend> adds is for both languages.
+    What <depend> adds is for both languages. Decision 88: nothing of it is recorded.
     """
     nodes = [node for node in spec["nodes"] if node["language"] == language]
     if not nodes:

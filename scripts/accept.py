@@ -4,7 +4,8 @@
     python scripts/accept.py --check    # changes nothing; shows what would change, and fails
 
 The packages of two specs are shown whole, for both ROS. The other specs would repeat most of
-their files, so of their packages only what all_kinds lacks is shown, for ROS 2 and without tests.
+their files, so of their packages only what all_kinds lacks is shown, for ROS 2 and without tests
+(decision 19).
 A package is made as from the published model, but for the version, which its answers leave out.
 """
 

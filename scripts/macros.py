@@ -3,6 +3,7 @@
     . /opt/ros/kilted/setup.sh && python scripts/macros.py > hooks/macros.yaml
 
 It asks the compiler, with ROS 1 in /usr or /opt/ros/noetic and ROS 2 in the environment.
+Decision 82: patterns refused names that ROS itself has.
 """
 
 from __future__ import annotations

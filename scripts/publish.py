@@ -142,7 +142,10 @@ def _commit(repository: Path, model: str, tag: str, parent: str) -> str:
 
 
 def _links(repository: Path, tag: str, model: str) -> dict[str, str]:
-    """Return the model's symbolic links, each with the path in the collection it leads to."""
+    """Return the model's symbolic links, each with the path in the collection it leads to.
+
+    Decisions 91 and 93: the mixed model and the starter have links to what they carry.
+    """
     links = {}
     for entry in _git(repository, "ls-tree", "-r", "-z", f"{tag}:{model}").split("\0"):
         if entry.startswith("120000"):

@@ -40,7 +40,7 @@ def test_readme_names_every_folder():
 
 
 ROOT = TESTS.parent
-PAGES = [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("*/README.md")]
+PAGES = [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md"), *ROOT.glob("*/README.md")]
 
 
 def test_make_targets_of_the_documentation():
@@ -88,3 +88,61 @@ def test_distributions_that_are_listed(path):
     assert listed == [
         distro for distro in ros.DISTROS if distro == listed[0] or ros.DISTROS[distro] > 1
     ]
+
+
+DECISIONS = sorted(ROOT.glob("docs/decisions/[0-9]*.md"))
+STATUS = re.compile(
+    r"\n\nStatus: (accepted|superseded by \[\d+\]\(\d{4}-[\w-]+\.md\))"
+    r" \((20\d\d-\d\d-\d\d)(, changed 20\d\d-\d\d-\d\d)*\)\n\n"
+)
+CITATION = re.compile(r"\b[Dd]ecisions? (\d+)(?: and (\d+))?\b")
+CODE = ("hooks", "extensions", "scripts", "shared", "tests", "docs", "*_model")
+CITING = sorted(
+    file
+    for folder in CODE
+    for file in ROOT.glob(f"{folder}/**/*")
+    if file.suffix in (".py", ".yaml", ".yml", ".md", ".jinja", ".hpp") and file.is_file()
+    if not file.is_relative_to(ROOT / "docs/decisions")
+)
+
+
+def cited(text):
+    """Return the numbers of the decisions that a text cites."""
+    return {int(number) for each in CITATION.findall(text) for number in each if number}
+
+
+@pytest.mark.parametrize("file", DECISIONS, ids=lambda file: file.stem)
+def test_decisions_have_a_number_and_a_status(file):
+    text = file.read_text()
+    assert text.startswith(f"# {int(file.name[:4])}. ")
+    assert len(STATUS.findall(text)) == 1
+
+
+def test_table_of_decisions_is_theirs():
+    """All of them, in order within a section, where a new decision comes last."""
+    table = (ROOT / "docs/decisions/README.md").read_text()
+    rows = []
+    for section in table.split("\n## "):
+        found = re.findall(r"^\| \[(\d+)\]\((.+?)\) \| (.+) \| (.+) \|$", section, re.MULTILINE)
+        assert found == sorted(found, key=lambda row: int(row[0]))
+        rows += found
+    known = []
+    for file in DECISIONS:
+        number, title = re.match(r"# (\d+)\. (.+)", file.read_text()).groups()
+        known.append((number, file.name, title, STATUS.search(file.read_text())[1]))
+    assert sorted(rows) == sorted(known)
+
+
+def test_decisions_are_cited_where_they_explain_something():
+    known = {int(file.name[:4]): STATUS.search(file.read_text())[1] for file in DECISIONS}
+    numbers = {number for file in CITING for number in cited(file.read_text())}
+    assert numbers <= {*known}
+    assert {number for number in known if known[number] == "accepted"} <= numbers
+
+
+def test_packages_cite_no_decisions():
+    """A template has them in comments of Jinja."""
+    templates = [file for file in CITING if file.suffix == ".jinja" or "template" in file.parts]
+    assert templates
+    for file in templates:
+        assert not cited(re.sub(r"\{#.*?#\}", "", file.read_text(), flags=re.DOTALL)), file

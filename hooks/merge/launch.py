@@ -2,7 +2,8 @@
 
 The two are different files, with other generated elements. An element of the developer's is put
 where the other file has the element that it stands in; an attribute is exchanged in the element
-that has it. What means nothing in the other ROS stays behind.
+that has it. What means nothing in the other ROS stays behind. Decision 92: the new file
+is the base.
 """
 
 from __future__ import annotations

@@ -132,7 +132,7 @@ def _settle(
     ours, theirs = _apply(mine, stable, start, end), _apply(new, stable, start, end)
     if list(map(key, ours)) == list(map(key, theirs)) or same("".join(ours), "".join(theirs)):
         return list(ours)
-    if start == end:
+    if start == end:  # both insertions stay, the model's first (decision 24)
         have = {key(line) for line in ours}
         return [*_ended(line for line in theirs if key(line) not in have), *ours]
     before = "".join(old[start:end])

@@ -197,6 +197,7 @@ def wrap(blocks: Blocks, mine: Blocks, *versions: Blocks) -> list[Block]:
     """Put blocks into the containers that the developer has put around them in `mine`.
 
     `versions` have all that is generated. A container without lines stands for the developer's.
+    Decision 27: what is generated is merged as if they stood beside it.
     """
     known = _by_key(versions)
     places = dict(_places(mine, known, ()))

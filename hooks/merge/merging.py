@@ -25,7 +25,7 @@ class Outcome:
 
     merged: Merged
     removed: list[str] = field(default_factory=list)
-    """The edited blocks that left, because the new version has no such thing."""
+    """The edited blocks that left, because the new version has no such thing (decision 23)."""
     missing: list[str] = field(default_factory=list)
     """The blocks of the new version that the developer has deleted."""
     own: list[str] = field(default_factory=list)
@@ -177,7 +177,10 @@ class _Merger:
         return merged
 
     def block(self, mine: Block, old: Block | None, new: Block) -> Merged:
-        """Merge one block; where there was none before, both stay, or what has one name once."""
+        """Merge one block; where there was none before, both stay, or what has one name once.
+
+        Decision 30: of one name the developer's stays.
+        """
         if old is None:
             old = Block(mine.key, mine.lines, [], mine.tail)
             if not (mine.children and new.children):

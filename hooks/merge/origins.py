@@ -1,6 +1,6 @@
 """Where the names of a file come from: from the package itself, or from elsewhere.
 
-It is not how a name looks that tells. In doubt it is from elsewhere.
+It is not how a name looks that tells (decision 28). In doubt it is from elsewhere.
 """
 
 from __future__ import annotations

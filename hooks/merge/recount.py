@@ -2,6 +2,7 @@
 
 It counts. A line is there as often as the new version has it, more what the developer has added,
 less what they have deleted. And what was sound is so: brackets, conditions, fences, keys, names.
+Decision 29: each proof sees faults that the other does not.
 """
 
 from __future__ import annotations

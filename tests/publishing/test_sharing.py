@@ -1,4 +1,7 @@
-"""Models as git repositories of their own: `copier copy gh:org/python_model mypkg`."""
+"""Models as git repositories of their own: `copier copy gh:org/python_model mypkg`.
+
+What templates share is included by name, and published with each model (decision 18).
+"""
 
 import re
 import subprocess

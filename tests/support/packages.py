@@ -42,7 +42,10 @@ def fill_in_serving(package, model):
 
 
 def fill_in_contacts(package, model):
-    """Put the logic of examples/logic in the place of the empty one of contact_analysis."""
+    """Put the logic of examples/logic in the place of the empty one of contact_analysis.
+
+    Decision 20: it lies beside the packages shown, which stay what the models make.
+    """
     written = {file.name: file for file in (EXAMPLES / "logic").iterdir()}
     found = files(package, "contact_evaluate_impl.*")
     empty = [f for f in found if f.name in written and "recorder" not in f.parts]

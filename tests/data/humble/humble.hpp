@@ -1,6 +1,6 @@
 // What packages use of rclcpp, rclcpp_lifecycle and messages, declared as in Humble (rclcpp 16).
 // Where later versions have more, as const methods or rclcpp::QoS of services, this has not.
-// Nothing is linked: bodies are there only where a template takes a lambda.
+// Nothing is linked: bodies are there only where a template takes a lambda (decision 77).
 
 #pragma once
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string>
 
+// Decision 76: all mutants are one program, which is built once.
 /// Return whether the environment asks for this fault.
 inline bool is_mutant(const std::string & fault)
 {
