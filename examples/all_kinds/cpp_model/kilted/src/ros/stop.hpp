@@ -26,7 +26,8 @@ namespace timeouts
 using std::chrono::milliseconds;
 
 constexpr milliseconds RETURN{100};  // for a method to return, once its waits have been ended
-constexpr milliseconds RECEIVE{500};  // for subscribers and clients to receive what was sent last
+// For subscribers and clients to receive what was sent last. Fast DDS 3.2 acknowledges every 3 s.
+constexpr milliseconds RECEIVE{500};
 constexpr milliseconds SETTLE{1};  // between two looks whether a transition or a callback is over
 constexpr milliseconds CALLBACK{1000};  // for a thread of callbacks to end
 constexpr milliseconds QUIET{10000};  // between two warnings of the same kind

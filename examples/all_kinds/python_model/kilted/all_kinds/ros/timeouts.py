@@ -3,7 +3,8 @@
 
 """Time-outs and periods of the node, in seconds."""
 
-ACKNOWLEDGE_TIMEOUT = 0.5  # for subscribers to acknowledge the last messages of a publisher
+# For subscribers to receive what was published last. Fast DDS 3.2 acknowledges every 3 s.
+ACKNOWLEDGE_TIMEOUT = 0.5
 DISCOVERY_PERIOD = 0.02  # between two checks whether the server of a call is available
 RETURN_TIMEOUT = 0.2  # for deactivate and cleanup to return once their waits have ended
 SERVER_CHECK_PERIOD = 0.5  # between two checks whether the servers of all clients are available
