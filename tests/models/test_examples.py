@@ -126,7 +126,7 @@ def test_every_spec_has_its_packages(made):
 def test_answers_tell_nothing_of_a_machine(package, made):
     """Those of the parts are not shown, but made alike."""
     recorded = answers(made / package)
-    asked = {"runtime"} if "nodes" in recorded["spec"] else set()
+    asked = {"agents", "runtime"} if "nodes" in recorded["spec"] else set()
     assert set(recorded) == {"_src_path", "ci", "ros_distro", "spec"} | asked
     assert recorded["_src_path"] == f"gh:org/{package.split('/')[1]}"
     file = EXAMPLES / package / ".copier-answers.yml"

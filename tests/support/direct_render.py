@@ -37,6 +37,7 @@ class Renderer:
             "model": self.model,
             "ros_distro": distro,
             "ci": "none",
+            "agents": "AGENTS.md",
             "runtime": "inside",
             "runtime_package": spec["name"],
             "runtime_headers": "" if "nodes" in spec else f"{spec['name']}/",
