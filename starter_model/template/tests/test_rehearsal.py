@@ -1,0 +1,1 @@
+../../../tests/publishing/test_rehearsal.py
