@@ -446,7 +446,7 @@ def _own_import(random, edited, path, lines):
     start = next(
         (i for i, line in enumerate(lines) if re.match(r"from \w+\.\w+_interface", line)), 0
     )
-    if not start or lines[start].count("(") != 1:
+    if not start or lines[start].count("(") != 1 or not is_logic(path):
         return
     end = next(i for i in range(start, len(lines)) if ")" in lines[i])
     if random.random() < 0.5:
