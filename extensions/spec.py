@@ -43,6 +43,7 @@ class SpecExtension(Extension):
             self.read_spec,
             self.spec_changed,
             self.spec_text,
+            self.spec_schema,
             self.has_spec,
             self.has_file,
             self.package_name,
@@ -121,6 +122,10 @@ class SpecExtension(Extension):
         folder = self._package(context).folder
         xml = self.specs[folder] if folder in self.specs else self._spec(context, spec_file)[0]
         return xml.decode("utf-8-sig")
+
+    def spec_schema(self, context: Context) -> str:
+        """Return the XML schema of the specs of the model, for editors."""
+        return str(self._model(context).schema())
 
     def has_spec(self, context: Context) -> bool:
         """Say whether the destination holds a spec already."""

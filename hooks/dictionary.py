@@ -56,7 +56,9 @@ class Attribute:
     example: Any = ""
 
 
-NAME_BEFORE = Attribute(WAS, "the name before, so that the code of a renamed one is kept")
+NAME_BEFORE = Attribute(
+    WAS, "the name before, so that the code of a renamed one is kept", optional=True
+)
 """The attribute that the package, every component and every interface with a name may have."""
 
 

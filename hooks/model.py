@@ -19,6 +19,7 @@ from .dictionary import Dictionary, load
 from .faults import SpecError
 from .parse import parse
 from .ros import DISTROS
+from .schema import schema
 from .skeleton import skeleton
 
 
@@ -64,6 +65,10 @@ class Model:
     def skeleton(self, sources: Mapping[str, str]) -> str:
         """Return the XML a package starts with; see `hooks.skeleton`."""
         return skeleton(self.dictionary, sources)
+
+    def schema(self) -> str:
+        """Return the XML schema of the specs; see `hooks.schema`."""
+        return schema(self.dictionary)
 
 
 def load_functions(file: Path) -> Functions:

@@ -3,6 +3,8 @@
 It serves the model in whose repository it stands, or each model of a collection.
 """
 
+import importlib
+import importlib.util
 import shutil
 import subprocess
 import tempfile
@@ -177,6 +179,20 @@ class Model:
         ET.indent(root)
         return ET.tostring(root, encoding="unicode") + "\n"
 
+    def faulty(self, owner):
+        """Yield specs with a fault that a schema can know: what is unknown, missing, no choice."""
+        base = self.base(owner)
+        yield self.spec([(owner, base | {"no_such": "x"})])
+        for name, attribute in owner.attributes.items():
+            if not (attribute.optional or attribute.ignored):
+                yield self.spec([(owner, {each: base[each] for each in base if each != name})])
+            if attribute.choices and not attribute.ignored:
+                yield self.spec([(owner, base | {name: "no such"})])
+        for child in ("no_such", PACKAGE):
+            root = ET.fromstring(self.spec([(owner, base)]))
+            ET.SubElement(root.find("/".join(owner.path)) if owner.path else root, child)
+            yield ET.tostring(root, encoding="unicode")
+
     def small(self):
         """Return the elements of a spec with one interface of each kind."""
         return self._accepted([(o, self.base(o)) for o in self.owners if o.component])
@@ -213,6 +229,18 @@ class Model:
             items.append(((owner, values | names), (owner, values)))
         accept(items)
         return found
+
+
+def validators(schema):
+    """Return the validators that are here, each to be called with a spec, for a schema's file."""
+    found = []
+    if importlib.util.find_spec("xmlschema"):
+        found.append(importlib.import_module("xmlschema").XMLSchema(str(schema)).is_valid)
+    if shutil.which("xmllint"):
+        command = ["xmllint", "--noout", "--schema", str(schema), "-"]
+        options = {"capture_output": True, "text": True}
+        found.append(lambda spec: not subprocess.run(command, input=spec, **options).returncode)
+    return found
 
 
 def is_component(owner):
