@@ -111,6 +111,24 @@ def test_starter_spec_of_another_dictionary(make):
     assert '<joint label="label"/>' in spec.read_text()
 
 
+def test_schema_comes_to_older_packages(model, make, update):
+    """And a newer dictionary makes a newer one; the spec is the developer's and stays."""
+    package = make(SPEC)
+    schema = package / "ros_package.xsd"
+    assert not schema.exists()
+    (model / "template/ros_package.xsd.jinja").write_text("{{ spec_schema() }}")
+    commit(model, tag="2.0.0")
+    update(package)
+    assert 'element name="joint"' in schema.read_text()
+    commit(package)
+    dictionary = model / "dictionary.yaml"
+    dictionary.write_text(dictionary.read_text().replace("a joint to move", "a joint that moves"))
+    commit(model, tag="3.0.0")
+    update(package)
+    assert "a joint that moves" in schema.read_text()
+    assert (package / "arm.ros_package").read_text() == SPEC
+
+
 @pytest.mark.parametrize(
     ("spec", "message"),
     [
