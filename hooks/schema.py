@@ -6,6 +6,7 @@ formats, names that are taken, how often there is something, what one attribute 
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Iterable
 from xml.sax.saxutils import escape, quoteattr
@@ -56,7 +57,8 @@ def schema(dictionary: Dictionary) -> str:
     attributes = [*dictionary.package.values(), NAME_BEFORE]
     package = _tag("complexType", _content(attributes, elements, least=int(needs_one)))
     text = _tag("element", package, name=PACKAGE) + types.text()
-    text += "".join(type_ for name, type_ in _SIMPLE_TYPES.items() if f'="{name}"' in text)
+    for name, type_ in _SIMPLE_TYPES.items():
+        text += type_ if re.search(f'(base|type)="{name}"', text) else ""
     return _HEAD + _tag("schema", text, **{"xmlns:xs": XSD})
 
 
