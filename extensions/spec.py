@@ -14,13 +14,20 @@ import importlib.util
 import os
 import sys
 import tempfile
+import traceback
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, NoReturn
 
-from copier.errors import UserMessageError
-from jinja2 import Environment, pass_context
+from copier.errors import CopierError, UserMessageError
+from jinja2 import (
+    Environment,
+    TemplateError,
+    TemplateNotFound,
+    TemplateSyntaxError,
+    pass_context,
+)
 from jinja2.ext import Extension
 from jinja2.runtime import Context
 
@@ -59,6 +66,7 @@ class SpecExtension(Extension):
             "can_ask": _can_ask,
             "default_ros_distro": lambda: self.hooks.ros.default_distro(os.environ),
         }
+        environment.handle_exception = self._say_where  # type: ignore[method-assign]
         self._register(self.hooks.model.public_functions(self.hooks.names))
         for name in ("python", "cpp", "qos", "text"):
             self._register(self.hooks.model.load_functions(self.root / f"extensions/{name}.py"))
@@ -290,9 +298,38 @@ class SpecExtension(Extension):
 
         return call
 
+    def _say_where(self, source: str | None = None) -> NoReturn:
+        """Make a fault of a template a message of Copier's, with its file and line."""
+        try:
+            Environment.handle_exception(self.environment, source)
+        except CopierError:
+            raise
+        except Exception as error:
+            if place := self._place(error):
+                raise UserMessageError(f"{place}: {_what(error)}") from error
+            raise  # in a text without a file, of which Copier says where it is
+
+    def _place(self, error: Exception) -> str:
+        """Name the template and the line of a fault."""
+        frames = [(f.filename, f.lineno) for f in traceback.extract_tb(error.__traceback__)]
+        if isinstance(error, TemplateSyntaxError):
+            frames.append((error.filename or "", error.lineno))
+        for file, line in reversed(frames):
+            if Path(file).is_relative_to(self.root) and not file.endswith(".py"):
+                return f"{Path(file).relative_to(self.root)}:{line}"
+        return ""
+
     @staticmethod
     def _is_given(context: Context) -> bool:
         return "spec" in context["_copier_conf"]["data"]
+
+
+def _what(error: Exception) -> str:
+    """Say in a line what a fault of a template is."""
+    if isinstance(error, TemplateNotFound):
+        return f'no such template "{error.name}"'
+    text = " ".join(str(error).split())
+    return text if isinstance(error, TemplateError) else f"{type(error).__name__}: {text}"
 
 
 def _can_ask() -> bool:
