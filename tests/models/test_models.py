@@ -82,17 +82,46 @@ def test_each_kind_renders_alone(render, model, owner):
 
 
 @pytest.mark.parametrize(
+    ("model", "distro"), [(model, distro) for model in MODELS for distro in model.distros], ids=str
+)
+def test_texts_are_escaped(render, model, distro):
+    """A text of the spec is never code, whatever signs are in it."""
+    render(model.hostile(), distro)
+
+
+@pytest.mark.parametrize("model", MODELS, ids=str)
+def test_files_of_two_components(source, model, tmp_path):
+    """Each template makes files, and no file is made twice."""
+    made = set()
+    for distro in {model.distros[0], model.distros[-1]}:
+        package = tmp_path / distro
+        files = model_checks.make(source, package, model, model.several(), distro)
+        made |= {template for templates in files.values() for template in templates}
+    folder = next(
+        folder for folder in (model.folder / "template", model.folder) if folder.is_dir()
+    )
+    templates = {str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file()}
+    unused = sorted(templates - made)
+    assert not unused, f"{', '.join(unused)}: of no use to any package"
+
+
+@pytest.mark.parametrize(
     ("model", "owner"), [(model, owner) for model in MODELS for owner in model.owners], ids=str
 )
 def test_every_attribute_is_used(render, model, owner):
     """Another value of an attribute changes a file besides the spec and Copier's answers."""
-    used = set()
+    used, tried = set(), set()
     for name, base, values in model.variants(owner):
+        tried.add(name)
         for distro in () if name in used else (model.distros[-1], model.distros[0]):
             if render([(owner, base)], distro) != render([(owner, values)], distro):
                 used.add(name)
                 break
-    known = {name for name, attribute in owner.attributes.items() if not attribute.ignored}
+    known = {
+        name
+        for name, attribute in owner.attributes.items()
+        if not attribute.ignored and (name in tried or not attribute.pattern)
+    }
     unused = ", ".join(sorted(known - used))
     assert not unused, f"dictionary.yaml: {owner}: no template makes use of {unused}"
 
