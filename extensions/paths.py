@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from jinja2 import Environment, TemplateRuntimeError
@@ -37,7 +37,8 @@ class PathsExtension(Extension):
             return f"{{% yield part from {parts} %}}.{{% endyield %}}"
         # Inside of a folder of a component, the names are those of this component alone.
         spec = "(part if part is defined else spec)"
-        components = f"[{item[1]}] if {item[1]} is defined else {spec} | all_of('{item[1]}')"
+        found = f"{spec} | all_of('{item[1]}', known_tags | default([]))"
+        components = f"[{item[1]}] if {item[1]} is defined else {found}"
         shown = _ITEM.sub(r"{{ \1 | value_of('\2', '\1') }}", source)
         return f"{{% yield {item[1]} from {components} %}}{shown}{{% endyield %}}"
 
@@ -50,8 +51,13 @@ def value_of(item: Any, name: str, tag: str) -> Any:
     return item[name] if isinstance(item, Mapping) else item
 
 
-def all_of(spec: Mapping[str, Any], tag: str) -> list[Any]:
-    """Return the components of a tag, or what they have of a kind, each with its component."""
+def all_of(spec: Mapping[str, Any], tag: str, known: Sequence[str] = ()) -> list[Any]:
+    """Return the components of a tag, or what they have of a kind, each with its component.
+
+    A tag must be one of those that are known, if any are.
+    """
+    if known and tag not in known:
+        raise TemplateRuntimeError(f'unknown tag "{tag}"; allowed: {", ".join(known)}')
     key = f"{tag}s"
     if key in spec:
         return list(spec[key])

@@ -8,6 +8,7 @@ own template. This module keeps nothing.
 from __future__ import annotations
 
 import functools
+import glob
 import hashlib
 import importlib
 import importlib.util
@@ -26,6 +27,7 @@ from jinja2 import (
     TemplateError,
     TemplateNotFound,
     TemplateSyntaxError,
+    UndefinedError,
     pass_context,
 )
 from jinja2.ext import Extension
@@ -263,7 +265,8 @@ class SpecExtension(Extension):
     def _model(self, context: Context) -> Any:
         folder = self._folder(context)
         if folder not in self.models:
-            self.models[folder] = self.hooks.model.Model(folder, self.root)
+            model = self.models[folder] = self.hooks.model.Model(folder, self.root)
+            self.environment.globals["known_tags"] = model.dictionary.tags
         return self.models[folder]
 
     def _folder(self, context: Context) -> Path:
@@ -302,21 +305,34 @@ class SpecExtension(Extension):
         """Make a fault of a template a message of Copier's, with its file and line."""
         try:
             Environment.handle_exception(self.environment, source)
-        except CopierError:
-            raise
         except Exception as error:
-            if place := self._place(error):
-                raise UserMessageError(f"{place}: {_what(error)}") from error
-            raise  # in a text without a file, of which Copier says where it is
+            # Copier has an UndefinedError of its own, for answers that are unset.
+            is_own = isinstance(error, UndefinedError) and type(error) is not UndefinedError
+            place = self._place(error)
+            if isinstance(error, CopierError) or is_own or not place:
+                raise
+            raise UserMessageError(f"{place}: {_what(error)}") from error
 
     def _place(self, error: Exception) -> str:
-        """Name the template and the line of a fault."""
+        """Name the template and the line of a fault; of a text without a file, where it is."""
         frames = [(f.filename, f.lineno) for f in traceback.extract_tb(error.__traceback__)]
         if isinstance(error, TemplateSyntaxError):
             frames.append((error.filename or "", error.lineno))
         for file, line in reversed(frames):
             if Path(file).is_relative_to(self.root) and not file.endswith(".py"):
                 return f"{Path(file).relative_to(self.root)}:{line}"
+            if file.startswith('"'):
+                return self._found(file[1:-1]) or file
+        return ""
+
+    def _found(self, text: str) -> str:
+        """Name the template whose name a text is a part of, or the line of a setting."""
+        for path in sorted(self.root.rglob(f"{glob.escape(text)}*")):
+            return str(path.relative_to(self.root))
+        for path in sorted(self.root.rglob("copier.y*ml")):
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                if text in line:
+                    return f"{path.relative_to(self.root)}:{number}"
         return ""
 
     @staticmethod

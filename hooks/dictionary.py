@@ -123,6 +123,10 @@ def nested(interfaces: Mapping[str, Interface]) -> Iterator[Interface]:
         yield from nested(interface.interfaces)
 
 
+def _kinds(owner: Component | Interface) -> list[str]:
+    return [each.kind for each in nested(owner.interfaces)]
+
+
 @dataclass(frozen=True)
 class Dictionary:
     """All a model allows in a spec."""
@@ -134,6 +138,12 @@ class Dictionary:
     scopes: list[Scope]
     files: list[Path]
     """Where all of this is said: each dictionary after those that it includes."""
+
+    @property
+    def tags(self) -> list[str]:
+        """The tags of components and, after each, of what may stand inside of it."""
+        components = self.components.values()
+        return [tag for each in components for tag in (each.tag, *_kinds(each))]
 
 
 _KEYS = {"package_attributes", "aliases", "skeleton", "names", "definitions", "include"}
@@ -210,7 +220,7 @@ class _Reader:
             for tag in map(str, tags)
         }
         package = self.attributes(PACKAGE, content.get("package_attributes") or [Located("name")])
-        kinds = [kind.kind for each in components.values() for kind in nested(each.interfaces)]
+        kinds = [kind for each in components.values() for kind in _kinds(each)]
         owners = {PACKAGE, *components, *kinds}
         skeleton = content.get("skeleton") or []
         self.check_shape("skeleton", "skeleton", skeleton, list[str])

@@ -116,12 +116,12 @@ MISTAKES = {
     "attribute in a file name": (
         renamed(NODE, NODE.replace("node.name", "node.nme")),
         "two_components",
-        '[node.nme].py: node has no attribute "nme"; allowed: class_name, name, tag',
+        '{{ spec.name }}/[node.nme].py.jinja: node has no attribute "nme"; allowed: class_name',
     ),
     "tag in a file name": (
         renamed(NODE, NODE.replace("node.name", "nod.name")),
         "two_components",
-        "{{ spec.name }}/[nod.name].py.jinja: of no use to any package",
+        '{{ spec.name }}/[nod.name].py.jinja: unknown tag "nod"; allowed: node, publisher,',
     ),
     "one name for two components": (
         renamed(NODE, NODE.replace("node.name", "node.tag")),
@@ -131,7 +131,7 @@ MISTAKES = {
     "two templates for a file": (
         added("template/{{ spec.name }}/{{ spec.nodes[0].name }}.py", ""),
         "two_components",
-        "by {{ spec.name }}/[node.name].py.jinja and {{ spec.name }}/{{ spec.nodes[0].name }}.py",
+        "{{ spec.name }}/[node.name].py.jinja and {{ spec.name }}/{{ spec.nodes[0].name }}.py",
     ),
     "a file and its template": (
         added("template/README.md", ""),
