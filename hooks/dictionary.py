@@ -281,8 +281,9 @@ class _Reader:
             raise self.fault(name, label, f"{options!r} must be a mapping of what it is")
         self.check_keys(label, options, set(_SHAPES) - {"name"})
         for key in ("choices", "elsewhere"):
-            if isinstance(options.get(key), list):
-                options = {**options, key: dict.fromkeys(options[key])}
+            if isinstance(words := options.get(key), list):
+                self.check_shape(name, f"{label}: {key}", words, list[str | float | bool | None])
+                options = {**options, key: dict.fromkeys(words)}
         choices = options.get("choices")
         if isinstance(choices, dict):
             if not choices or any(isinstance(word, bool | None) for word in choices):

@@ -78,6 +78,8 @@ def faults(folder, dictionary, functions=None):
             "choices: 'fast' must be a list, or a mapping",
         ),
         ("format: number, above: 0", "choices: {a: b}", "must be a list, or a mapping to lists"),
+        ("format: number, above: 0", "choices: [[a]]", "choices: [['a']] must be a list"),
+        ("above: 0", "elsewhere: [{a: b}]", "elsewhere: [{'a': 'b'}] must be a list"),
         ("format: number, above: 0", "choices: []", "choices must be words"),
         ("format: number, above: 0", "choices: [on, off]", "choices must be words, in quotes"),
         ("format: number, above: 0", "pattern: 3", "pattern: 3 must be a text"),
