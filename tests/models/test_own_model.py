@@ -6,7 +6,7 @@ import shutil
 import copier
 import pytest
 
-from support.repository import ROOT, commit
+from support.repository import ROOT, commit, git
 
 MODEL = {
     "dictionary.yaml": """
@@ -250,3 +250,15 @@ def test_mistake_in_the_name_of_a_template(model, make, name, message):
     with pytest.raises(copier.errors.UserMessageError) as error:
         make(SPEC)
     assert str(error.value).startswith(f"template/{name}: {message}")
+
+
+def test_mistake_in_a_newer_model(model, make, update):
+    """An update says it alike, and leaves the package as it was."""
+    package = make(SPEC)
+    file = model / JOINTS
+    file.write_text(file.read_text().replace("joint.label", "joint.lable"))
+    commit(model, tag="2.0.0")
+    with pytest.raises(copier.errors.UserMessageError) as error:
+        update(package)
+    assert str(error.value) == f"{JOINTS}:3: 'dict object' has no attribute 'lable'"
+    assert git(package, "status", "--short") == ""
