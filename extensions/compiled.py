@@ -69,14 +69,15 @@ def _compile(
     *options: Any,
 ) -> CodeType:
     """Compile a template; one without a file, which no loader looks up, by its text."""
-    if name is not None or not isinstance(source, str):
+    if name is not None or not isinstance(source, str) or options:
         return compiler(source, name, *options)
     # Copier (9.19) forgets the `yield` of the text before when it preprocesses the next one.
     environment.preprocess(source)
     if source not in cache.texts:
         bucket = cache.get_bucket(environment, source, None, source)
         if bucket.code is None:
-            bucket.code = compiler(source, None, *options)
+            lines = source.strip().splitlines() or [""]
+            bucket.code = compiler(source, None, f'"{lines[0]}"')  # what faults have for a file
             cache.set_bucket(bucket)
         cache.texts[source] = bucket.code
     return cache.texts[source]

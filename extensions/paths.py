@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from jinja2 import Environment
+from jinja2 import Environment, TemplateRuntimeError
 from jinja2.ext import Extension
 
 _ITEM = re.compile(r"\[(\w+)\.(\w+)\]")
@@ -27,6 +27,7 @@ class PathsExtension(Extension):
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
         environment.filters["all_of"] = all_of
+        environment.filters["value_of"] = value_of
 
     def preprocess(self, source: str, name: str | None, filename: str | None = None) -> str:
         """Rewrite the name of a file or folder; a text that comes from a file has a name."""
@@ -38,13 +39,27 @@ class PathsExtension(Extension):
             return f"{{% yield part from {parts} %}}.{{% endyield %}}"
         # Inside of a folder of a component, the names are those of this component alone.
         spec = "(part if part is defined else spec)"
-        components = f"[{item[1]}] if {item[1]} is defined else {spec} | all_of('{item[1]}')"
-        shown = _ITEM.sub(r"{{ \1.\2 }}", source)
+        found = f"{spec} | all_of('{item[1]}', known_tags | default([]))"
+        components = f"[{item[1]}] if {item[1]} is defined else {found}"
+        shown = _ITEM.sub(r"{{ \1 | value_of('\2', '\1') }}", source)
         return f"{{% yield {item[1]} from {components} %}}{shown}{{% endyield %}}"
 
 
-def all_of(spec: Mapping[str, Any], tag: str) -> list[Any]:
-    """Return the components of a tag, or what they have of a kind, each with its component."""
+def value_of(item: Any, name: str, tag: str) -> Any:
+    """Return an attribute of what a name is for; Copier would pass over one that is not there."""
+    if isinstance(item, Mapping) and name not in item:
+        known = ", ".join(sorted(key for key, each in item.items() if isinstance(each, str)))
+        raise TemplateRuntimeError(f'{tag} has no attribute "{name}"; allowed: {known}')
+    return item[name] if isinstance(item, Mapping) else item
+
+
+def all_of(spec: Mapping[str, Any], tag: str, known: Sequence[str] = ()) -> list[Any]:
+    """Return the components of a tag, or what they have of a kind, each with its component.
+
+    A tag must be one of those that are known, if any are.
+    """
+    if known and tag not in known:
+        raise TemplateRuntimeError(f'unknown tag "{tag}"; allowed: {", ".join(known)}')
     key = f"{tag}s"
     if key in spec:
         return list(spec[key])

@@ -8,20 +8,29 @@ own template. This module keeps nothing.
 from __future__ import annotations
 
 import functools
+import glob
 import hashlib
 import importlib
 import importlib.util
 import os
 import sys
 import tempfile
+import traceback
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, NoReturn
 
 import copier
-from copier.errors import UserMessageError
-from jinja2 import Environment, pass_context
+from copier.errors import CopierError, UserMessageError
+from jinja2 import (
+    Environment,
+    TemplateError,
+    TemplateNotFound,
+    TemplateSyntaxError,
+    UndefinedError,
+    pass_context,
+)
 from jinja2.ext import Extension
 from jinja2.runtime import Context
 
@@ -47,6 +56,7 @@ class SpecExtension(Extension):
             self.read_spec,
             self.spec_changed,
             self.spec_text,
+            self.spec_schema,
             self.has_spec,
             self.has_file,
             self.package_name,
@@ -62,6 +72,7 @@ class SpecExtension(Extension):
             "can_ask": _can_ask,
             "default_ros_distro": lambda: self.hooks.ros.default_distro(os.environ),
         }
+        environment.handle_exception = self._say_where  # type: ignore[method-assign]
         self._register(self.hooks.model.public_functions(self.hooks.names))
         for name in ("python", "cpp", "qos", "text"):
             self._register(self.hooks.model.load_functions(self.root / f"extensions/{name}.py"))
@@ -126,6 +137,10 @@ class SpecExtension(Extension):
         folder = self._package(context).folder
         xml = self.specs[folder] if folder in self.specs else self._spec(context, spec_file)[0]
         return xml.decode("utf-8-sig")
+
+    def spec_schema(self, context: Context) -> str:
+        """Return the XML schema of the specs of the model, for editors."""
+        return str(self._model(context).schema())
 
     def has_spec(self, context: Context) -> bool:
         """Say whether the destination holds a spec already."""
@@ -255,7 +270,8 @@ class SpecExtension(Extension):
     def _model(self, context: Context) -> Any:
         folder = self._folder(context)
         if folder not in self.models:
-            self.models[folder] = self.hooks.model.Model(folder, self.root)
+            model = self.models[folder] = self.hooks.model.Model(folder, self.root)
+            self.environment.globals["known_tags"] = model.dictionary.tags
         return self.models[folder]
 
     def _folder(self, context: Context) -> Path:
@@ -290,6 +306,40 @@ class SpecExtension(Extension):
 
         return call
 
+    def _say_where(self, source: str | None = None) -> NoReturn:
+        """Make a fault of a template a message of Copier's, with file and line (decision 100)."""
+        try:
+            Environment.handle_exception(self.environment, source)
+        except Exception as error:
+            # Copier has an UndefinedError of its own, for answers that are unset.
+            is_own = isinstance(error, UndefinedError) and type(error) is not UndefinedError
+            place = self._place(error)
+            if isinstance(error, CopierError) or is_own or not place:
+                raise
+            raise UserMessageError(f"{place}: {_what(error)}") from error
+
+    def _place(self, error: Exception) -> str:
+        """Name the template and the line of a fault; of a text without a file, where it is."""
+        frames = [(f.filename, f.lineno) for f in traceback.extract_tb(error.__traceback__)]
+        if isinstance(error, TemplateSyntaxError):
+            frames.append((error.filename or "", error.lineno))
+        for file, line in reversed(frames):
+            if Path(file).is_relative_to(self.root) and not file.endswith(".py"):
+                return f"{Path(file).relative_to(self.root)}:{line}"
+            if file.startswith('"'):
+                return self._found(file[1:-1]) or file
+        return ""
+
+    def _found(self, text: str) -> str:
+        """Name the template whose name a text is a part of, or the line of a setting."""
+        for path in sorted(self.root.rglob(f"{glob.escape(text)}*")):
+            return str(path.relative_to(self.root))
+        for path in sorted(self.root.rglob("copier.y*ml")):
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                if text in line:
+                    return f"{path.relative_to(self.root)}:{number}"
+        return ""
+
     @staticmethod
     def _is_given(context: Context) -> bool:
         return "spec" in context["_copier_conf"]["data"]
@@ -305,6 +355,14 @@ def _check_copier(version: str) -> None:
             f' is tested with; install that, as by pipx install --force "copier=={newest}.*",'
             " or set UNTESTED_COPIER=1 to try"
         )
+
+
+def _what(error: Exception) -> str:
+    """Say in a line what a fault of a template is."""
+    if isinstance(error, TemplateNotFound):
+        return f'no such template "{error.name}"'
+    text = " ".join(str(error).split())
+    return text if isinstance(error, TemplateError) else f"{type(error).__name__}: {text}"
 
 
 def _can_ask() -> bool:

@@ -23,7 +23,7 @@ from .dictionary import (
 )
 from .endpoints import clashes
 from .faults import SpecError, allowed, first_of, quoted, shown
-from .formats import FORMATS, FORMATS_OF_ROS, TYPES, comparable, dependency, split_type
+from .formats import BLANKS, FORMATS, FORMATS_OF_ROS, TYPES, comparable, dependency, split_type
 from .literals import literal
 from .names import class_name
 from .parse import Element
@@ -200,15 +200,15 @@ class _Checker:
         return item
 
     def check_depend(self, element: Element) -> None:
-        kind = element.attributes.get(DEPEND_KIND, "")
+        kind = element.attributes.get(DEPEND_KIND)
         if set(element.attributes) - {DEPEND_KIND} or element.children:
             form = f'<{DEPEND}>std_msgs</{DEPEND}>, with {DEPEND_KIND}="exec" and the like'
             self.fault(element, f"takes a package name: {form}")
-        elif kind not in ("", *DEPENDENCY_KINDS):
+        elif kind is not None and kind not in DEPENDENCY_KINDS:
             fault = f"unknown {quoted(kind)}; {allowed(kind, DEPENDENCY_KINDS)}"
             self.fault(element, f"{DEPEND_KIND}: {fault}")
         try:
-            self.spec.depends.append((kind, dependency(element.text)))
+            self.spec.depends.append((kind or "", dependency(element.text)))
         except ValueError as error:
             self.fault(element, str(error))
 
@@ -326,7 +326,7 @@ def _value(
     """Return the value that a text gives; `values` are those of the attributes before it."""
     if attribute.choices:
         for word, others in attribute.choices.items():
-            if text.strip() in (word, *others):
+            if text.strip(BLANKS) in (word, *others):
                 return word
         raise ValueError(f"unknown {quoted(text)}; {allowed(text, attribute.choices)}")
     if attribute.pattern and not re.fullmatch(attribute.pattern, text):

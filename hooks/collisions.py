@@ -33,6 +33,8 @@ class Scope:
     ignore_case: bool = False
     ros: int | None = None
     """The only generation of ROS in which there is such a place."""
+    said_at: str = ""
+    """The file and line of the dictionary."""
 
     def place(self, item: Checked) -> Checked:
         """Return the innermost of what an element stands in that has such a place."""
@@ -111,4 +113,5 @@ def _made(form: str, item: Checked, filters: Filters, scope: Scope) -> str:
     try:
         return _Form(filters).vformat(form, (), {**owners, **item.values})
     except (KeyError, IndexError, ValueError) as error:
-        raise SpecError(f'names: {scope.label}: "{form}" has no meaning: {error}') from None
+        where = f"{scope.said_at}: names: {scope.label}".lstrip(": ")
+        raise SpecError(f'{where}: "{form}" has no meaning: {error}') from None

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import inspect
 from collections import defaultdict
 from collections.abc import Callable, Iterator
 from typing import Any
 
 from .check import CheckedSpec, Values
 from .faults import SpecError, allowed, first_of, quoted
-from .formats import check_capital, with_capital
+from .formats import check_capital, dependency, with_capital
 from .parse import Element
 from .ros import DISTROS, lacking_kind, nearest_available, translate_dependency
 
@@ -109,6 +110,13 @@ def _call(functions: Functions, name: str, place: str, *arguments: Any) -> set[s
         if isinstance(error.__cause__, ValueError):  # the function refuses the spec
             raise SpecError(f"{place}: {error.__cause__}") from error
         raise SpecError(f"{error} (called for {place})") from error
+    code = inspect.unwrap(functions[name]).__code__
+    where = f"{code.co_filename}:{code.co_firstlineno}: {name} for {place}"
     if not isinstance(result, list) or not all(isinstance(item, str) for item in result):
-        raise SpecError(f"{name} for {place}: must return a list of package names, not {result!r}")
+        raise SpecError(f"{where}: must return a list of package names, not {result!r}")
+    for item in result:
+        try:
+            dependency(item)
+        except ValueError as error:
+            raise SpecError(f"{where}: {error}") from None
     return set(result)

@@ -7,17 +7,19 @@ mapping, which says more than a name. docs/designers describes it.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Set
-from dataclasses import dataclass, field, fields
+import types
+import typing
+from collections.abc import Iterable, Iterator, Mapping, Set
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from .collisions import Scope
-from .data import load_yaml
 from .faults import SpecError, allowed
 from .formats import FORMATS
+from .literals import spelled
+from .located import Located, load_located, plain
+from .words import meanings
 
 PACKAGE = "package"
 DEPEND = "depend"
@@ -48,7 +50,7 @@ class Attribute:
     above: float | None = None
     minimum: float | str | None = None
     maximum: float | str | None = None
-    when: Mapping[str, list[str]] = field(default_factory=dict)
+    when: Mapping[str, list[Any]] = field(default_factory=dict)
     unique: bool | str = False
     declares: str | None = None
     reserved: list[str] = field(default_factory=list)
@@ -56,7 +58,9 @@ class Attribute:
     example: Any = ""
 
 
-NAME_BEFORE = Attribute(WAS, "the name before, so that the code of a renamed one is kept")
+NAME_BEFORE = Attribute(
+    WAS, "the name before, so that the code of a renamed one is kept", optional=True
+)
 """The attribute that the package, every component and every interface with a name may have."""
 
 
@@ -119,6 +123,10 @@ def nested(interfaces: Mapping[str, Interface]) -> Iterator[Interface]:
         yield from nested(interface.interfaces)
 
 
+def _kinds(owner: Component | Interface) -> list[str]:
+    return [each.kind for each in nested(owner.interfaces)]
+
+
 @dataclass(frozen=True)
 class Dictionary:
     """All a model allows in a spec."""
@@ -131,8 +139,16 @@ class Dictionary:
     files: list[Path]
     """Where all of this is said: each dictionary after those that it includes."""
 
+    @property
+    def tags(self) -> list[str]:
+        """The tags of components and, after each, of what may stand inside of it."""
+        components = self.components.values()
+        return [tag for each in components for tag in (each.tag, *_kinds(each))]
+
 
 _KEYS = {"package_attributes", "aliases", "skeleton", "names", "definitions", "include"}
+_NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+_DECLARED = ("msg", "srv", "action")
 
 
 def load(file: Path, root: Path) -> Dictionary:
@@ -144,169 +160,326 @@ def load(file: Path, root: Path) -> Dictionary:
     """
     files: list[Path] = []
     content = _read(file, root, files)
-    names = content.get("names") or {}
-    own = {key for key in content if re.fullmatch(r"(?!package_)\w+_(attributes|interface)", key)}
-    tags = list(dict.fromkeys(key.rpartition("_")[0] for key in content if key in own))
-    forms = {"<component>_attributes", "<component>_interface"}
-    _check_keys(str(file), content, _KEYS | own, own | _KEYS | forms)
-    dictionary = Dictionary(
-        _attributes(f"{file}: {PACKAGE}", content.get("package_attributes") or ["name"]),
-        {
-            tag: Component(
-                tag,
-                _attributes(f"{file}: {tag}", content.get(f"{tag}_attributes") or ["name"]),
-                _interfaces(str(file), content.get(f"{tag}_interface")),
-                is_plain=f"{tag}_interface" not in content,
-            )
-            for tag in tags
-        },
-        content.get("aliases") or {},
-        content.get("skeleton") or [],
-        [_scope(f"{file}: names: {label}", label, item) for label, item in names.items()],
-        files,
-    )
-    components = dictionary.components.values()
-    owners = {PACKAGE, *dictionary.components}
-    owners |= {each.kind for component in components for each in nested(component.interfaces)}
-    for scope in dictionary.scopes:
-        place = f"{file}: names: {scope.label}"
-        _check_keys(place, {**dict.fromkeys(scope.owners), **scope.made_by}, owners)
-    _check_hidden(file, PACKAGE, dictionary.package, {c.key for c in components} | RESERVED_KEYS)
-    for component in components:
-        keys = frozenset() if component.is_plain else COMPONENT_KEYS
-        _check_inside(file, component.tag, component, keys)
-    return dictionary
+    return _Reader(str(file)).dictionary(content, files)
 
 
-def _read(file: Path, root: Path, files: list[Path]) -> dict[str, Any]:
+def _read(file: Path, root: Path, files: list[Path], within: tuple[Path, ...] = ()) -> Any:
     """Return what a dictionary says, added to what those that it includes say; note its file.
 
     Decision 89: with a key that took the place of the included one, all of it had to be repeated.
     """
-    content = _mapping(file)
+    content = load_located(file)
+    if not isinstance(content, dict):
+        raise SpecError(f"{file}: must be a mapping with package_attributes and <tag>_interface")
     included: dict[str, Any] = {}
     names = content.pop("include", None) or []
     for name in names if isinstance(names, list) else [names]:
-        included = _added(included, _read(root / str(name), root, files))
+        place = getattr(name, "place", file)
+        if not (root / str(name)).is_file():
+            raise SpecError(f"{place}: include: {name}: no such file; a model needs it")
+        if root / str(name) in (*within, file):
+            raise SpecError(f"{place}: include: {name} includes this file itself; drop one")
+        included = _added(included, _read(root / str(name), root, files, (*within, file)))
     files.append(file)
-    return dict(_added(included, content))
+    return _added(included, content)
 
 
 def _added(first: Any, second: Any) -> Any:
     """Return both, of mappings and lists; of what can only be one thing, the second."""
     if isinstance(first, dict) and isinstance(second, dict):
         common = {key: _added(first[key], second[key]) for key in first.keys() & second.keys()}
-        return {**first, **second, **common}
+        own = {key: key for key in second}  # which knows its place
+        return {own.get(key, key): each for key, each in {**first, **second, **common}.items()}
     if isinstance(first, list) and isinstance(second, list):
         return [*first, *(item for item in second if item not in first)]
     return second
 
 
-def _mapping(file: Path) -> dict[str, Any]:
-    try:
-        content = load_yaml(file.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise SpecError(f"{file}: no such file; a model needs it") from None
-    except yaml.YAMLError as error:
-        raise SpecError(f"{file}: not YAML: {error}") from None
-    if not isinstance(content, dict):
-        raise SpecError(f"{file}: must be a mapping with package_attributes and <tag>_interface")
-    return content
+class _Reader:
+    """Reads what a dictionary says, and keeps where it does so (decision 99)."""
 
+    def __init__(self, file: str) -> None:
+        self.file = file
+        self.places: dict[str, str] = {}
+        """The file and line of each thing that a message may name."""
 
-def _interfaces(file: str, items: Any) -> dict[str, Interface]:
-    if not isinstance(items or {}, dict):
-        raise SpecError(f"{file}: {items!r} must be a mapping of interface kinds")
-    return {kind: _interface(file, kind, item) for kind, item in (items or {}).items()}
+    def dictionary(self, content: Any, files: list[Path]) -> Dictionary:
+        own = {
+            key for key in content if re.fullmatch(r"(?!package_)\w+_(attributes|interface)", key)
+        }
+        tags = list(dict.fromkeys(key.rpartition("_")[0] for key in content if key in own))
+        for key in sorted(content, key=lambda key: key.line):
+            self.places.setdefault(key.rpartition("_")[0], key.place)
+        self.places |= {key: key.place for key in content}
+        forms = {"<component>_attributes", "<component>_interface"}
+        self.check_keys("", content, _KEYS | own, own | _KEYS | forms)
+        components = {
+            tag: Component(
+                tag,
+                self.attributes(tag, content.get(f"{tag}_attributes") or [Located("name")]),
+                self.interfaces(f"{tag}_interface", content.get(f"{tag}_interface")),
+                is_plain=f"{tag}_interface" not in content,
+            )
+            for tag in map(str, tags)
+        }
+        package = self.attributes(PACKAGE, content.get("package_attributes") or [Located("name")])
+        kinds = [kind for each in components.values() for kind in _kinds(each)]
+        owners = {PACKAGE, *components, *kinds}
+        skeleton = content.get("skeleton") or []
+        self.check_shape("skeleton", "skeleton", skeleton, list[str])
+        for kind in skeleton:
+            self.check_word(kind, "skeleton", "interface kind", kinds)
+        aliases = content.get("aliases") or {}
+        self.check_shape("aliases", "aliases", aliases, Mapping[str, str])
+        for alias, tag in aliases.items():
+            self.check_word(tag, f"aliases: {alias}", "component tag", [*components, DEPEND])
+            if alias in (*components, DEPEND):
+                raise self.fault(alias, "aliases", f'"{alias}" is a tag itself; choose another')
+        names = content.get("names") or {}
+        self.check_shape("names", "names", names, Mapping[str, Any])
+        scopes = [self.scope(label, item, owners) for label, item in names.items()]
+        self.check_hidden(PACKAGE, package, {c.key for c in components.values()} | RESERVED_KEYS)
+        for component in components.values():
+            keys = frozenset() if component.is_plain else COMPONENT_KEYS
+            self.check_inside(component.tag, component, keys)
+        return Dictionary(package, components, plain(aliases), plain(skeleton), scopes, files)
+
+    def attributes(self, owner: str, items: Any) -> dict[str, Attribute]:
+        if not isinstance(items, list):
+            raise self.fault("", owner, "the attributes must be a list")
+        found: dict[str, tuple[Located, Attribute]] = {}
+        for item in items:
+            named = {item: {}} if isinstance(item, str) else item
+            if not isinstance(named, dict):
+                raise self.fault("", owner, f"{item!r} must be a name or a mapping")
+            for name, options in named.items():
+                self.check_name(name, owner)
+                if name in found and found[name][0].file == name.file:
+                    line = found[name][0].line
+                    what = f'attribute "{name}" is there twice, first at line {line}; keep one'
+                    raise self.fault(name, owner, what)
+                found[str(name)] = name, self.attribute(f"{owner} {name}", name, options or {})
+        attributes = {name: attribute for name, (_, attribute) in found.items()}
+        for number, (name, (key, attribute)) in enumerate(found.items()):
+            label, others = f"{owner} {name}", list(attributes)
+            for option in ("of", "same_as"):
+                if other := getattr(attribute, option):
+                    self.check_word(
+                        key, f"{label}: {option}", "attribute above it", others[:number], other
+                    )
+            limits = [
+                each for each in (attribute.minimum, attribute.maximum) if isinstance(each, str)
+            ]
+            for other in (*limits, *attribute.when):
+                self.check_word(key, label, f"attribute of <{owner}>", others, other)
+            for other, words in attribute.when.items():
+                for word in words if attributes[other].choices else ():
+                    what = f'word of "{other}"'
+                    self.check_word(key, f"{label}: when", what, attributes[other].choices, word)
+        return attributes
+
+    def attribute(self, label: str, name: Located, options: Any) -> Attribute:
+        self.places[label] = name.place
+        if not isinstance(options, dict):
+            raise self.fault(name, label, f"{options!r} must be a mapping of what it is")
+        self.check_keys(label, options, set(_SHAPES) - {"name"})
+        for key in ("choices", "elsewhere"):
+            if isinstance(words := options.get(key), list):
+                self.check_shape(name, f"{label}: {key}", words, list[str | float | bool | None])
+                options = {**options, key: dict.fromkeys(words)}
+        choices = options.get("choices")
+        if isinstance(choices, dict):
+            if not choices or any(isinstance(word, bool | None) for word in choices):
+                what = "must be words, in quotes where YAML reads something else"
+                raise self.fault(name, label, f'choices {what}, such as "on"')
+            choices = {
+                spelled(word): [] if each is None else each for word, each in choices.items()
+            }
+            options = {**options, "choices": choices}
+        for key, value in options.items():
+            more = "a list, or " if key in ("choices", "elsewhere") else ""
+            self.check_shape(key, f"{label}: {key}", value, _SHAPES[key], more)
+        given = {"optional": bool({"default", "same_as"} & set(options)), **plain(options)}
+        attribute = Attribute(str(name), **given)
+        formats = [*FORMATS, "literal"]
+        self.check_word(name, f"{label}: format", "format", formats, attribute.format)
+        if attribute.format == "literal" and not attribute.of:
+            raise self.fault(name, label, "a literal needs of: the attribute that names its type")
+        if attribute.declares:
+            self.check_word(
+                name, f"{label}: declares", "kind of type", _DECLARED, attribute.declares
+            )
+        if attribute.pattern:
+            self.check_pattern(name, f"{label}: pattern", attribute.pattern)
+        for key in ("default", "example"):
+            self.check_value(name, f"{label}: {key}", attribute, getattr(attribute, key))
+        return attribute
+
+    def check_value(self, at: Located, label: str, attribute: Attribute, value: Any) -> None:
+        """Insist that the default or the example is what a spec could say."""
+        if value in (None, "") or isinstance(value, list) or attribute.format == "literal":
+            return
+        text = spelled(value)
+        if "$" in text:
+            return
+        if attribute.choices:
+            known = [word for one, more in attribute.choices.items() for word in (one, *more)]
+            self.check_word(at, label, "choice", known, text)
+            return
+        try:
+            meant = FORMATS[attribute.format](text)
+        except ValueError as error:
+            raise self.fault(at, label, str(error)) from None
+        if attribute.pattern and not re.fullmatch(attribute.pattern, text):
+            raise self.fault(at, label, f'"{text}" does not match the pattern {attribute.pattern}')
+        if isinstance(meant, bool) and meant is not value:
+            raise self.fault(at, label, f"write {spelled(meant)}, without quotes")
+
+    def interfaces(self, owner: str, items: Any) -> dict[str, Interface]:
+        if not isinstance(items or {}, dict):
+            raise self.fault("", owner, f"{items!r} must be a mapping of interface kinds")
+        return {str(kind): self.interface(kind, item) for kind, item in (items or {}).items()}
+
+    def interface(self, kind: Located, item: Any) -> Interface:
+        """Read an interface kind, which is a list of attributes or a mapping that has one."""
+        self.check_name(kind, "interface kinds")
+        self.places[kind] = kind.place
+        item = {"attributes": item} if isinstance(item, list) else item
+        if not isinstance(item, dict) or not set(item) <= {*_INTERFACE_KEYS}:
+            keys = ", ".join(_INTERFACE_KEYS)
+            what = f"must be a list of attributes, or a mapping of {keys}"
+            raise self.fault(kind, kind, what)
+        inside = self.interfaces(kind, item.get("interface"))
+        attributes = self.attributes(kind, item.get("attributes", []))
+        options = {key: item[key] for key in ("doc", "requires", "once") if key in item}
+        for key, value in options.items():
+            self.check_shape(kind, f"{kind}: {key}", value, typing.get_type_hints(Interface)[key])
+        return Interface(str(kind), attributes, interfaces=inside, **plain(options))
+
+    def scope(self, label: Located, item: Any, known: Set[str]) -> Scope:
+        """Read where names land: a mapping from tags to the names that they make there."""
+        place = f"names: {label}"
+        self.places[place] = label.place
+        own = ("in", "ignore_case", "ros", "reserved")
+        if not isinstance(item, dict) or not all(
+            isinstance(forms, list) for key, forms in item.items() if key not in own[:3]
+        ):
+            what = "must be a mapping with lists of names, or in and a tag"
+            raise self.fault(label, place, what)
+        made_by = {tag: forms for tag, forms in item.items() if tag not in own}
+        owners = item.get("in", Located(PACKAGE))
+        owners = owners if isinstance(owners, list) else [owners]
+        for word, forms in {**made_by, "reserved": item.get("reserved", [])}.items():
+            self.check_shape(word, f"{place}: {word}", forms, list[str])
+        self.check_shape(label, f"{place}: in", owners, list[str])
+        self.check_keys(place, {**made_by, **dict.fromkeys(owners)}, known)
+        if item.get("ros") not in (None, 1, 2) or item.get("ignore_case") not in (
+            None,
+            True,
+            False,
+        ):
+            raise self.fault(label, place, "ros must be 1 or 2, ignore_case true or false")
+        for word in item.get("reserved", []):
+            if word.startswith("a "):
+                self.check_word(word, place, "meaning of words", meanings())
+            else:
+                self.check_pattern(word, place, re.sub(r"\{\w[^{}]*\}", "x", word))
+        options = {key: item[key] for key in ("reserved", "ignore_case", "ros") if key in item}
+        made = plain({"label": label, "owners": owners, "made_by": made_by, **options})
+        return Scope(**made, said_at=label.place)
+
+    def check_inside(
+        self, owner: str, kind: Component | Interface, keys: Set[str] = frozenset()
+    ) -> None:
+        """Check what stands inside of a component or an interface against its attributes."""
+        inside = kind.interfaces.values()
+        self.check_hidden(owner, kind.attributes, {each.key for each in inside} | keys)
+        for each in inside:
+            if each.requires and each.requires not in kind.attributes:
+                hint = f"<{owner}>; {allowed(each.requires, kind.attributes)}"
+                what = f'requires "{each.requires}", which is no attribute of {hint}'
+                raise self.fault("", each.kind, what)
+            if not each.attributes and not each.once:
+                what = "has no attributes to tell one from another; it needs once"
+                raise self.fault("", each.kind, what)
+            self.check_inside(each.kind, each)
+
+    def check_hidden(
+        self, owner: str, attributes: Mapping[str, Attribute], keys: Set[str]
+    ) -> None:
+        """Refuse an attribute that would hide a key the context needs."""
+        for name in keys & set(attributes):
+            raise self.fault("", owner, f'the context needs the key "{name}"; rename it')
+
+    def check_keys(
+        self, label: str, mapping: Mapping[str, Any], known: Set[str], told: Set[str] | None = None
+    ) -> None:
+        for key in mapping:
+            if key not in known:
+                hint = allowed(key, sorted(told or known))
+                raise self.fault(key, label, f'unknown key "{key}"; {hint}')
+
+    def check_name(self, name: str, label: str) -> None:
+        if not isinstance(name, Located) or not _NAME.fullmatch(name):
+            what = f"{name!r} is no name; allowed: letters, digits and underscores, a letter first"
+            raise self.fault(name, label, what)
+
+    def check_word(
+        self, at: str, label: str, what: str, known: Iterable[str], word: str | None = None
+    ) -> None:
+        word = str(at) if word is None else word
+        if word not in known:
+            raise self.fault(at, label, f'unknown {what} "{word}"; {allowed(word, known)}')
+
+    def check_pattern(self, at: str, label: str, pattern: str) -> None:
+        try:
+            re.compile(pattern)
+        except re.error as error:
+            raise self.fault(at, label, f"{pattern!r} is no regular expression: {error}") from None
+
+    def check_shape(self, at: str, label: str, value: Any, shape: Any, more: str = "") -> None:
+        if not _fits(value, shape):
+            raise self.fault(at, label, f"{value!r} must be {more}{_shown(shape)}")
+
+    def fault(self, at: Any, label: str, what: str) -> SpecError:
+        """Return a fault, with the place of a text or of what the label names."""
+        place = getattr(at, "place", None) or self.places.get(label, self.file)
+        return SpecError(": ".join(filter(None, (place, label, what))))
 
 
 _INTERFACE_KEYS = ("attributes", "doc", "requires", "once", "interface")
+_SHAPES = typing.get_type_hints(Attribute)
+_WORDS = {
+    str: "a text",
+    bool: "true or false",
+    float: "a number",
+    list: "a list",
+    Mapping: "a mapping",
+}
 
 
-def _interface(file: str, kind: str, item: Any) -> Interface:
-    """Read an interface kind, which is a list of attributes or a mapping that has one."""
-    place = f"{file}: {kind}"
-    item = {"attributes": item} if isinstance(item, list) else item
-    if not isinstance(item, dict) or not set(item) <= {*_INTERFACE_KEYS}:
-        keys = ", ".join(_INTERFACE_KEYS)
-        raise SpecError(f"{place}: must be a list of attributes, or a mapping of {keys}")
-    inside = _interfaces(file, item.get("interface"))
-    attributes = _attributes(place, item.get("attributes", []))
-    options = {key: item[key] for key in ("doc", "requires", "once") if key in item}
-    return Interface(kind, attributes, interfaces=inside, **options)
+def _fits(value: Any, shape: Any) -> bool:
+    """Tell whether a value of YAML is of a type."""
+    origin, parts = typing.get_origin(shape), typing.get_args(shape)
+    if shape is Any:
+        return True
+    if origin in (typing.Union, types.UnionType):
+        return any(_fits(value, part) for part in parts)
+    if origin is list:
+        return isinstance(value, list) and all(_fits(item, parts[0]) for item in value)
+    if origin is Mapping:
+        pairs = value.items() if isinstance(value, dict) else [(None, None)]
+        return all(_fits(key, parts[0]) and _fits(item, parts[1]) for key, item in pairs)
+    if shape is float:
+        return isinstance(value, int | float) and not isinstance(value, bool)
+    return isinstance(value, shape)
 
 
-def _scope(place: str, label: str, item: Any) -> Scope:
-    """Read where names land, which is a mapping from tags to the names that they make there."""
-    own = ("in", "ignore_case", "ros", "reserved")
-    if not isinstance(item, dict) or not all(
-        isinstance(forms, list) for key, forms in item.items() if key not in own[:3]
-    ):
-        raise SpecError(f"{place}: must be a mapping with lists of names, or in and a tag")
-    made_by = {tag: forms for tag, forms in item.items() if tag not in own}
-    owners = item.get("in", PACKAGE)
-    owners = owners if isinstance(owners, list) else [owners]
-    options = {key: item[key] for key in ("reserved", "ignore_case", "ros") if key in item}
-    return Scope(label, owners, made_by, **options)
-
-
-def _attributes(place: str, items: Any) -> dict[str, Attribute]:
-    if not isinstance(items, list):
-        raise SpecError(f"{place}: the attributes must be a list")
-    attributes: dict[str, Attribute] = {}
-    for item in items:
-        item = {item: {}} if isinstance(item, str) else item
-        if not isinstance(item, dict):
-            raise SpecError(f"{place}: {item!r} must be a name or a mapping")
-        for name, options in item.items():
-            attributes[name] = _attribute(f"{place} {name}", name, dict(options or {}))
-    return attributes
-
-
-def _attribute(place: str, name: str, options: dict[str, Any]) -> Attribute:
-    _check_keys(place, options, {item.name for item in fields(Attribute)} - {"name"})
-    formats = [*FORMATS, "literal"]
-    if options.get("format", "text") not in formats:
-        word = str(options["format"])
-        raise SpecError(f'{place}: unknown format "{word}"; {allowed(word, formats)}')
-    if "choices" in options:
-        choices = options["choices"]
-        choices = dict.fromkeys(choices) if isinstance(choices, list) else choices
-        options["choices"] = {str(word): [*(others or ())] for word, others in choices.items()}
-    if isinstance(options.get("elsewhere"), list):
-        options["elsewhere"] = dict.fromkeys(options["elsewhere"])
-    return Attribute(name, **{"optional": bool({"default", "same_as"} & set(options)), **options})
-
-
-def _check_keys(
-    place: str, mapping: Mapping[str, Any], known: set[str], told: set[str] | None = None
-) -> None:
-    for key in mapping:
-        if key not in known:
-            hint = allowed(str(key), sorted(told or known))
-            raise SpecError(f'{place}: unknown key "{key}"; {hint}')
-
-
-def _check_inside(
-    file: Path, owner: str, kind: Component | Interface, keys: Set[str] = frozenset()
-) -> None:
-    """Check what stands inside of a component or an interface against its attributes."""
-    inside = kind.interfaces.values()
-    _check_hidden(file, owner, kind.attributes, {each.key for each in inside} | keys)
-    for each in inside:
-        if each.requires and each.requires not in kind.attributes:
-            hint = f"<{owner}>; {allowed(each.requires, kind.attributes)}"
-            word = f'requires "{each.requires}", which is no attribute of'
-            raise SpecError(f"{file}: {each.kind}: {word} {hint}")
-        if not each.attributes and not each.once:
-            word = "has no attributes to tell one from another; it needs once"
-            raise SpecError(f"{file}: {each.kind}: {word}")
-        _check_inside(file, each.kind, each)
-
-
-def _check_hidden(
-    file: Path, owner: str, attributes: Mapping[str, Attribute], keys: Set[str]
-) -> None:
-    """Refuse an attribute that would hide a key the context needs."""
-    for name in keys & set(attributes):
-        raise SpecError(f'{file}: {owner}: the context needs the key "{name}"; rename it')
+def _shown(shape: Any) -> str:
+    """Say what a value must be."""
+    parts = typing.get_args(shape)
+    if typing.get_origin(shape) in (typing.Union, types.UnionType):
+        return " or ".join(_shown(part) for part in parts if part is not types.NoneType)
+    last: Any = parts[-1] if parts else None
+    inside = {str: " of texts", list: " to lists"}.get(typing.get_origin(last) or last, "")
+    return _WORDS[typing.get_origin(shape) or shape] + inside

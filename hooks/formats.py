@@ -22,6 +22,8 @@ from .names import identifier as identifier_of
 from .words import CPP_NAMES, DEVICES, KEYWORDS, MODULES, PACKAGES, meaning
 
 _LICENSES = {name: spdx for spdx, names in load_data("licenses.yaml").items() for name in names}
+BLANKS = " \t\r\n"
+"""What is a blank in XML: around a word, it has no meaning."""
 _LONGEST_NAME = 100
 _BIDIRECTIONAL = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
 
@@ -281,13 +283,16 @@ def double(value: str) -> float:
     return result
 
 
+BOOLEANS = ("true", "1", "yes", "on", "false", "0", "no", "off")
+"""The spellings of true, and then as many of false; capitals or not."""
+
+
 def boolean(value: str) -> bool:
     """True or false, in one of the usual spellings."""
-    spellings = ["true", "1", "yes", "on", "false", "0", "no", "off"]
-    word = value.strip().lower()
-    if word not in spellings:
-        raise ValueError(f"{quoted(value)} is not a bool; allowed: {', '.join(spellings)}")
-    return spellings.index(word) < 4
+    word = value.strip(BLANKS).lower()
+    if word not in BOOLEANS:
+        raise ValueError(f"{quoted(value)} is not a bool; allowed: {', '.join(BOOLEANS)}")
+    return BOOLEANS.index(word) < 4
 
 
 def whole(value: str) -> int:

@@ -19,6 +19,7 @@ from .dictionary import Dictionary, load
 from .faults import SpecError
 from .parse import parse
 from .ros import DISTROS
+from .schema import schema
 from .skeleton import skeleton
 
 
@@ -65,6 +66,10 @@ class Model:
         """Return the XML a package starts with; see `hooks.skeleton`."""
         return skeleton(self.dictionary, sources)
 
+    def schema(self) -> str:
+        """Return the XML schema of the specs; see `hooks.schema`."""
+        return schema(self.dictionary)
+
 
 def load_functions(file: Path) -> Functions:
     """Return the public functions of a `functions.py`, each with faults that name it.
@@ -104,15 +109,15 @@ def _reporting(file: Path, function: Callable[..., Any]) -> Callable[..., Any]:
         except Exception as error:
             given = ", ".join(repr(argument)[:200] for argument in arguments)
             raise SpecError(
-                f"{_place(file, error)}: {function.__name__}({given}):"
-                f" {type(error).__name__}: {error}"
+                f"{_place(file, error, function.__code__.co_firstlineno)}:"
+                f" {function.__name__}({given}): {type(error).__name__}: {error}"
             ) from error
 
     return call
 
 
-def _place(file: Path, error: BaseException) -> str:
-    """Name the file, and the last line of it that led to the error."""
+def _place(file: Path, error: BaseException, line: int | None = None) -> str:
+    """Name the file, and the last line of it that led to the error, or else the given one."""
     lines = [
         frame.lineno
         for frame in traceback.extract_tb(error.__traceback__)
@@ -120,4 +125,5 @@ def _place(file: Path, error: BaseException) -> str:
     ]
     if isinstance(error, SyntaxError) and error.filename == str(file):
         lines.append(error.lineno)
-    return f"{file}:{lines[-1]}" if lines else str(file)
+    found = lines[-1] if lines else line
+    return f"{file}:{found}" if found else str(file)

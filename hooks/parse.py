@@ -10,6 +10,7 @@ from xml.parsers import expat
 import xmltodict
 
 from .faults import SpecError, quoted, shown
+from .formats import BLANKS
 from .slips import slip
 
 Place = tuple[int, int]
@@ -45,7 +46,7 @@ class Element:
     @property
     def text(self) -> str:
         """The text between the tags, stripped."""
-        return "".join(self.content.get("#text", ()))
+        return "".join(self.content.get("#text", ())).strip(BLANKS)
 
     @property
     def label(self) -> str:
@@ -66,7 +67,9 @@ def parse(xml: bytes, file: str) -> Element:
     def element(path: Any, key: str, value: Any) -> tuple[str, Any]:
         return key, value if key[0] in "@#" else Element(key, value or {}, next(places))
 
-    document = xmltodict.parse(xml, postprocessor=element, force_list=True, force_cdata=True)
+    document = xmltodict.parse(
+        xml, postprocessor=element, force_list=True, force_cdata=True, strip_whitespace=False
+    )
     ((root,),) = document.values()
     return root  # type: ignore[no-any-return]
 

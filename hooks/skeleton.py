@@ -11,7 +11,14 @@ from .dictionary import DEPEND, DEPEND_KIND, PACKAGE, Attribute, Component, Dict
 from .literals import spelled
 from .ros import DEPENDENCY_KINDS
 
+SCHEMA = "ros_package.xsd"
+"""The file beside a spec by which editors complete it; see `hooks.schema`."""
+XSD = "http://www.w3.org/2001/XMLSchema"
 _WIDTH = 96
+KIND_OF_DEPENDENCY = Attribute(
+    DEPEND_KIND, choices=dict.fromkeys(DEPENDENCY_KINDS, []), optional=True
+)
+"""The one attribute that a dependency may have."""
 
 
 def skeleton(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
@@ -22,6 +29,7 @@ def skeleton(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
     package = list(dictionary.package.values())
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
+        f'<?xml-model href="{SCHEMA}" schematypens="{XSD}"?>',
         *_comment(
             "This file describes the package: change it, commit, run copier update.", "", package
         ),
@@ -31,8 +39,8 @@ def skeleton(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
     for component in dictionary.components.values():
         if not component.is_plain:
             lines += _component(component, dictionary, told)
-    kinds = Attribute(DEPEND_KIND, choices=dict.fromkeys(DEPENDENCY_KINDS, []), optional=True)
-    lines += ["", *_comment("A package that no interface above names:", "  ", [kinds])]
+    hint = "A package that no interface above names:"
+    lines += ["", *_comment(hint, "  ", [KIND_OF_DEPENDENCY])]
     lines += [f"  <!-- <{DEPEND}>package_name</{DEPEND}> -->"]
     for component in dictionary.components.values():
         if component.is_plain:
@@ -100,7 +108,7 @@ def _comment(title: str, indent: str, attributes: Iterable[Attribute] = ()) -> l
     lines = [f"{indent}<!-- {_inside(title)}"]
     for attribute in shown:
         lines += textwrap.wrap(
-            attribute.name.ljust(width) + _inside(_meaning(attribute)),
+            attribute.name.ljust(width) + _inside(meaning(attribute)),
             _WIDTH,
             initial_indent=indent + " " * 7,
             subsequent_indent=indent + " " * (7 + width),
@@ -110,7 +118,8 @@ def _comment(title: str, indent: str, attributes: Iterable[Attribute] = ()) -> l
     return lines
 
 
-def _meaning(attribute: Attribute) -> str:
+def meaning(attribute: Attribute) -> str:
+    """Return what an attribute means, which words it may be, and what it is without a value."""
     words = [attribute.doc] if attribute.doc else []
     if attribute.choices:
         words.append("one of " + ", ".join(attribute.choices))

@@ -27,6 +27,11 @@ def _lists() -> dict[str, frozenset[str]]:
     }
 
 
+def meanings() -> list[str]:
+    """Return what words may mean already; some do in one of the ROS generations alone."""
+    return sorted({name.partition(" in ROS")[0] for name in _lists()})
+
+
 def meaning(word: str, meanings: Iterable[str], generations: Iterable[int] = (1, 2)) -> str:
     """Return what a word means already, of the given meanings; nothing if it is free.
 

@@ -18,7 +18,7 @@ from hypothesis import HealthCheck, given, seed, settings
 from hooks.faults import SpecError
 from hooks.model import Model
 from support.direct_render import variants
-from support.fuzz import check, inputs, plain, specs
+from support.fuzz import check, inputs, plain, specs, styles
 from support.repository import ROOT
 
 INPUTS = int(os.environ.get("FUZZ_INPUTS", "150"))
@@ -97,6 +97,31 @@ def test_inputs_are_refused_or_give_sound_packages(renderers, progress, models):
             check(files, renderer.render(plain(spec), distro), spec)
 
     run()
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_schema_accepts_what_the_hook_accepts(model, tmp_path):
+    """Editors never complain of a spec that is right, for whichever ROS."""
+    schema = tmp_path / "ros_package.xsd"
+    schema.write_text(MODELS[model].schema(), encoding="utf-8")
+    accepted = []
+
+    @many(INPUTS)
+    @given(styles(MODELS[model].dictionary))
+    def run(xml):
+        if context(model, xml, "kilted") or context(model, xml, "noetic"):
+            accepted.append(xml)
+
+    run()
+    assert len(accepted) > INPUTS // 20
+    for number, xml in enumerate(accepted):
+        (tmp_path / f"{number}.xml").write_bytes(xml)
+    found = subprocess.run(
+        ["xmllint", "--noout", "--schema", schema, *tmp_path.glob("*.xml")],
+        capture_output=True,
+        text=True,
+    )
+    assert found.returncode == 0, re.sub(".* validates\n", "", found.stderr)[:3000]
 
 
 @pytest.mark.parametrize(("model", "distro"), variants())

@@ -1,6 +1,7 @@
 """What every model must be: sound over all that its dictionary allows, and kind to edits."""
 
 import ast
+import re
 import xml.etree.ElementTree as ET
 
 import copier
@@ -81,19 +82,100 @@ def test_each_kind_renders_alone(render, model, owner):
 
 
 @pytest.mark.parametrize(
+    ("model", "distro"), [(model, distro) for model in MODELS for distro in model.distros], ids=str
+)
+def test_texts_are_escaped(render, model, distro):
+    """A text of the spec is never code, whatever signs are in it."""
+    render(model.hostile(), distro)
+
+
+@pytest.mark.parametrize("model", MODELS, ids=str)
+def test_files_of_two_components(source, model, tmp_path):
+    """Each template makes files, and no file is made twice."""
+    made = set()
+    for distro in {model.distros[0], model.distros[-1]}:
+        package = tmp_path / distro
+        files = model_checks.make(source, package, model, model.several(), distro)
+        made |= {template for templates in files.values() for template in templates}
+    folder = next(
+        folder for folder in (model.folder / "template", model.folder) if folder.is_dir()
+    )
+    templates = {str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file()}
+    unused = sorted(templates - made)
+    assert not unused, f"{', '.join(unused)}: of no use to any package"
+
+
+@pytest.mark.parametrize(
     ("model", "owner"), [(model, owner) for model in MODELS for owner in model.owners], ids=str
 )
 def test_every_attribute_is_used(render, model, owner):
     """Another value of an attribute changes a file besides the spec and Copier's answers."""
-    used = set()
+    used, tried = set(), set()
     for name, base, values in model.variants(owner):
+        tried.add(name)
         for distro in () if name in used else (model.distros[-1], model.distros[0]):
             if render([(owner, base)], distro) != render([(owner, values)], distro):
                 used.add(name)
                 break
-    known = {name for name, attribute in owner.attributes.items() if not attribute.ignored}
+    known = {
+        name
+        for name, attribute in owner.attributes.items()
+        if not attribute.ignored and (name in tried or not attribute.pattern)
+    }
     unused = ", ".join(sorted(known - used))
     assert not unused, f"dictionary.yaml: {owner}: no template makes use of {unused}"
+
+
+@pytest.fixture(scope="session")
+def is_valid(tmp_path_factory):
+    """Return what tells whether a spec is valid by the schema of its model."""
+    found = {}
+
+    def run(model, spec):
+        if model.name not in found:
+            schema = tmp_path_factory.mktemp("schema") / f"{model.name}.xsd"
+            schema.write_text(model.hook.schema(), encoding="utf-8")
+            found[model.name] = model_checks.validators(schema)
+        verdicts = {is_valid(spec) for is_valid in found[model.name]}
+        if not verdicts:
+            pytest.skip("needs xmlschema, or xmllint of libxml2")
+        assert len(verdicts) == 1, f"xmlschema and xmllint do not agree:\n{spec}"
+        return verdicts.pop()
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("model", "owner"), [(model, owner) for model in MODELS for owner in model.owners], ids=str
+)
+def test_schema_refuses_what_the_dictionary_does_not_have(is_valid, model, owner):
+    for spec in model.faulty(owner):
+        assert model.context(spec) is None, spec
+        assert not is_valid(model, spec), spec
+
+
+@pytest.mark.parametrize("model", MODELS, ids=str)
+def test_schema_has_all_of_the_dictionary(is_valid, model):
+    sources = {"folder": "arm", "user": "Ada", "email": "ada@example.org", "year": "2026"}
+    specs = [
+        model.hook.skeleton(sources).partition("?>")[2].strip(),
+        model.spec(model.everything()),
+    ]
+    specs += [
+        model.spec(model.everything(distro)) for distro in (model.distros[0], model.distros[-1])
+    ]
+    for spec in specs:
+        assert is_valid(model, spec), spec
+
+
+@pytest.mark.parametrize("model", MODELS, ids=str)
+def test_spec_names_the_schema_beside_it(source, model, tmp_path):
+    """An editor finds it in a new package, without network."""
+    package = tmp_path / "fresh"
+    model_checks.make(source, package, model, None, model.distros[-1])
+    (spec,) = package.glob("*.ros_package")
+    named = re.search(r'^<\?xml-model href="(.*?)"', spec.read_text(), re.MULTILINE)[1]
+    assert (package / named).read_text() == model.hook.schema()
 
 
 @pytest.mark.parametrize("model", MODELS, ids=str)

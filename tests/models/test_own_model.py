@@ -1,11 +1,12 @@
 """A model that is nothing like ours: a second component tag, other words, functions of its own."""
 
+import re
 import shutil
 
 import copier
 import pytest
 
-from support.repository import ROOT, commit
+from support.repository import ROOT, commit, git
 
 MODEL = {
     "dictionary.yaml": """
@@ -111,6 +112,24 @@ def test_starter_spec_of_another_dictionary(make):
     assert '<joint label="label"/>' in spec.read_text()
 
 
+def test_schema_comes_to_older_packages(model, make, update):
+    """And a newer dictionary makes a newer one; the spec is the developer's and stays."""
+    package = make(SPEC)
+    schema = package / "ros_package.xsd"
+    assert not schema.exists()
+    (model / "template/ros_package.xsd.jinja").write_text("{{ spec_schema() }}")
+    commit(model, tag="2.0.0")
+    update(package)
+    assert 'element name="joint"' in schema.read_text()
+    commit(package)
+    dictionary = model / "dictionary.yaml"
+    dictionary.write_text(dictionary.read_text().replace("a joint to move", "a joint that moves"))
+    commit(model, tag="3.0.0")
+    update(package)
+    assert "a joint that moves" in schema.read_text()
+    assert (package / "arm.ros_package").read_text() == SPEC
+
+
 @pytest.mark.parametrize(
     ("spec", "message"),
     [
@@ -132,3 +151,114 @@ def test_fault_in_a_function(model, make):
     with pytest.raises(copier.errors.UserMessageError) as error:
         make(SPEC)
     assert "functions.py:6: degrees(1.5708): NameError: name 'missing'" in str(error.value)
+
+
+JOINTS = "template/[controller.label].txt.jinja"
+
+
+@pytest.mark.parametrize(
+    ("name", "right", "wrong", "message"),
+    [
+        (
+            JOINTS,
+            "joint.label",
+            "joint.lable",
+            f"{JOINTS}:3: 'dict object' has no attribute 'lable'",
+        ),
+        (JOINTS, "joint in contr", "joint in contrl", f"{JOINTS}:2: 'contrloller' is undefined"),
+        (JOINTS, "| degrees", "| degree", f"{JOINTS}:3: No filter named 'degree'"),
+        (JOINTS, "| degrees", "is small", f"{JOINTS}:3: No test named 'small'"),
+        (JOINTS, "{% endfor", "{% endfr", f"{JOINTS}:4: Encountered unknown tag 'endfr'"),
+        (JOINTS, "{% endfor %}", "", f"{JOINTS}:3: Unexpected end of template"),
+        (
+            JOINTS,
+            "joint.limit | degrees",
+            "1 / 0",
+            f"{JOINTS}:3: ZeroDivisionError: division by zero",
+        ),
+        (JOINTS, "{% for", "{% include 'x' %}{% for", f'{JOINTS}:2: no such template "x"'),
+        (
+            JOINTS,
+            "{% for",
+            "{% from 'part' import a %}{{ a() }}{% for",
+            f"{JOINTS}:2: the template 'part' ",
+        ),
+        (
+            JOINTS,
+            "{% for",
+            "{% from 'part' import b %}{{ b() }}{% for",
+            "part:1: 'c' is undefined",
+        ),
+        (JOINTS, "{% for", "{% include 'wrong' %}{% for", "wrong:1: unexpected '}'"),
+        (
+            "copier.yml",
+            "late\n",
+            "late\n_exclude: ['{{ spec.x }}']\n",
+            "copier.yml:5: 'dict object' ha",
+        ),
+        (
+            "copier.yml",
+            "late\n",
+            "late\nx: {default: '{{ 1/0 }}'}\n",
+            "copier.yml:5: ZeroDivisionEr",
+        ),
+        (
+            "dictionary.yaml",
+            "skeleton: [joint]",
+            "skeleton: [join]",
+            "dictionary.yaml:15: skeleton: ",
+        ),
+    ],
+)
+def test_mistake_in_a_template(model, make, name, right, wrong, message):
+    """Each is one line with the file and the line, and nothing is written."""
+    (model / "part").write_text("{% macro b() %}{{ c }}{% endmacro %}")
+    (model / "wrong").write_text("{{ } }}")
+    text = (model / name).read_text()
+    assert right in text
+    (model / name).write_text(text.replace(right, wrong, 1))
+    commit(model, tag="2.0.0")
+    with pytest.raises(copier.errors.UserMessageError) as error:
+        make(SPEC)
+    found = str(error.value)
+    assert re.sub(r"^/\S*/(?=dictionary)", "", found).startswith(message), found
+    assert "\n" not in found
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        (
+            "[controller.lable].txt",
+            'controller has no attribute "lable"; allowed: class_name, label',
+        ),
+        (
+            "[controler.label].txt",
+            'unknown tag "controler"; allowed: node, topic, controller, joint',
+        ),
+        ("{{ spec.titel }}.txt", "'dict object' has no attribute 'titel'"),
+        ("{{ spec.title | loud }}.txt", "No filter named 'loud'"),
+        ("{{ spec.title.txt", "unexpected end of template"),
+        ("{{ spec.title - 1 }}.txt", "TypeError: unsupported operand"),
+        ("[spec.arm]", "No filter named 'parts'"),
+    ],
+)
+def test_mistake_in_the_name_of_a_template(model, make, name, message):
+    (model / "template" / name).mkdir()
+    (model / "template" / name / "x.txt").write_text("")
+    commit(model, tag="2.0.0")
+    with pytest.raises(copier.errors.UserMessageError) as error:
+        make(SPEC)
+    assert str(error.value).startswith(f"template/{name}: {message}")
+
+
+def test_mistake_in_a_newer_model(model, make, update):
+    """An update says it alike, and leaves the package as it was."""
+    package = make(SPEC)
+    file = model / JOINTS
+    file.write_text(file.read_text().replace("joint.label", "joint.lable"))
+    commit(model, tag="2.0.0")
+    with pytest.raises(copier.errors.UserMessageError) as error:
+        update(package)
+    assert str(error.value) == f"{JOINTS}:3: 'dict object' has no attribute 'lable'"
+    assert git(package, "status", "--short") == ""

@@ -1,6 +1,7 @@
 """starter_model: from nothing to a team's own model, its packages, and the updates of both."""
 
 import re
+import shutil
 import subprocess
 import sys
 
@@ -95,6 +96,94 @@ def test_faults_of_a_model_are_found(team):
     leaving = f"{{% if {timers} == 1 %}}notes.txt{{% endif %}}"
     (model / "template" / leaving).write_text("Notes\n")
     assert "notes.txt" in run_tests(model, "-k", "keep_edits")
+
+
+NODE = "template/{{ spec.name }}/[node.name].py.jinja"
+
+
+def renamed(name, new):
+    return lambda model: (model / name).rename(model / new)
+
+
+def changed(name, old, new):
+    return lambda model: change(model / name, old, new)
+
+
+def added(name, text):
+    return lambda model: (model / name).write_text(text)
+
+
+MISTAKES = {
+    "attribute in a file name": (
+        renamed(NODE, NODE.replace("node.name", "node.nme")),
+        "two_components",
+        '{{ spec.name }}/[node.nme].py.jinja: node has no attribute "nme"; allowed: class_name',
+    ),
+    "tag in a file name": (
+        renamed(NODE, NODE.replace("node.name", "nod.name")),
+        "two_components",
+        '{{ spec.name }}/[nod.name].py.jinja: unknown tag "nod"; allowed: node, publisher,',
+    ),
+    "one name for two components": (
+        renamed(NODE, NODE.replace("node.name", "node.tag")),
+        "two_components",
+        "some_package/node.py is made 2 times, by {{ spec.name }}/[node.tag].py",
+    ),
+    "two templates for a file": (
+        added("template/{{ spec.name }}/{{ spec.nodes[0].name }}.py", ""),
+        "two_components",
+        "{{ spec.name }}/[node.name].py.jinja and {{ spec.name }}/{{ spec.nodes[0].name }}.py",
+    ),
+    "a file and its template": (
+        added("template/README.md", ""),
+        "two_components",
+        "README.md: of no use to any package",
+    ),
+    "kind in the skeleton": (
+        changed("dictionary.yaml", "skeleton: [publisher", "skeleton: [publishr"),
+        "two_components",
+        'dictionary.yaml:21: skeleton: unknown interface kind "publishr"; did you mean',
+    ),
+    "kind twice": (
+        changed("dictionary.yaml", "  timer:", "  publisher: [name]\n  timer:"),
+        "two_components",
+        'dictionary.yaml:26: "publisher" is there twice, first at line 24; keep one',
+    ),
+    "text in XML": (
+        changed(
+            "template/package.xml.jinja", "  <export>", "  <!-- -->{{ spec.author }}\n  <export>"
+        ),
+        "escaped and jazzy",
+        "package.xml: not well-formed",
+    ),
+    "text in Python": (
+        changed(NODE, "The callbacks are yours.", "Of\n    '{{ spec.description }}'"),
+        "escaped and jazzy",
+        "some_package/example_node.py: ",
+    ),
+    "fault of the model": (
+        changed("functions.py", 'return ["rclpy"]', 'return "rclpy"'),
+        "all_of_the_dictionary and jazzy",
+        "functions.py:4: dependencies_from_template for the package: must return a list",
+    ),
+}
+
+
+def test_mistakes_of_a_model_are_found(team, tmp_path):
+    """By the tests that the starter brings, each with the file, and the line where it has one."""
+    source, _ = team
+    for label, (mistake, test, message) in MISTAKES.items():
+        model = shutil.copytree(source, tmp_path / label)
+        mistake(model)
+        assert message in run_tests(model, "-k", test), label
+
+
+def test_pattern_of_an_attribute_is_no_fault(team):
+    """Where its example is the only value that is known to match."""
+    model, _ = team
+    required = "- code: {pattern: 'x[0-9]+', example: x1}\n      - period:"
+    change(model / "dictionary.yaml", "- period:", required)
+    assert "1 passed" in run_tests(model, "-k", "used and timer")
 
 
 def test_life_of_a_model(team, github, tmp_path):

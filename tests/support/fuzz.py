@@ -286,6 +286,34 @@ class Author(Random):
         return self.mutation(spec) if self.seldom(3) else spec
 
 
+class Stylist(Author):
+    """Writes the same in other ways: blanks, comments, other tags, names before."""
+
+    def attribute(self, given, made, others):
+        text = super().attribute(given, made, others)
+        blanks = given.choices or given.format == "bool"
+        return self.blanks() + text + self.blanks() if blanks and self.seldom(4) else text
+
+    def element(self, tag, attributes, inside=""):
+        parts = super().element(tag, attributes, inside).partition(">")
+        was = ' was="before"' if self.seldom(20) else ""
+        return f"{parts[0]}{was}>{self.gap()}{parts[2]}{self.gap()}"
+
+    def spec(self, dictionary):
+        text = super().spec(dictionary).decode()
+        for alias, tag in dictionary.aliases.items():
+            text = re.sub(rf"<(/?){tag}\b", rf"<\1{alias}", text) if self.seldom(2) else text
+        return f"{text.strip()}{self.gap()}".encode()
+
+    def gap(self):
+        more = ["<!-- <x a='1'> -->", "<?editor x?>", "&#32;&#9;"]
+        gaps = self.choices(["", "", self.blanks(), *(more if self.seldom(2) else [])], k=3)
+        return "".join(gaps)
+
+    def blanks(self):
+        return "".join(self.choices(" \t\n", k=self.randint(0, 3)))
+
+
 class LongNames(Author):
     """Writes names of 3 to 60 letters."""
 
@@ -316,6 +344,10 @@ def authors():
 
 def inputs(dictionary):
     return authors().map(lambda author: author.input(dictionary))
+
+
+def styles(dictionary):
+    return authors().map(lambda author: Stylist(author.getrandbits(64)).input(dictionary))
 
 
 def specs(dictionary):

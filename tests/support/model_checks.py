@@ -3,19 +3,23 @@
 It serves the model in whose repository it stands, or each model of a collection.
 """
 
+import copy
+import importlib
+import importlib.util
 import shutil
 import subprocess
 import tempfile
-import traceback
 import warnings
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from unittest import mock
 
 import copier
-import jinja2
 import yaml
+from copier._main import Worker
+from copier.errors import UserMessageError
 
 from hooks.dictionary import PACKAGE
 from hooks.faults import SpecError
@@ -55,6 +59,9 @@ SAMPLES = {
 SAMPLES |= {f"{sign}int{bits}": SAMPLES["int"] for sign in ("", "u") for bits in (8, 16, 32, 64)}
 SAMPLES |= dict.fromkeys(("byte", "char"), SAMPLES["int"])
 SAMPLES |= dict.fromkeys(("float32", "float64"), SAMPLES["double"])
+
+
+HOSTILE = """ '\'\'\' \"\"\" <b> & \\ {{ 1 }} {% x %} */ # --> %s $x """.strip()
 
 
 @dataclass(frozen=True)
@@ -116,10 +123,17 @@ class Model:
             yield from self.inside(interface, (*path, interface.kind))
 
     def context(self, spec, distro=None):
-        """Return the context of a spec, or None if the dictionary does not allow the spec."""
+        """Return the context of a spec, or None if the dictionary does not allow the spec.
+
+        Raises:
+            SpecError: not the spec is wrong, but the model.
+
+        """
         try:
             return self.hook.context(spec.encode(), "spec", distro or self.distros[-1])
-        except SpecError:
+        except SpecError as error:
+            if not str(error).startswith("spec:"):
+                raise
             return None
 
     def base(self, owner, given=()):
@@ -177,6 +191,64 @@ class Model:
         ET.indent(root)
         return ET.tostring(root, encoding="unicode") + "\n"
 
+    def faulty(self, owner):
+        """Yield specs with a fault that a schema can know: what is unknown, missing, no choice."""
+        base = self.base(owner)
+        yield self.spec([(owner, base | {"no_such": "x"})])
+        for name, attribute in owner.attributes.items():
+            if not (attribute.optional or attribute.ignored):
+                yield self.spec([(owner, {each: base[each] for each in base if each != name})])
+            if attribute.choices and not attribute.ignored:
+                yield self.spec([(owner, base | {name: "no such"})])
+        for child in ("no_such", PACKAGE):
+            root = ET.fromstring(self.spec([(owner, base)]))
+            ET.SubElement(root.find("/".join(owner.path)) if owner.path else root, child)
+            yield ET.tostring(root, encoding="unicode")
+
+    def several(self):
+        """Return a spec with one more component of each tag, and one for each choice it has."""
+        root = ET.fromstring(self.spec(self.small()))
+        for element in list(root):
+            owner = self.hook.dictionary.components[element.tag]
+            choices = [
+                {name: word} for name, each in owner.attributes.items() for word in each.choices
+            ]
+            for number, chosen in enumerate([{}, *choices]):
+                other = copy.deepcopy(element)
+                other.attrib |= chosen
+                root.append(other)
+                if not self._renamed(root, other, owner, number):
+                    root.remove(other)
+        return ET.tostring(root, encoding="unicode")
+
+    def _renamed(self, root, element, owner, number):
+        """Give an element other names where it needs its own; tell whether the spec is right."""
+        for child in element:
+            kind = owner.interfaces[child.tag]
+            self._renamed(None, child, kind, number)
+        for name, attribute in owner.attributes.items():
+            if not attribute.unique or name not in element.attrib:
+                continue
+            element.set(name, f"{element.get(name)}{number + 2}")
+        spec = "" if root is None else ET.tostring(root, encoding="unicode")
+        return spec and all(self.context(spec, distro) for distro in self.distros)
+
+    def hostile(self):
+        """Return the elements of `small` with signs in the texts that mean something in files.
+
+        The first attribute of each is what it is called, and no text for readers.
+        """
+        found = []
+        for owner, base in [(self.owners[0], self.base(self.owners[0])), *self.small()]:
+            texts = {
+                name: HOSTILE
+                for name, attribute in [*owner.attributes.items()][1:]
+                if attribute.format in ("text", "raw") and not attribute.ignored
+                if not (attribute.choices or attribute.pattern or attribute.unique)
+            }
+            found.append((owner, base | texts))
+        return found
+
     def small(self):
         """Return the elements of a spec with one interface of each kind."""
         return self._accepted([(o, self.base(o)) for o in self.owners if o.component])
@@ -213,6 +285,18 @@ class Model:
             items.append(((owner, values | names), (owner, values)))
         accept(items)
         return found
+
+
+def validators(schema):
+    """Return the validators that are here, each to be called with a spec, for a schema's file."""
+    found = []
+    if importlib.util.find_spec("xmlschema"):
+        found.append(importlib.import_module("xmlschema").XMLSchema(str(schema)).is_valid)
+    if shutil.which("xmllint"):
+        command = ["xmllint", "--noout", "--schema", str(schema), "-"]
+        options = {"capture_output": True, "text": True}
+        found.append(lambda spec: not subprocess.run(command, input=spec, **options).returncode)
+    return found
 
 
 def is_component(owner):
@@ -260,8 +344,10 @@ def template(target):
 def make(source, target, model, spec, distro):
     """Render a package from a spec, or from the skeleton of one, into a folder.
 
+    Return for each file that it may have the templates that make it.
+
     Raises:
-        AssertionError: a template failed; the text names its file and line.
+        AssertionError: a template failed, or a file is made twice; the text names the templates.
 
     """
     data = {"ros_distro": distro}
@@ -271,22 +357,33 @@ def make(source, target, model, spec, distro):
         data["spec_file"] = str(file)
     data |= {} if model.folder == ROOT else {"model": model.name}
     options = {"defaults": True, "unsafe": True, "quiet": True}
+    made = {}
+    rendered = Worker._render_path
+
+    def watch(worker, template):
+        for path, more in rendered(worker, template):
+            if (worker.template_copy_root / template).is_file():
+                made.setdefault(str(path), []).append(str(template))
+            yield path, more
+
     try:
-        with warnings.catch_warnings():
+        with warnings.catch_warnings(), mock.patch.object(Worker, "_render_path", watch):
             warnings.simplefilter("ignore")
             copier.run_copy(str(source), target, data=data, **options)
-    except (jinja2.TemplateError, TypeError, ValueError, KeyError, AttributeError) as error:
-        raise AssertionError(f"{place(source, error)}: {error}\n{distro}: {spec}") from error
+    except (UserMessageError, OSError) as error:
+        twice = _twice(made)
+        raise AssertionError(f"{twice or error}\n{distro}: {spec}") from error
+    assert not _twice(made), f"{_twice(made)}\n{distro}: {spec}"
+    return made
 
 
-def place(source, error):
-    """Name the template and the line where an error arose."""
-    if isinstance(error, jinja2.TemplateSyntaxError):
-        return f"{Path(error.filename or '').relative_to(source)}:{error.lineno}"
-    for frame in reversed(traceback.extract_tb(error.__traceback__)):
-        if Path(frame.filename).is_relative_to(source):
-            return f"{Path(frame.filename).relative_to(source)}:{frame.lineno}"
-    return "a template"
+def _twice(made):
+    """Say which file is made twice, by two templates or for two components."""
+    for path, templates in made.items():
+        if len(templates) > 1:
+            by = " and ".join(sorted(set(templates)))
+            return f"{path} is made {len(templates)} times, by {by}"
+    return ""
 
 
 def render(model, spec, distro, source=None):
