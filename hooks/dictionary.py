@@ -42,6 +42,12 @@ class Attribute:
     same_as: str | None = None
     format: str = "text"
     of: str | None = None
+    several: bool = False
+    """It is a list of what `of` says."""
+    can_be_empty: bool = False
+    """It may be a list without values."""
+    among: str | None = None
+    """The attribute that lists the values it may have."""
     as_written: bool = False
     choices: Mapping[str, list[str]] = field(default_factory=dict)
     pattern: str | None = None

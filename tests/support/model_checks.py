@@ -230,7 +230,8 @@ def candidates(attribute, values):
         return list(attribute.choices)
     kind, is_list = attribute.format, False
     if kind == "literal":
-        kind, is_list = values[attribute.of].removesuffix("[]"), values[attribute.of][-1] == "]"
+        kind = values[attribute.of].removesuffix("[]")
+        is_list = attribute.several or values[attribute.of].endswith("]")
     example = str(attribute.example)
     found = [example] if example and "$" not in example and attribute.format != "literal" else []
     found += SAMPLES[kind]
