@@ -61,6 +61,8 @@ def dependencies_from_interface(
 def _check_dynamic(attributes: dict[str, Any]) -> None:
     if attributes["type"].endswith("[]"):
         raise ValueError("dynamic_reconfigure has no lists; use <parameter>")
+    if "." in attributes["name"]:
+        raise ValueError("dynamic_reconfigure has no groups of names; use <parameter>")
     for name in ("value", "min", "max"):
         value = attributes[name]
         if isinstance(value, int) and not -(2**31) <= value < 2**31:

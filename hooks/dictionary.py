@@ -241,15 +241,15 @@ def _interface(file: str, kind: str, item: Any) -> Interface:
 
 def _scope(place: str, label: str, item: Any) -> Scope:
     """Read where names land, which is a mapping from tags to the names that they make there."""
-    own = ("in", "ignore_case", "ros", "reserved")
+    own = ("in", "ignore_case", "ros", "parts", "reserved")
     if not isinstance(item, dict) or not all(
-        isinstance(forms, list) for key, forms in item.items() if key not in own[:3]
+        isinstance(forms, list) for key, forms in item.items() if key not in own[:4]
     ):
         raise SpecError(f"{place}: must be a mapping with lists of names, or in and a tag")
     made_by = {tag: forms for tag, forms in item.items() if tag not in own}
     owners = item.get("in", PACKAGE)
     owners = owners if isinstance(owners, list) else [owners]
-    options = {key: item[key] for key in ("reserved", "ignore_case", "ros") if key in item}
+    options = {key: item[key] for key in own[1:] if key in item}
     return Scope(label, owners, made_by, **options)
 
 

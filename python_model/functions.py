@@ -62,6 +62,8 @@ def cfg_name(node: dict[str, Any]) -> str:
 def _check_dynamic(attributes: dict[str, Any]) -> None:
     if attributes["type"].endswith("[]"):
         raise ValueError("dynamic_reconfigure has no lists; use <parameter>")
+    if "." in attributes["name"]:
+        raise ValueError("dynamic_reconfigure has no groups of names; use <parameter>")
     for name in ("value", "min", "max"):
         value = attributes[name]
         if isinstance(value, int) and not -(2**31) <= value < 2**31:

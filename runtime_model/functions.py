@@ -21,7 +21,7 @@ _KINDS = sorted(
 )
 # A node that uses all of the runtime, as functions and templates of the other models ask for it.
 _PARAMETER = {"name": "", "type": "int", "value": 0, "min": 0, "max": 0, "choices": [0]}
-_REQUIRED = {**_PARAMETER, "type": "int[]", "value": None}
+_REQUIRED = {**_PARAMETER, "name": "a.b", "type": "int[]", "value": None}
 _NODE = {
     "frequency": 1.0,
     "diagnostics": True,

@@ -728,7 +728,14 @@ def test_fixed_parameter_that_is_refused(stage, name, value):
 
 def test_parameters_within_their_limits(stage):
     """They reach the logic, those at the limits and empty lists too; else their defaults do."""
-    default = {"speed": 1, "turns": 2, "mode": "slow", "sizes": [], "flags": [True]}
+    default = {
+        "speed": 1,
+        "axis_linear_x": 4,
+        "turns": 2,
+        "mode": "slow",
+        "sizes": [],
+        "flags": [True],
+    }
     node = start_dial(stage)
     assert node.wait("configure")["value"] == {"device": "/dev/dial", **default}
     node.wait("activate", "end")
@@ -737,7 +744,27 @@ def test_parameters_within_their_limits(stage):
     if stage.variant.is_ros2 and not stage.variant.is_python:
         given["flags"] = [False, True]  # rclcpp 29.3 takes no empty list from YAML
     node = start_dial(stage, **given)
-    assert node.wait("configure")["value"] == {"device": "/dev/dial", **given}
+    seen = node.wait("configure")["value"]
+    assert seen == {"device": "/dev/dial", "axis_linear_x": 4, **given}
+
+
+def test_parameter_in_a_group(stage, tmp_path):
+    """Files have it below its group: `axis_linear: {x: 5}`."""
+    if stage.variant.is_ros2:
+        file = tmp_path / "dial.yaml"
+        file.write_text("/**: {ros__parameters: {device: here, axis_linear: {x: 5}}}")
+        node = stage.start("dial", files=[file])
+    else:  # as rosparam does
+        stage.peer.set_global(name=stage.name("dial/axis_linear"), value={"x": 5})
+        node = start_dial(stage)
+    assert node.wait("configure")["value"]["axis_linear_x"] == 5
+    assert node.stop() == 0
+    node = start_dial(
+        stage, **{"axis_linear.x" if stage.variant.is_ros2 else "axis_linear/x": "a"}
+    )
+    assert node.exit() == 1, node.story()
+    assert re.search(r"axis_linear[./]x", node.log()), node.story()
+    node.expect("[ERROR]", "[FATAL]")
 
 
 def test_parameter_without_a_default(stage):

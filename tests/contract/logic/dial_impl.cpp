@@ -14,6 +14,7 @@ namespace
 std::string seen(const DialConfig & config)
 {
   return "{\"device\": " + json(config.device) + ", \"speed\": " + json(config.speed) +
+         ", \"axis_linear_x\": " + std::to_string(config.axis_linear_x) +
          ", \"turns\": " + std::to_string(config.turns) + ", \"mode\": " + json(config.mode) +
          ", \"sizes\": " + json(config.sizes) + ", \"flags\": " + json(config.flags) + "}";
 }
