@@ -798,6 +798,30 @@ def test_stop_timeout_out_of_range(stage, value):
     node.expect("[ERROR]", "[FATAL]")
 
 
+def test_frequency_when_starting(stage):
+    """The default is that of the spec; it does not change later."""
+    for given, frequency in (({}, 10.0), ({"frequency": 40.0}, 40.0)):
+        node = stage.start("gauge", **given)
+        node.wait("update", count=12)
+        times = [event["time"] for event in node.events("update", "begin")]
+        period = statistics.median(end - start for start, end in itertools.pairwise(times))
+        assert 0.8 < period * frequency < 1.25, (frequency, period)
+        if stage.variant.is_ros2:
+            name = stage.name("gauge")
+            assert not stage.peer.set_parameter(node=name, name="frequency", value=20.0)
+        assert node.stop() == 0
+
+
+@pytest.mark.parametrize("value", ["0.0", "-1.0", "2e5", ".nan", ".inf"])
+def test_frequency_out_of_range(stage, value):
+    """The process ends with 1 and names it."""
+    node = stage.start("gauge", frequency=value)
+    assert node.exit() == 1, node.story()
+    assert "frequency" in node.log(), node.story()
+    assert node.methods() == []
+    node.expect("[ERROR]", "[FATAL]")
+
+
 def test_unknown_log_level(stage):
     only_ros1(stage, "in ROS 2 a log level is an argument")
     node = stage.active(log_level="loud")
