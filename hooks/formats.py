@@ -70,7 +70,7 @@ def identifier(value: str) -> str:
     return _free(_match(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*_?", value, complaint)[0])
 
 
-def parameter_name(value: str) -> str:
+def grouped_name(value: str) -> str:
     """Identifiers with dots between them; ROS 1 writes a stroke for a dot. No keyword."""
     word = "[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*"
     complaint = "not a valid name; allowed: a letter, then letters, digits and single underscores;"
@@ -319,7 +319,7 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "raw": raw,
     "identifier": identifier,
     "component_name": identifier,
-    "parameter_name": parameter_name,
+    "grouped_name": grouped_name,
     "package_name": package_name,
     "dependency": dependency,
     "ros_name": ros_name,

@@ -28,7 +28,7 @@ SAMPLES = {
     "raw": ("some text", "other text"),
     "identifier": ("some_word", "other_word"),
     "component_name": ("some_part", "other_part"),
-    "parameter_name": ("some_word", "other.word"),
+    "grouped_name": ("some_word", "other.word"),
     "package_name": ("some_package", "other_package"),
     "dependency": ("std_msgs", "std_srvs"),
     "ros_name": ("some_name", "other/name", "~/own_name"),
