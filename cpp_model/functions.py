@@ -43,7 +43,7 @@ def dependencies_from_interface(
     if ros1 and kind == "dynParameter" and name in _RESERVED:
         raise ValueError(f'dynamic_reconfigure cannot make a parameter "{name}"; choose another')
     if ros1 and kind == "dynParameter":
-        _check_32_bits(attributes)
+        _check_dynamic(attributes)
     if ros_distro == "humble":
         _check_qos_of_humble(attributes)
     tf2_msgs = [] if ros1 else ["tf2_msgs"]
@@ -58,7 +58,11 @@ def dependencies_from_interface(
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
 
 
-def _check_32_bits(attributes: dict[str, Any]) -> None:
+def _check_dynamic(attributes: dict[str, Any]) -> None:
+    if attributes["type"].endswith("[]"):
+        raise ValueError("dynamic_reconfigure has no lists; use <parameter>")
+    if "." in attributes["name"]:
+        raise ValueError("dynamic_reconfigure has no groups of names; use <parameter>")
     for name in ("value", "min", "max"):
         value = attributes[name]
         if isinstance(value, int) and not -(2**31) <= value < 2**31:

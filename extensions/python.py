@@ -22,6 +22,11 @@ def python_type(type_: str) -> str:
     return names.get(type_, type_.replace("/", "."))
 
 
+def rclpy_type(type_: str) -> str:
+    """Return what rclpy calls the type of a parameter: `double[]` gives `DOUBLE_ARRAY`."""
+    return type_.upper().replace("INT", "INTEGER").replace("[]", "_ARRAY")
+
+
 def python_module(type_: str, ros: int = 2) -> str:
     """Return the module of a ROS type: `std_msgs/msg/String` gives `std_msgs.msg`.
 
@@ -67,23 +72,50 @@ def python_value(value: Any, indent: int, used: int = 0) -> str:
     return "(\n" + "".join(f"{margin}{item},\n" for item in items) + " " * indent + ")"
 
 
-def other_value(value: Any, low: Any = None, high: Any = None) -> Any:
-    """Return another value than this one, within the bounds that are numbers, or None."""
-    if isinstance(value, list):
-        return [other_value(value[0])] if value else None
-    if isinstance(value, bool):
-        return not value
-    if isinstance(value, str):
-        return "other" if value != "other" else "another"
-    low, high = (each if isinstance(each, int | float) else None for each in (low, high))
-    near = (low, high, 0, 1, value - 1, value + 1)
-    candidates = [type(value)(each) for each in near if each is not None]
-    fit = (
+def zero_value(type_: str) -> Any:
+    """Return the value of a type that stands for none: false, 0, an empty text or list."""
+    return {"bool": False, "int": 0, "double": 0.0, "string": ""}.get(type_, [])
+
+
+def other_values(
+    type_: str, value: Any = None, low: Any = None, high: Any = None, known: Any = None
+) -> list[Any]:
+    """Return values of a type other than this one, for tests: within the bounds, or of `known`.
+
+    Each bound is among them; without it, a value far away.
+    """
+    if type_.endswith("[]"):
+        return [[other_values(type_[:-2], *(value or ())[:1])[0]]]
+    if known:
+        found = [*known]
+    elif type_ in ("bool", "string"):
+        found = [True, False] if type_ == "bool" else ["other", "another"]
+    else:
+        start = value or 0
+        far = [] if abs(start) >= 1e18 else [low or start - 10**6, high or start + 10**6]
+        found = [
+            int(each) if type_ == "int" else float(each)
+            for each in (low, high, 0, 1, *far)
+            if each is not None and (low is None or low <= each) and (high is None or each <= high)
+        ]
+    others = [
         each
-        for each in candidates
-        if each != value and (low is None or low <= each) and (high is None or each <= high)
-    )
-    return next(fit, None)
+        for each in dict.fromkeys(found)
+        if each != (zero_value(type_) if value is None else value)
+    ]
+    return others or (found if value is None else [])
+
+
+def refused_values(type_: str, low: Any = None, high: Any = None, known: Any = None) -> list[Any]:
+    """Return values that a parameter refuses, for tests: of another type, out of its bounds."""
+    found: list[Any] = ["wrong" if type_ == "bool" else True]
+    for bound, sign in ((low, -1), (high, 1)):
+        step = 1 if type_ == "int" else 1e-4 * max(1.0, abs(bound or 0.0))
+        if bound is not None and abs(bound) < 2**63 - 1:
+            found.append(bound + sign * step)
+    if known:
+        found.append("none of them" if type_ == "string" else max(known) + 1)
+    return found
 
 
 def python_text(text: str, indent: int, used: int = 0) -> str:

@@ -24,7 +24,7 @@ from .dictionary import (
 from .endpoints import clashes
 from .faults import SpecError, allowed, first_of, quoted, shown
 from .formats import BLANKS, FORMATS, FORMATS_OF_ROS, TYPES, comparable, dependency, split_type
-from .literals import literal
+from .literals import literal, spelled
 from .names import class_name
 from .parse import Element
 from .ros import DEPENDENCY_KINDS
@@ -251,8 +251,9 @@ class _Checker:
                     self.fault(element, f"{name}: {error}")
         for name, attribute in known.items():
             if values.get(name) is not None:
-                for fault in (*_misplaced(attribute, values), *_out_of_bounds(attribute, values)):
-                    self.fault(element, fault)
+                for rule in (_misplaced, _out_of_bounds, _unlisted):
+                    for fault in rule(attribute, values):
+                        self.fault(element, fault)
         return values
 
     def check_unique(
@@ -333,7 +334,11 @@ def _value(
         raise ValueError(f"{quoted(text)} does not match the pattern {attribute.pattern}")
     if attribute.format == "literal":
         type_name = values.get(attribute.of or "")
-        value = None if type_name is None else literal(text, type_name)
+        if type_name is None:
+            return None
+        value = literal(text, type_name + "[]" * attribute.several)
+        if value == [] and not attribute.can_be_empty:
+            raise ValueError("a list must not be empty")
         return text if attribute.as_written else value
     value = formats[attribute.format](text)
     if not attribute.optional and value == "" and attribute.format not in ("raw", "string"):
@@ -354,8 +359,12 @@ def _misplaced(attribute: Attribute, values: Values) -> Iterator[str]:
 def _out_of_bounds(attribute: Attribute, values: Values) -> Iterator[str]:
     """Say what a number must be; a bound may be the value of another attribute."""
     value = values[attribute.name]
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        return
+    for each in value if isinstance(value, list) else [value]:
+        if isinstance(each, int | float) and not isinstance(each, bool):
+            yield from _beyond(attribute, each, values)
+
+
+def _beyond(attribute: Attribute, value: float, values: Values) -> Iterator[str]:
     for word, limit, holds in (
         ("above", attribute.above, operator.gt),
         ("at least", attribute.minimum, operator.ge),
@@ -364,6 +373,14 @@ def _out_of_bounds(attribute: Attribute, values: Values) -> Iterator[str]:
         bound = values.get(limit) if isinstance(limit, str) else limit
         if bound is not None and not holds(value, bound):
             yield f"{attribute.name}: {value} must be {word} {bound}"
+
+
+def _unlisted(attribute: Attribute, values: Values) -> Iterator[str]:
+    """Say that a value is none of those that another attribute lists."""
+    value, known = values[attribute.name], values.get(attribute.among or "")
+    if known is not None and value not in known:
+        hint = allowed(str(value), [spelled(each) for each in known])
+        yield f"{attribute.name}: {spelled(value)} is none of {attribute.among}; {hint}"
 
 
 def _doc(attribute: Attribute) -> str:

@@ -35,6 +35,8 @@ class Scope:
     """The only generation of ROS in which there is such a place."""
     said_at: str = ""
     """The file and line of the dictionary."""
+    parts: str = ""
+    """What divides a name; no name may be what stands before it in another."""
 
     def place(self, item: Checked) -> Checked:
         """Return the innermost of what an element stands in that has such a place."""
@@ -81,6 +83,12 @@ def collisions(
                     also = f"{first.label} at line {first.line}"
                     what = f'makes the {scope.label} "{shown(name)}"'
                     yield item.element, f"{what}, as {also} does; rename one of them"
+        for (place, name), element in taken.items() if scope.parts else ():
+            above = [name[:end] for end in range(len(name)) if name[end] == scope.parts]
+            for group in above:
+                if other := taken.get((place, group)):
+                    what = f'"{shown(group)}" is a {scope.label} itself, at line {other.line}'
+                    yield element, f"{what}, so that nothing can be below it; rename one of them"
 
 
 def _reservation(name: str, reserved: str, ros: int | None) -> str:

@@ -44,6 +44,12 @@ class Attribute:
     same_as: str | None = None
     format: str = "text"
     of: str | None = None
+    several: bool = False
+    """It is a list of what `of` says."""
+    can_be_empty: bool = False
+    """It may be a list without values."""
+    among: str | None = None
+    """The attribute that lists the values it may have."""
     as_written: bool = False
     choices: Mapping[str, list[str]] = field(default_factory=dict)
     pattern: str | None = None
@@ -262,7 +268,7 @@ class _Reader:
         attributes = {name: attribute for name, (_, attribute) in found.items()}
         for number, (name, (key, attribute)) in enumerate(found.items()):
             label, others = f"{owner} {name}", list(attributes)
-            for option in ("of", "same_as"):
+            for option in ("of", "same_as", "among"):
                 if other := getattr(attribute, option):
                     self.check_word(
                         key, f"{label}: {option}", "attribute above it", others[:number], other
@@ -360,9 +366,9 @@ class _Reader:
         """Read where names land: a mapping from tags to the names that they make there."""
         place = f"names: {label}"
         self.places[place] = label.place
-        own = ("in", "ignore_case", "ros", "reserved")
+        own = ("in", "ignore_case", "ros", "parts", "reserved")
         if not isinstance(item, dict) or not all(
-            isinstance(forms, list) for key, forms in item.items() if key not in own[:3]
+            isinstance(forms, list) for key, forms in item.items() if key not in own[:4]
         ):
             what = "must be a mapping with lists of names, or in and a tag"
             raise self.fault(label, place, what)
@@ -384,7 +390,8 @@ class _Reader:
                 self.check_word(word, place, "meaning of words", meanings())
             else:
                 self.check_pattern(word, place, re.sub(r"\{\w[^{}]*\}", "x", word))
-        options = {key: item[key] for key in ("reserved", "ignore_case", "ros") if key in item}
+        self.check_shape(label, f"{place}: parts", item.get("parts", ""), str)
+        options = {key: item[key] for key in own[1:] if key in item}
         made = plain({"label": label, "owners": owners, "made_by": made_by, **options})
         return Scope(**made, said_at=label.place)
 

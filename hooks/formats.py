@@ -87,6 +87,15 @@ def identifier(value: str) -> str:
     return _free(_match(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*_?", value, complaint)[0])
 
 
+def grouped_name(value: str) -> str:
+    """Identifiers with dots between them; ROS 1 writes a stroke for a dot. No keyword."""
+    word = "[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*"
+    complaint = "not a valid name; allowed: a letter, then letters, digits and single underscores;"
+    complaint += ' a "." between the names of a group and of what is in it'
+    _free(identifier_of(_match(rf"{word}([./]{word})*_?", value, complaint)[0]))
+    return value.replace("/", ".")
+
+
 def package_name(value: str) -> str:
     """A package name of REP 144, which can be a module of Python and a namespace of C++."""
     complaint = "not a package name of REP 144; allowed: two or more of a-z, 0-9 and single"
@@ -332,6 +341,7 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "raw": raw,
     "identifier": identifier,
     "component_name": _as_file(identifier),
+    "grouped_name": grouped_name,
     "package_name": _as_file(package_name),
     "dependency": dependency,
     "ros_name": ros_name,

@@ -47,10 +47,6 @@ def literal(value: str, type_name: str) -> Any:
     except (yaml.YAMLError, ValueError, OverflowError):
         example = "allowed: a list such as [first, second]"
         raise ValueError(f"{quoted(value)} is not a {type_name}; {example}") from None
-    if not items:
-        raise ValueError(
-            "a list must not be empty, for ROS 2 could not tell the type of its values"
-        )
     if size and (len(items) > int(size) if limit else len(items) != int(size)):
         raise ValueError(f"{len(items)} values do not fit {type_name}")
     return [parse(item) for item in items]

@@ -7,7 +7,7 @@ import re
 
 def identifier(name: str) -> str:
     """Return a ROS name as one word of an identifier: `~/arm/pose` gives `arm_pose`."""
-    return name.lstrip("~/").replace("/", "_")
+    return re.sub("[/.]", "_", name.lstrip("~/"))
 
 
 def graph_id(name: str, owner: str) -> str:

@@ -27,7 +27,7 @@ def dependencies_from_interface(
     if ros1 and kind == "dynParameter":
         if attributes["name"] == "groups":
             raise ValueError('dynamic_reconfigure overwrites a parameter "groups"; choose another')
-        _check_32_bits(attributes)
+        _check_dynamic(attributes)
     if ros_distro == "humble":
         _check_qos_of_humble(attributes)
     packages = {
@@ -59,7 +59,11 @@ def cfg_name(node: dict[str, Any]) -> str:
     return str(node["class_name"])
 
 
-def _check_32_bits(attributes: dict[str, Any]) -> None:
+def _check_dynamic(attributes: dict[str, Any]) -> None:
+    if attributes["type"].endswith("[]"):
+        raise ValueError("dynamic_reconfigure has no lists; use <parameter>")
+    if "." in attributes["name"]:
+        raise ValueError("dynamic_reconfigure has no groups of names; use <parameter>")
     for name in ("value", "min", "max"):
         value = attributes[name]
         if isinstance(value, int) and not -(2**31) <= value < 2**31:

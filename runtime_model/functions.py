@@ -20,11 +20,13 @@ _KINDS = sorted(
     yaml.safe_load((_SHARED / "shared/dictionary.yaml").read_text("utf-8"))["node_interface"]
 )
 # A node that uses all of the runtime, as functions and templates of the other models ask for it.
-_PARAMETER = {"name": "", "value": 0, "min": 0, "max": 0}
+_PARAMETER = {"name": "", "type": "int", "value": 0, "min": 0, "max": 0, "choices": [0]}
+_REQUIRED = {**_PARAMETER, "name": "a.b", "type": "int[]", "value": None}
 _NODE = {
     "frequency": 1.0,
     "diagnostics": True,
     "client_library": True,
+    "parameters": [_PARAMETER, _REQUIRED],
     "dynParameters": [_PARAMETER],
 }
 

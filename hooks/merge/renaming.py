@@ -21,9 +21,12 @@ from .lines import split
 from .origins import SELF, origins
 from .render import Renderer
 from .tokens import Word, exchange, words
-from .tree import Tree
+from .tree import File, Tree
 
 _MARK = re.compile(r"zq(\d+)x", re.IGNORECASE)
+_GROUPED = re.compile(r"(?m)^\s*(\w+(?:[./]\w+)+):")
+_OTHER_SIGN = str.maketrans("./", "/.")
+"""Between the names of a group and of what is in it: a dot in ROS 2, a stroke in ROS 1."""
 _ABOUT_TARGETS = re.compile(r"target_|set_target_|ament_target_|add_executable$|add_dependencies$")
 
 
@@ -70,6 +73,14 @@ class Renaming:
     def move(self, old: Tree, new: Tree) -> None:
         """Give the files of before the form that they have in another ROS."""
         self.shifts = shifts(old, new, self.path)
+        for path, file in old.items():
+            if language(path, file.text or "") is YAML:
+                other = new.get(self.path(path), File(b""))
+                before, after = ({*_GROUPED.findall(each.text or "")} for each in (file, other))
+                keys = {**dict(zip(before, before, strict=True)), **self.keys.get(path, {})}
+                swapped = {key: name.translate(_OTHER_SIGN) for key, name in keys.items()}
+                found = {key: name for key, name in swapped.items() if name in after}
+                self.keys[path] = self.keys.get(path, {}) | found
 
     def path(self, path: str) -> str:
         """Return where a file of before the update is after it."""
@@ -280,16 +291,17 @@ def _folders(folders: dict[str, str], before: str, after: str) -> None:
 
 def _keys(reader: _Reader, path: str, text: str) -> dict[str, str]:
     keys: dict[str, str] = {}
+    known = language(path, text)
 
     def visit(blocks: Iterable[Block]) -> None:
         for block in blocks:
             if _MARK.search(block.key):
                 before, after = reader.both(block.key)
-                keys[before] = after
+                keys.update(reader.keys(block.key) if known is YAML else {before: after})
             visit(block.children)
 
     try:
-        visit(language(path, text).blocks(text))
+        visit(known.blocks(text))
     except ValueError:
         return {}
     return keys
@@ -306,6 +318,12 @@ class _Reader:
         before = _MARK.sub(lambda m: _form(m[0], self.marks[int(m[1])].before), text)
         after = _MARK.sub(lambda m: _form(m[0], self.marks[int(m[1])].after), text)
         return before, after
+
+    def keys(self, text: str) -> dict[str, str]:
+        """Return a marked key as it was, with the sign of each ROS in its name, and will be."""
+        before = _MARK.sub(lambda m: self.marks[int(m[1])].before, text)
+        after = _MARK.sub(lambda m: self.marks[int(m[1])].after, text)
+        return {before.replace(".", sign): after for sign in "./"}
 
     def numbers(self, text: str) -> set[int]:
         return {int(number) for number in _MARK.findall(text)}

@@ -10,6 +10,7 @@ import copy
 import ctypes
 import dataclasses
 import itertools
+import json
 import os
 import random
 import re
@@ -689,12 +690,134 @@ def test_parameter_of_a_wrong_type(stage):
     node.expect("[ERROR]", "[FATAL]")
 
 
+def start_dial(stage, **parameters):
+    """Start the node dial with parameters of any type, and return it."""
+    parameters = {"device": "/dev/dial", **parameters}
+    if stage.variant.is_ros2:
+        parameters = {n: json.dumps(v).replace("NaN", ".nan") for n, v in parameters.items()}
+        return stage.start("dial", **parameters)
+    for name, value in parameters.items():
+        stage.peer.set_global(name=stage.name(f"dial/{name}"), value=value)
+    return stage.start("dial")
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("speed", -0.1),
+        ("speed", 10.5),
+        ("speed", float("nan")),
+        ("turns", 0),
+        ("turns", True),
+        ("mode", "medium"),
+        ("mode", 1),
+        ("sizes", ["a", "b"]),
+        ("sizes", [True]),
+        ("sizes", 1.5),
+        ("flags", [1]),
+    ],
+)
+def test_fixed_parameter_that_is_refused(stage, name, value):
+    """One that is out of its range, none of its choices or of another type ends the node."""
+    node = start_dial(stage, **{name: value})
+    assert node.exit() == 1, node.story()
+    assert re.search(rf"(?m)^.*\[(ERROR|FATAL)\].*\b{name}\b", node.log()), node.story()
+    assert node.methods() == [], node.story()
+    node.expect("[ERROR]", "[FATAL]")
+
+
+def test_parameters_within_their_limits(stage):
+    """They reach the logic, those at the limits and empty lists too; else their defaults do."""
+    default = {
+        "speed": 1,
+        "axis_linear_x": 4,
+        "turns": 2,
+        "mode": "slow",
+        "sizes": [],
+        "flags": [True],
+    }
+    node = start_dial(stage)
+    assert node.wait("configure")["value"] == {"device": "/dev/dial", **default}
+    node.wait("activate", "end")
+    assert node.stop() == 0
+    given = {"speed": 10.0, "turns": 1, "mode": "fast", "sizes": [2.5, 0.5], "flags": []}
+    if stage.variant.is_ros2 and not stage.variant.is_python:
+        given["flags"] = [False, True]  # rclcpp 29.3 takes no empty list from YAML
+    node = start_dial(stage, **given)
+    seen = node.wait("configure")["value"]
+    assert seen == {"device": "/dev/dial", "axis_linear_x": 4, **given}
+
+
+def test_parameter_in_a_group(stage, tmp_path):
+    """Files have it below its group: `axis_linear: {x: 5}`."""
+    if stage.variant.is_ros2:
+        file = tmp_path / "dial.yaml"
+        file.write_text("/**: {ros__parameters: {device: here, axis_linear: {x: 5}}}")
+        node = stage.start("dial", files=[file])
+    else:  # as rosparam does
+        stage.peer.set_global(name=stage.name("dial/axis_linear"), value={"x": 5})
+        node = start_dial(stage)
+    assert node.wait("configure")["value"]["axis_linear_x"] == 5
+    assert node.stop() == 0
+    node = start_dial(
+        stage, **{"axis_linear.x" if stage.variant.is_ros2 else "axis_linear/x": "a"}
+    )
+    assert node.exit() == 1, node.story()
+    assert re.search(r"axis_linear[./]x", node.log()), node.story()
+    node.expect("[ERROR]", "[FATAL]")
+
+
+def test_parameter_without_a_default(stage):
+    """Unless it is set, the node refuses to configure, and names it."""
+    node = stage.start("dial")
+    assert node.exit() == 1, node.story()
+    assert re.search(r"Parameter \S*device must be set", node.log()), node.story()
+    assert node.methods() == []
+    node.expect("[ERROR]", "[FATAL]")
+    if stage.variant.is_ros2:
+        node = stage.start("dial", autostart=False)
+        assert not stage.transition("configure", node="dial")
+        assert stage.state("dial") == "unconfigured"
+        assert not stage.peer.set_parameter(node=stage.name("dial"), name="mode", value="other")
+        assert stage.peer.set_parameter(node=stage.name("dial"), name="mode", value="fast")
+        assert stage.peer.set_parameter(node=stage.name("dial"), name="device", value="here")
+        assert stage.transition("configure", node="dial")
+        seen = node.wait("configure")["value"]
+        assert (seen["device"], seen["mode"]) == ("here", "fast")
+        assert not stage.peer.set_parameter(node=stage.name("dial"), name="device", value="there")
+        node.expect("[ERROR]", "[FATAL]")
+
+
 @pytest.mark.parametrize("value", ["-1", ".nan", ".inf"])
 def test_stop_timeout_out_of_range(stage, value):
     """The process ends with 1 and names it."""
     node = stage.start("probe", stop_timeout=value)
     assert node.exit() == 1, node.story()
     assert "stop_timeout" in node.log(), node.story()
+    assert node.methods() == []
+    node.expect("[ERROR]", "[FATAL]")
+
+
+def test_frequency_when_starting(stage):
+    """The default is that of the spec; it does not change later."""
+    for given, frequency in (({}, 10.0), ({"frequency": 40.0}, 40.0)):
+        node = stage.start("gauge", **given)
+        node.wait("update", count=12)
+        times = [event["time"] for event in node.events("update", "begin")]
+        period = statistics.median(end - start for start, end in itertools.pairwise(times))
+        assert 0.8 < period * frequency < 1.25, (frequency, period)
+        if stage.variant.is_ros2:
+            name = stage.name("gauge")
+            assert not stage.peer.set_parameter(node=name, name="frequency", value=20.0)
+        assert node.stop() == 0
+
+
+@pytest.mark.parametrize("value", ["0.0", "-1.0", "2e5", ".nan", ".inf"])
+def test_frequency_out_of_range(stage, value):
+    """The process ends with 1 and names it."""
+    node = stage.start("gauge", frequency=value)
+    assert node.exit() == 1, node.story()
+    assert "frequency" in node.log(), node.story()
     assert node.methods() == []
     node.expect("[ERROR]", "[FATAL]")
 

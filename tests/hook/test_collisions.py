@@ -92,6 +92,29 @@ def test_reserved_inside_of_a_node(model, inside):
     assert "reserved" in refusal(model, spec(node(inside)))
 
 
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize(
+    ("one", "other", "said"),
+    [
+        ("axis", "axis.x", '"axis" is a parameter itself, at line 3'),
+        ("axis.x", "axis.x.max", '"axis.x" is a parameter itself, at line 3'),
+        ("axis.x", "axis", '"axis" is a parameter itself, at line 4'),
+        ("axis.x", "axis_x", '"axis_x" is already taken by "axis.x" at line 3'),
+        ("axis.x", "axis/x", '"axis.x" is already taken'),
+        ("x", "autostart.x", '"autostart.x" is reserved as parameter'),
+        ("x", "qos_overrides.x", "is reserved as parameter"),
+        ("x", "axis..x", "is not a valid name"),
+        ("x", ".axis", "is not a valid name"),
+        ("x", "nullptr.", "is not a valid name"),
+    ],
+)
+def test_groups_of_parameters(model, one, other, said):
+    """The name of a group is that of no parameter, and each has a name of its own in the logic."""
+    assert said in refusal(model, spec(node(parameter(one), parameter(other))))
+    found = context(model, spec(node(parameter("axis.x"), parameter("axis/class"))))
+    assert [p["name"] for p in found["nodes"][0]["parameters"]] == ["axis.x", "axis.class"]
+
+
 RESERVED_NODES = "uninstall edit_cache INSTALL install preinstall gencfg gtest test lifecycle"
 
 

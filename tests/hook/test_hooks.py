@@ -129,6 +129,20 @@ def test_component_and_template_are_understood(model):
         ('<dynParameter name="p" type="int" min="2" value="1"/>', "value: 1 must be at least 2"),
         ('<dynParameter name="p" type="int" max="2" value="3"/>', "value: 3 must be at most 2"),
         ('<dynParameter name="p" type="bool" max="1" value="1"/>', '"max" has no meaning'),
+        ('<parameter name="p" type="double" max="2" value="3"/>', "value: 3.0 must be at most 2"),
+        ('<parameter name="p" type="int[]" max="[2]"/>', "has no meaning where type is"),
+        ('<parameter name="p" type="int" choices="[]"/>', "choices: a list must not be empty"),
+        ('<parameter name="p" type="int" choices="[1, x]"/>', 'choices: "x" is not an int'),
+        (
+            '<parameter name="p" type="int" max="2" choices="[1, 3]"/>',
+            "choices: 3 must be at most",
+        ),
+        (
+            '<parameter name="p" type="string" choices="[slow, fast]" value="slwo"/>',
+            'value: slwo is none of choices; did you mean "slow"? allowed: slow, fast',
+        ),
+        ('<dynParameter name="p" type="int" choices="[1, 2]" value="3"/>', "allowed: 1, 2"),
+        ('<dynParameter name="p" type="int"/>', 'attribute "value" is missing'),
         ('<publisher name="x" type="a::B">text</publisher>', "text is not allowed here"),
         ('<publisher name="x" type="a::B"><x/></publisher>', "<x> is not known here; none"),
         ("<depend>std_msgs</depend>", "it belongs inside <package>"),
@@ -204,7 +218,7 @@ def test_fault_in_a_package(model, xml, message):
 
 
 def test_all_faults_are_told_with_their_lines(model):
-    xml = NODE.format('\n<publisher name="1" type="x"/>\n\n<nothing/>\n<parameter name="p"/>')
+    xml = NODE.format('\n<publisher name="1" type="x"/>\n\n<nothing/>\n<dynParameter name="p"/>')
     assert [line.split(" ")[0] for line in faults(model, xml)] == [
         "spec.xml:2:",
         "spec.xml:2:",

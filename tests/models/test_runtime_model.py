@@ -21,6 +21,8 @@ def held(renderers, model, distro):
     spec = context(model, all_kinds().replace("all_kinds", NAME), distro)
     spec |= {"copyright": "2026 Ada Lovelace", "license": "Apache-2.0"}
     spec["nodes"][0] |= {"diagnostics": True, "client_library": True}
+    every = {"name": "a.b", "type": "int[]", "value": None, "min": 1, "max": 2, "choices": [1]}
+    spec["nodes"][0]["parameters"][0] |= every
     files = renderers[model].render(spec, distro)
     return {name: text for name, text in files.items() if "/ros/" in name}
 

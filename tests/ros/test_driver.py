@@ -93,7 +93,8 @@ def test_driver_in_ros1(ros1, render, tmp_path, model):
     nodes = ros1.run(f"{launch} --nodes namespace:=arm", tmp_path, tmp_path).stdout.split()
     assert nodes == ["/arm/left/sensor", "/arm/right/sensor"]
     printed = ros1.run(f"{launch} --dump-params", tmp_path, tmp_path).stdout
-    assert "/left/sensor/device: /dev/ttyUSB0" in printed
+    for parameter in ("device: /dev/ttyUSB0", "serial/baud: 9600", "serial/timeout: 0.5"):
+        assert f"/left/sensor/{parameter}" in printed
     lint = ros1.run("catkin_lint -W1 .", package, check=False).stdout
     assert "error" not in lint.replace("0 errors", ""), lint
     check_tests(ros1, tmp_path)

@@ -92,13 +92,14 @@ class Variant:
         folder = "install/contract/lib" if self.is_ros2 else "devel/lib"
         return self.workspace / folder / "contract" / node
 
-    def arguments(self, namespace, parameters, remap=None):
+    def arguments(self, namespace, parameters, remap=None, files=()):
         """Return the command line that gives a node its namespace, parameters and other names."""
         names = [f"{old}:={new}" for old, new in {"__ns": namespace, **(remap or {})}.items()]
         if not self.is_ros2:
             return [*names, *(f"_{n}:={_yaml(v)}" for n, v in parameters.items())]
         settings = [("-r", name) for name in names]
         settings += [("-p", f"{n}:={_yaml(v)}") for n, v in parameters.items()]
+        settings += [("--params-file", str(file)) for file in files]
         return ["--ros-args", *itertools.chain(*settings)]
 
 
@@ -383,11 +384,11 @@ class Stage:
         """Return a name in the namespace."""
         return f"{self.namespace}/{name}"
 
-    def start(self, node, *told, remap=None, **parameters):
+    def start(self, node, *told, remap=None, files=(), **parameters):
         """Start a node alone, as `ros2 run` or `rosrun` does; `told` says what its logic does."""
         command = [
             self.variant.executable(node),
-            *self.variant.arguments(self.namespace, parameters, remap),
+            *self.variant.arguments(self.namespace, parameters, remap, files),
         ]
         return self._run(command, told)
 

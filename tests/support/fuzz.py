@@ -513,4 +513,8 @@ def check(files, harmless, spec):
             found = config["/**"]["ros__parameters"] if spec["ros"] == 2 else config
             for parameter in [*node["parameters"], *node["dynParameters"]]:
                 value, name = parameter["value"], parameter["name"]
-                assert (found[name], type(found[name])) == (value, type(value)), name
+                name = name if spec["ros"] == 2 else name.replace(".", "/")
+                if value is None or (value == [] and spec["ros"] == 2):
+                    assert name not in found, name
+                else:
+                    assert (found[name], type(found[name])) == (value, type(value)), name

@@ -32,6 +32,7 @@ SAMPLES = {
     "raw": ("some text", "other text"),
     "identifier": ("some_word", "other_word"),
     "component_name": ("some_part", "other_part"),
+    "grouped_name": ("some_word", "other.word"),
     "package_name": ("some_package", "other_package"),
     "dependency": ("std_msgs", "std_srvs"),
     "ros_name": ("some_name", "other/name", "~/own_name"),
@@ -314,7 +315,8 @@ def candidates(attribute, values):
         return list(attribute.choices)
     kind, is_list = attribute.format, False
     if kind == "literal":
-        kind, is_list = values[attribute.of].removesuffix("[]"), values[attribute.of][-1] == "]"
+        kind = values[attribute.of].removesuffix("[]")
+        is_list = attribute.several or values[attribute.of].endswith("]")
     example = str(attribute.example)
     found = [example] if example and "$" not in example and attribute.format != "literal" else []
     found += SAMPLES[kind]

@@ -12,6 +12,7 @@ ABOUT = 'author="A" author_email="a@example.org" license="MIT"'
 NODE = """<node name="{0}" frequency="10"{1}>
     <publisher name="pose" type="std_msgs::Float64"/>
     <parameter name="frame" type="string" value="map" description="The frame"/>
+    <parameter name="axis.x" type="int" value="1"/>
     <parameter name="gains" type="double[]" value="[1.0, 2.0]"/>
     <dynParameter name="limit" type="double" value="1.0" description="Limit, m/s"/>
   </node>"""
@@ -94,6 +95,7 @@ def tune(package, distro):
             package,
             f"config/{file.name}",
             ('frame: "map"', "frame: odom  # of the wheels"),
+            ("x: 1", "x: 7  # not y"),
             ("gains: [1.0, 2.0]", "# Measured on Monday\ngains:\n- 3.0\n- 4.5"),
             ("# Limit, m/s", "# Limit, m/s, as the law has it"),
             ("limit: 1.0", "limit: 3.25"),
@@ -110,7 +112,7 @@ def tune(package, distro):
 def values(package, distro):
     found = {}
     for file in sorted((package / "config").glob("*.yaml")):
-        content = yaml.safe_load(file.read_text())
+        content = yaml.safe_load(file.read_text().replace("axis/x:", "axis.x:"))
         found[file.name] = content["/**"]["ros__parameters"] if distro == "kilted" else content
     return found
 
@@ -120,7 +122,7 @@ def values(package, distro):
 def test_tuned_values_move_along(render, move, model, distro):
     package = render(SPECS[model], model=model, ros_distro=distro, name="hand")
     tuned = tune(package, distro)
-    assert tuned["think.yaml"]["limit"] == 3.25
+    assert (tuned["think.yaml"]["limit"], tuned["think.yaml"]["axis.x"]) == (3.25, 7)
     texts = {file: file.read_text() for file in (package / "config").iterdir()}
     said = move(package, OTHER[distro])
     assert values(package, OTHER[distro]) == tuned

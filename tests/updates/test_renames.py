@@ -1,5 +1,6 @@
 """A rename exchanges what the model makes of a name, and no other word."""
 
+import itertools
 import re
 
 import pytest
@@ -59,6 +60,24 @@ def test_was_itself_is_no_use_of_the_old_name(arm, update):
     still = re.findall(r"still +(\S+: \w+)", said)
     assert [use for use in still if "arm.ros_package" in use] == ["arm.ros_package:9: store"]
     assert "arm/notes.txt:1: reach" in still
+
+
+def test_parameter_in_a_group(arm, update):
+    """Its value in config/ and its name in the logic follow, into a group and out of it."""
+    config, impl = arm / "config/reach.yaml", arm / "arm/reach_impl.py"
+    before = config.read_text()
+    config.write_text(re.sub(r"\bgain: .*", "gain: 7.5  # tuned", before))
+    line = '"""Compute the outputs of one cycle from the latest inputs."""\n'
+    impl.write_text(impl.read_text().replace(line, f"{line}        config.gain.hex()\n"))
+    commit(arm, "Tune")
+    names = ("gain", "control.gain", "control.factor", "factor")
+    for old, new in itertools.pairwise(names):
+        update(arm, (f'name="{old}"', f'name="{new}" was="{old}"'))
+        assert f"    {new}: 7.5  # tuned\n" in config.read_text()
+        assert f"config.{new.replace('.', '_')}.hex()" in impl.read_text()
+        commit(arm, "Take it")
+        spec = arm / "arm.ros_package"
+        spec.write_text(spec.read_text().replace(f' was="{old}"', ""))
 
 
 def test_words_that_only_look_alike_stay(package, update):

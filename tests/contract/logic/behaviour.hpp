@@ -41,6 +41,15 @@ inline std::string json(const std::string & value)
   return text + "\"";
 }
 inline std::string json(const char * value) {return json(std::string(value));}
+template<typename Item>
+std::string json(const std::vector<Item> & values)
+{
+  std::string text;
+  for (const Item value : values) {
+    text += (text.empty() ? "" : ", ") + json(value);
+  }
+  return "[" + text + "]";
+}
 
 /// Does what one logic object is told; see behaviour.py.
 class Behaviour
