@@ -141,7 +141,10 @@ private:
     std::make_shared<const ObserverConfig>());
   std::shared_ptr<void> parameters_callback_;
   std::shared_ptr<Loop> loop_ =
-    std::make_shared<Loop>(Sleeper(get_clock(), stop()), FREQUENCY, get_logger());
+    std::make_shared<Loop>(
+    Sleeper(get_clock(), stop()),
+    declare_frequency(FREQUENCY),
+    get_logger());
 };
 
 /// Run the node in a process of its own.

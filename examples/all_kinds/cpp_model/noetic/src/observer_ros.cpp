@@ -69,6 +69,15 @@ public:
   void abort_goals() {}
 
 private:
+  /// Return how often update runs, in Hz.
+  double read_frequency() const
+  {
+    double frequency = FREQUENCY;
+    read_parameter(private_, "frequency", frequency);
+    check_range("frequency", frequency, 0.001, 100000.0);
+    return frequency;
+  }
+
   void read_parameters()
   {
     double stop_timeout = 2.0;
@@ -142,7 +151,7 @@ private:
   ros::NodeHandle private_{"~"};
   Clock clock_{node_, supervisor_.waits()};
   std::shared_ptr<const ObserverConfig> config_;
-  Loop loop_{clock_, FREQUENCY};
+  Loop loop_{clock_, read_frequency()};
   ObserverData data_;
   Inbox<observer_types::InStatus> in_status_;
   std::unique_ptr<ObserverImpl> impl_;

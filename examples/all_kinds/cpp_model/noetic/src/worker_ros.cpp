@@ -88,6 +88,15 @@ public:
   }
 
 private:
+  /// Return how often update runs, in Hz.
+  double read_frequency() const
+  {
+    double frequency = FREQUENCY;
+    read_parameter(private_, "frequency", frequency);
+    check_range("frequency", frequency, 0.001, 100000.0);
+    return frequency;
+  }
+
   void read_parameters()
   {
     double stop_timeout = 2.0;
@@ -391,7 +400,7 @@ private:
   std::shared_ptr<const WorkerConfig> config_;
   std::mutex config_mutex_;
   std::unique_ptr<dynamic_reconfigure::Server<WorkerDynamicConfig>> reconfigure_server_;
-  Loop loop_{clock_, FREQUENCY};
+  Loop loop_{clock_, read_frequency()};
   WorkerData data_;
   Inbox<worker_types::InSpeed> in_speed_;
   Inbox<worker_types::InCounter> in_counter_;

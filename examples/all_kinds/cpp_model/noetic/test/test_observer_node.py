@@ -75,7 +75,8 @@ class TestLifeCycle(unittest.TestCase):
         """Start a node for this test, and a peer."""
         peer = Peer(NAME)
         self.addCleanup(peer.close)
-        rospy.set_param(NAME, parameters or {})
+        for name, value in (parameters or {}).items():
+            rospy.set_param(NAME + '/' + name, value)
         node = RunningNode(command)
         self.addCleanup(node.kill)
         return node, peer
@@ -100,9 +101,13 @@ class TestLifeCycle(unittest.TestCase):
         for name in given:
             self.assertTrue(node.is_called('config.' + name), name)
         self.assertEqual(node.stop(), 0)
-        node, _ = self.start(RECORDER, {'limit': {'of': 'another type'}})
-        self.assertEqual(node.exit_code(), 1)
-        self.assertEqual(node.calls(), [])
+        refused = [
+            ('limit', True),
+        ]
+        for name, value in refused:
+            node, _ = self.start(RECORDER, {name: value})
+            self.assertEqual(node.exit_code(), 1, (name, value))
+            self.assertEqual(node.calls(), [])
 
     def test_rosnode_kill(self):
         """The node deactivates, cleans up and ends at `rosnode kill`."""

@@ -210,9 +210,9 @@ class TestInterfaces(unittest.TestCase):
         self.assertEqual(
             self.peer.set_parameter(
                 'step',
-                2,
+                1000001,
             ),
-            2,
+            1000001,
         )
         self.assertTrue(self.node.is_called('config.step'))
         self.clamps('step', 0, 1)
@@ -234,7 +234,7 @@ class TestInterfaces(unittest.TestCase):
         self.assertTrue(self.node.is_called('config.label'))
 
     def clamps(self, name, value, bound):
-        """Check that a value beyond a bound becomes that bound."""
+        """Check that a value which is refused becomes one that is allowed."""
         self.assertEqual(self.peer.set_parameter(name, value), bound, name)
 
 
@@ -245,7 +245,8 @@ class TestLifeCycle(unittest.TestCase):
         """Start a node for this test, and a peer."""
         peer = Peer(NAME)
         self.addCleanup(peer.close)
-        rospy.set_param(NAME, parameters or {})
+        for name, value in (parameters or {}).items():
+            rospy.set_param(NAME + '/' + name, value)
         node = RunningNode(command)
         self.addCleanup(node.kill)
         return node, peer
@@ -280,7 +281,7 @@ class TestLifeCycle(unittest.TestCase):
             'prefix': 'other',
             'weights': (0.0,),
             'gain': 0.0,
-            'step': 2,
+            'step': 1000001,
             'verbose': True,
             'label': 'other',
         }
@@ -288,9 +289,19 @@ class TestLifeCycle(unittest.TestCase):
         for name in given:
             self.assertTrue(node.is_called('config.' + name), name)
         self.assertEqual(node.stop(), 0)
-        node, _ = self.start(RECORDER, {'prefix': {'of': 'another type'}})
-        self.assertEqual(node.exit_code(), 1)
-        self.assertEqual(node.calls(), [])
+        refused = [
+            ('prefix', True),
+            ('weights', True),
+            ('weights', [True]),
+            ('gain', True),
+            ('step', True),
+            ('verbose', 'wrong'),
+            ('label', True),
+        ]
+        for name, value in refused:
+            node, _ = self.start(RECORDER, {name: value})
+            self.assertEqual(node.exit_code(), 1, (name, value))
+            self.assertEqual(node.calls(), [])
 
     def test_rosnode_kill(self):
         """The node deactivates, cleans up and ends at `rosnode kill`."""

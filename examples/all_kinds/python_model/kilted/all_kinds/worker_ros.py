@@ -24,6 +24,7 @@ from all_kinds.worker_interface import (
 )
 import geometry_msgs.msg
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
+from rclpy.parameter import Parameter
 import std_msgs.msg
 import std_srvs.srv
 import test_msgs.action
@@ -55,8 +56,9 @@ class WorkerNode(ManagedNode):
                 description='What stands before a status, e.g. "a" < \'b\' and so on',
             ),
         )
-        self._declare(
+        self._declare_list(
             'weights',
+            Parameter.Type.DOUBLE_ARRAY,
             (0.5, 1.0, 2000.0),
             ParameterDescriptor(
                 description='Weights of the inputs',
@@ -116,7 +118,8 @@ class WorkerNode(ManagedNode):
         )
         self._received: dict[str, Any] = {}
         self._received_lock = Lock()
-        self.loop = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
+        frequency = self._declare_frequency(FREQUENCY)
+        self.loop = Loop(self._update, frequency, self._time, self.get_logger().warning)
 
     def _read_config(self) -> WorkerConfig:
         """Return the current parameters."""

@@ -19,7 +19,7 @@ from all_kinds.observer_interface import (
     ObserverPassthrough,
 )
 from all_kinds.ros.loop import Loop
-from all_kinds.ros.managed_node import ManagedNode, read_parameter
+from all_kinds.ros.managed_node import check_range, ManagedNode, read_parameter
 from all_kinds.ros.process import run
 import rospy
 import std_msgs.msg
@@ -40,7 +40,9 @@ class ObserverNode(ManagedNode):
         self._data = ObserverData()
         self._received: Dict[str, Any] = {}
         self._received_lock = Lock()
-        self.loop = Loop(self._update, FREQUENCY, self._time, self._log.warning)
+        frequency = read_parameter('frequency', float(FREQUENCY))
+        check_range('frequency', frequency, 0.001, 100000.0)
+        self.loop = Loop(self._update, frequency, self._time, self._log.warning)
 
     def _connect_senders(self) -> None:
         """Create publishers and clients, then the logic."""

@@ -15,7 +15,7 @@ from typing import Any, Dict
 
 from all_kinds.cfg import WorkerConfig as WorkerReconfigure
 from all_kinds.ros.loop import Loop
-from all_kinds.ros.managed_node import ManagedNode, read_parameter
+from all_kinds.ros.managed_node import check_range, ManagedNode, read_list, read_parameter
 from all_kinds.ros.process import run
 from all_kinds.ros.service_client import ServiceClient
 from all_kinds.ros.service_server import ServiceServer
@@ -45,7 +45,7 @@ class WorkerNode(ManagedNode):
         default = WorkerConfig()
         self._config = WorkerConfig(
             prefix=read_parameter('prefix', default.prefix),
-            weights=read_parameter('weights', default.weights),
+            weights=read_list('weights', float, default.weights),
             gain=read_parameter('gain', default.gain),
             step=read_parameter('step', default.step),
             verbose=read_parameter('verbose', default.verbose),
@@ -54,7 +54,9 @@ class WorkerNode(ManagedNode):
         self._data = WorkerData()
         self._received: Dict[str, Any] = {}
         self._received_lock = Lock()
-        self.loop = Loop(self._update, FREQUENCY, self._time, self._log.warning)
+        frequency = read_parameter('frequency', float(FREQUENCY))
+        check_range('frequency', frequency, 0.001, 100000.0)
+        self.loop = Loop(self._update, frequency, self._time, self._log.warning)
 
     def _connect_senders(self) -> None:
         """Create publishers and clients, then the logic."""

@@ -88,7 +88,8 @@ class TestLifeCycle(unittest.TestCase):
         """Start a node for this test, and a peer."""
         peer = Peer(NAME)
         self.addCleanup(peer.close)
-        rospy.set_param(NAME, parameters or {})
+        for name, value in (parameters or {}).items():
+            rospy.set_param(NAME + '/' + name, value)
         node = RunningNode(command)
         self.addCleanup(node.kill)
         return node, peer
@@ -115,12 +116,12 @@ class TestLifeCycle(unittest.TestCase):
         config = ObserverConfig(**given)
         self.assertEqual(node.words('configure'), [ascii(config)])
         node.kill()
-        wrong = {
-            'limit': 'wrong',
-        }
-        for name, value in wrong.items():
+        refused = [
+            ('limit', True),
+        ]
+        for name, value in refused:
             node, _ = self.start(RECORDER, {name: value})
-            self.assertEqual(node.exit_code(), 1, name)
+            self.assertEqual(node.exit_code(), 1, (name, value))
             self.assertEqual(node.calls(), [])
 
     def test_rosnode_kill(self):

@@ -228,7 +228,7 @@ class TestInterfaces(unittest.TestCase):
         )
         self.sets(
             'step',
-            2,
+            1000001,
         )
         self.sets(
             'verbose',
@@ -254,7 +254,8 @@ class TestLifeCycle(unittest.TestCase):
         """Start a node for this test, and a peer."""
         peer = Peer(NAME)
         self.addCleanup(peer.close)
-        rospy.set_param(NAME, parameters or {})
+        for name, value in (parameters or {}).items():
+            rospy.set_param(NAME + '/' + name, value)
         node = RunningNode(command)
         self.addCleanup(node.kill)
         return node, peer
@@ -280,8 +281,9 @@ class TestLifeCycle(unittest.TestCase):
         """Parameters reach the logic; one of a wrong type ends the node."""
         given = {
             'prefix': 'other',
+            'weights': (0.0,),
             'gain': 0.0,
-            'step': 2,
+            'step': 1000001,
             'verbose': True,
             'label': 'other',
         }
@@ -290,17 +292,18 @@ class TestLifeCycle(unittest.TestCase):
         config = WorkerConfig(**given)
         self.assertEqual(node.words('configure'), [ascii(config)])
         node.kill()
-        wrong = {
-            'prefix': 0,
-            'weights': 'wrong',
-            'gain': 'wrong',
-            'step': 'wrong',
-            'verbose': 'wrong',
-            'label': 0,
-        }
-        for name, value in wrong.items():
+        refused = [
+            ('prefix', True),
+            ('weights', True),
+            ('weights', [True]),
+            ('gain', True),
+            ('step', True),
+            ('verbose', 'wrong'),
+            ('label', True),
+        ]
+        for name, value in refused:
             node, _ = self.start(RECORDER, {name: value})
-            self.assertEqual(node.exit_code(), 1, name)
+            self.assertEqual(node.exit_code(), 1, (name, value))
             self.assertEqual(node.calls(), [])
 
     def test_rosnode_kill(self):

@@ -74,7 +74,8 @@ class ContactEvaluateNode(ManagedNode):
         )
         self._received: dict[str, Any] = {}
         self._received_lock = Lock()
-        self.loop = Loop(self._update, FREQUENCY, self._time, self.get_logger().warning)
+        frequency = self._declare_frequency(FREQUENCY)
+        self.loop = Loop(self._update, frequency, self._time, self.get_logger().warning)
 
     def _read_config(self) -> ContactEvaluateConfig:
         """Return the current parameters."""

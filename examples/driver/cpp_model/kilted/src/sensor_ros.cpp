@@ -15,6 +15,7 @@
 #include "rclcpp_components/register_node_macro.hpp"
 #include "ros/calls.hpp"
 #include "ros/managed_node.hpp"
+#include "ros/parameters.hpp"
 #include "ros/ros_publisher.hpp"
 #include "ros/stop.hpp"
 #include "ros/timing.hpp"
@@ -94,6 +95,8 @@ public:
       });
     fixed_ = {
       "device",
+      "serial.baud",
+      "serial.timeout",
     };
   }
 
@@ -113,6 +116,20 @@ private:
       "device",
       config.device,
       Descriptor().set__description("Where the sensor is"));
+    declare(
+      "serial.baud",
+      config.serial_baud,
+      among<std::int64_t>(
+        "serial.baud",
+        {4800, 9600, 115200},
+        Descriptor().set__description("Bits a second")));
+    declare(
+      "serial.timeout",
+      config.serial_timeout,
+      between<double>(
+        0.01,
+        10.0,
+        Descriptor().set__description("How long a reading may take, s")));
   }
 
   /// Return the current parameters.
@@ -120,6 +137,8 @@ private:
   {
     const auto config = std::make_shared<SensorConfig>();
     get_parameter("device", config->device);
+    get_parameter("serial.baud", config->serial_baud);
+    get_parameter("serial.timeout", config->serial_timeout);
     return config;
   }
 

@@ -29,6 +29,12 @@ class SensorConfig:
     # Where the sensor is
     device: str = '/dev/ttyUSB0'
 
+    # Bits a second
+    serial_baud: int = 9600
+
+    # How long a reading may take, s
+    serial_timeout: float = 0.5
+
 
 @dataclass
 class SensorPassthrough:

@@ -18,7 +18,7 @@ from driver.sensor_interface import (
     SensorConfig,
     SensorPassthrough,
 )
-from rcl_interfaces.msg import ParameterDescriptor
+from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 import std_msgs.msg
 
@@ -32,6 +32,8 @@ class SensorNode(ManagedNode):
 
     fixed_parameters = [
         'device',
+        'serial.baud',
+        'serial.timeout',
     ]
 
     def __init__(self, **options: Any) -> None:
@@ -44,11 +46,34 @@ class SensorNode(ManagedNode):
                 description='Where the sensor is',
             ),
         )
+        self._declare(
+            'serial.baud',
+            9600,
+            ParameterDescriptor(
+                description='Bits a second',
+            ),
+            (4800, 9600, 115200),
+        )
+        self._declare(
+            'serial.timeout',
+            0.5,
+            ParameterDescriptor(
+                description='How long a reading may take, s',
+                floating_point_range=[
+                    FloatingPointRange(
+                        from_value=0.01,
+                        to_value=10.0,
+                    ),
+                ],
+            ),
+        )
 
     def _read_config(self) -> SensorConfig:
         """Return the current parameters."""
         return SensorConfig(
             device=self.get_parameter('device').value,
+            serial_baud=self.get_parameter('serial.baud').value,
+            serial_timeout=self.get_parameter('serial.timeout').value,
         )
 
     def _connect_senders(self) -> None:

@@ -232,6 +232,19 @@ protected:
     declare_parameter(name, value, descriptor);
   }
 
+  /// Declare how often update runs, in Hz; return what is given when the node starts.
+  double declare_frequency(double frequency)
+  {
+    rcl_interfaces::msg::ParameterDescriptor descriptor;
+    descriptor.description = "How often update runs, Hz";
+    descriptor.read_only = true;
+    descriptor.floating_point_range.resize(1);
+    descriptor.floating_point_range[0].from_value = 0.001;
+    descriptor.floating_point_range[0].to_value = 100000.0;
+    declare("frequency", frequency, descriptor);
+    return get_parameter("frequency").as_double();
+  }
+
   /// Refuse NaN and infinity, which pass every range of rclcpp 29.3; and changes of what is fixed.
   rcl_interfaces::msg::SetParametersResult check(
     const std::vector<rclcpp::Parameter> & parameters)

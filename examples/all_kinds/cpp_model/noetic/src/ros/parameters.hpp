@@ -4,8 +4,8 @@
 #ifndef ROS__PARAMETERS_HPP_
 #define ROS__PARAMETERS_HPP_
 
-#include <cstddef>
 #include <cstdint>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,57 +16,76 @@
 namespace all_kinds
 {
 
-// roscpp 1.15 rounds a double where an int is asked for.
-inline bool read_integer(const XmlRpc::XmlRpcValue & found, std::int64_t & value)
+// roscpp 1.15 rounds a double where an int is asked for, and takes numbers of a list for any.
+inline bool convert(XmlRpc::XmlRpcValue & found, bool & value)
 {
-  const bool is_integer = found.getType() == XmlRpc::XmlRpcValue::TypeInt;
-  if (is_integer) {
-    value = static_cast<int>(XmlRpc::XmlRpcValue(found));
+  const bool fits = found.getType() == XmlRpc::XmlRpcValue::TypeBoolean;
+  value = fits && static_cast<bool &>(found);
+  return fits;
+}
+
+inline bool convert(XmlRpc::XmlRpcValue & found, std::int64_t & value)
+{
+  const bool fits = found.getType() == XmlRpc::XmlRpcValue::TypeInt;
+  value = fits ? static_cast<int &>(found) : 0;
+  return fits;
+}
+
+inline bool convert(XmlRpc::XmlRpcValue & found, double & value)
+{
+  if (found.getType() == XmlRpc::XmlRpcValue::TypeInt) {
+    value = static_cast<int &>(found);
+    return true;
   }
-  return is_integer;
+  const bool fits = found.getType() == XmlRpc::XmlRpcValue::TypeDouble;
+  value = fits ? static_cast<double &>(found) : 0.0;
+  return fits;
 }
 
-inline bool get_parameter(
-  const ros::NodeHandle & node,
-  const std::string & name,
-  std::int64_t & value)
+inline bool convert(XmlRpc::XmlRpcValue & found, std::string & value)
 {
-  XmlRpc::XmlRpcValue found;
-  return node.getParam(name, found) && read_integer(found, value);
+  const bool fits = found.getType() == XmlRpc::XmlRpcValue::TypeString;
+  value = fits ? static_cast<std::string &>(found) : "";
+  return fits;
 }
 
-inline bool get_parameter(
-  const ros::NodeHandle & node,
-  const std::string & name,
-  std::vector<std::int64_t> & values)
+template<typename Item>
+bool convert(XmlRpc::XmlRpcValue & found, std::vector<Item> & values)
 {
-  XmlRpc::XmlRpcValue found;
-  if (!node.getParam(name, found) || found.getType() != XmlRpc::XmlRpcValue::TypeArray) {
+  if (found.getType() != XmlRpc::XmlRpcValue::TypeArray) {
     return false;
   }
-  values.resize(static_cast<std::size_t>(found.size()));
+  values.clear();
   for (int i = 0; i < found.size(); ++i) {
-    if (!read_integer(found[i], values[static_cast<std::size_t>(i)])) {
+    Item item;
+    if (!convert(found[i], item)) {
       return false;
     }
+    values.push_back(item);
   }
   return true;
-}
-
-template<typename Value>
-bool get_parameter(const ros::NodeHandle & node, const std::string & name, Value & value)
-{
-  return node.getParam(name, value);
 }
 
 /// Read a parameter of a node; without one, keep the value.
 template<typename Value>
 void read_parameter(const ros::NodeHandle & node, const std::string & name, Value & value)
 {
+  XmlRpc::XmlRpcValue found;
+  const auto is_read = [&] {return node.getParam(name, found) && convert(found, value);};
   // Twice, as a signal makes a call of roscpp 1.15 to the master fail.
-  const auto is_read = [&] {return get_parameter(node, name, value);};
   if (node.hasParam(name) && !is_read() && !is_read()) {
     throw std::runtime_error("Parameter " + node.resolveName(name) + " has a wrong type.");
+  }
+}
+
+/// Throw if a parameter is out of its range, or not finite.
+template<typename Number>
+void check_range(const std::string & name, Number value, Number low, Number high)
+{
+  if (!(low <= value && value <= high)) {
+    std::ostringstream text;
+    text << "Parameter " << name << " must be from " << low << " to " << high << ", not " << value;
+    throw std::runtime_error(text.str());
   }
 }
 

@@ -209,6 +209,34 @@ class ManagedNode(LifecycleNode):
             self._ranged.add(name)
         self.declare_parameter(name, value, descriptor)
 
+    def _declare_list(
+        self,
+        name: str,
+        type_: Parameter.Type,
+        value: Any,
+        descriptor: ParameterDescriptor,
+    ) -> None:
+        """Declare a list."""
+        self.declare_parameter(name, type_, descriptor)
+        if self.get_parameter_or(name).type_ != Parameter.Type.NOT_SET:
+            return
+        if name in self._parameter_overrides:
+            value = []  # as given: rclpy cannot tell the type of an empty list
+        self.set_parameters([Parameter(name, type_, value)])
+
+    def _declare_frequency(self, frequency: float) -> float:
+        """Declare how often update runs, in Hz; return what is given when the node starts."""
+        self._declare(
+            'frequency',
+            float(frequency),
+            ParameterDescriptor(
+                description='How often update runs, Hz',
+                floating_point_range=[FloatingPointRange(from_value=0.001, to_value=100000.0)],
+                read_only=True,
+            ),
+        )
+        return float(self.get_parameter('frequency').value)
+
     def _check_parameters(self, parameters: list[Parameter[Any]]) -> SetParametersResult:
         """Refuse NaN and infinity, which pass every range of rclpy 9.1.2."""
         for parameter in parameters:

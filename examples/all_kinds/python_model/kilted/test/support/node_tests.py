@@ -53,8 +53,7 @@ class NodeTests:
         node = f'{space}/{cls.name}'
         if override:
             given['use_sim_time'] = True
-            for name, (_, other, *_) in [*cls.parameters.items(), *cls.dynamic_parameters.items()]:
-                given = {**given, name: other} if other is not None else given
+            given = {**cls.others(), **given}
             for _, topic, _, kind, *qos, _ in cls.each(*TOPICS, node=node):
                 for policy, value in zip(('reliability', 'durability'), qos):
                     if value:
@@ -67,6 +66,12 @@ class NodeTests:
         running = RunningNode(node, command, *orders)
         cls.addClassCleanup(running.kill)
         return running
+
+    @classmethod
+    def others(cls):
+        """Return other values of the parameters than their defaults."""
+        every = {**cls.parameters, **cls.dynamic_parameters}.items()
+        return {name: others[0] for name, (_, others, _) in every if others}
 
     @classmethod
     def each(cls, *prefixes, node=None):
@@ -280,12 +285,17 @@ class NodeTests:
         """Update is called at the frequency; cycles missed are skipped, and the log says so."""
         count = 5 + int((self.frequency or 0) / 5)
 
-        def rate():
-            (before, begin, _), (after, end, _) = self.cycles(), self.cycles(more=count)
+        def rate(node=self.node):
+            (before, begin, _), (after, end, _) = self.cycles(node), self.cycles(node, more=count)
             return (after - before) / (end - begin) / self.frequency
 
         if self.frequency:
             self.assertTrue(eventually(lambda: 0.95 < rate() < 1.05))
+            factor = 0.5 if self.frequency > 1.0 else 2.0
+            other = self.start(frequency=factor * self.frequency)
+            self.assertTrue(eventually(lambda: other.got('activate')), other.log)
+            self.assertTrue(eventually(lambda: 0.95 < rate(other) / factor < 1.05))
+            self.assertEqual(self.start(frequency=0.0).exit_code(), 1)
             before, begin, _ = self.cycles()
             self.node.order('update', f'wait={5 / self.frequency}')
             self.assertTrue(eventually(lambda: 'Missed ' in self.node.log))
@@ -327,24 +337,22 @@ class NodeTests:
         """Parameters have their defaults, or what is given; their types and ranges are kept."""
         every = {**self.parameters, **self.dynamic_parameters}
         default = {name: value for name, (value, *_) in every.items()}
-        given = {name: other for name, (_, other, *_) in every.items() if other is not None}
+        given = {**default, **self.others()}
         self.assertEqual(self.node.got('config')[0], default)
-        self.assertEqual(self.given.got('config')[0], {**default, **given})
-        for name, (value, other, *bounds) in every.items():
-            wrong = ['wrong' if isinstance(value, bool) else True] + ([] if bounds else [value])
-            for bound, sign in zip(bounds, (-1, 1)):
-                step = 1 if isinstance(bound, int) else 1e-4 * max(1.0, abs(bound or 0.0))
-                if bound is not None and abs(bound) < 2**63 - 1:
-                    wrong.append(bound + sign * step)
-                    self.sets(name, bound)
-                elif bound is None and type(value) in (int, float) and abs(value) < 1e18:
-                    self.sets(name, value + sign * type(value)(1e6))  # there is no limit
-            if isinstance(value, float) and any(bound is not None for bound in bounds):
-                wrong += [float('nan'), float('inf')]
-            for each in wrong:
-                self.assertFalse(self.peer.set_parameter(self.node, name, each), (name, each))
-            if bounds and other is not None:
-                self.sets(name, other)
+        self.assertEqual(self.given.got('config')[0], given)
+        for name in self.parameters:
+            self.refuses(self.node, name, default[name])
+        for name, (_, others, refused) in self.dynamic_parameters.items():
+            self.refuses(self.node, name, *refused)
+            for value in reversed(others):
+                self.sets(name, value)
+
+    def refuses(self, node, name, *values):
+        """See that a parameter cannot have some values, nor one that is out of bounds."""
+        if len(values) > 1 and isinstance(values[1], float):
+            values += float('nan'), float('inf')
+        for value in values:
+            self.assertFalse(self.peer.set_parameter(node, name, value), (name, value))
 
     def sets(self, name, value):
         """Set a parameter, and see that the logic gets it."""
@@ -355,8 +363,10 @@ class NodeTests:
         """A managed node obeys every transition, but for those that its logic refuses."""
         node = self.start('configure refuse', 'activate refuse', autostart=False)
         self.assertEqual(self.peer.state(node), 'unconfigured')
-        for name, (_, other) in self.parameters.items():
-            self.assertTrue(other is None or self.peer.set_parameter(node, name, other), name)
+        for name, (_, others, refused) in self.parameters.items():
+            self.refuses(node, name, *refused)
+            for value in reversed(others):
+                self.assertTrue(self.peer.set_parameter(node, name, value), (name, value))
         calls = []
         for transition, state in (
             ('configure', 'unconfigured'),
@@ -379,8 +389,8 @@ class NodeTests:
         self.assertEqual(self.peer.state(node), 'finalized')
         calls += LIFE[2:]
         self.assertTrue(eventually(lambda: node.life() == calls), (node.life(), calls))
-        for name, (_, other) in self.parameters.items():
-            self.assertTrue(other is None or node.got('config')[-1][name] == other, name)
+        for name, (value, others, _) in self.parameters.items():
+            self.assertEqual(node.got('config')[-1][name], [*others, value][0], name)
 
     def test_ends(self):
         """The node ends as its logic and signals have it: exit code, calls and log."""

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from concurrent.futures import Future, wait
 import logging
+from math import isfinite
 from time import monotonic, sleep
 import traceback
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, Sequence
 
 from all_kinds.ros import timeouts
 from all_kinds.ros.action_client import ActionClient
@@ -196,12 +197,29 @@ class ManagedNode:
 
 def read_parameter(name: str, default: Any) -> Any:
     """Return a private parameter; raise if its type is not that of the default."""
-    value = rospy.get_param('~' + name, default)
-    if isinstance(value, list):
-        value = tuple(value)
-    if isinstance(default, float) and type(value) is int:
+    return checked(name, rospy.get_param('~' + name, default), type(default))
+
+
+def read_list(name: str, type_: type, default: Sequence[Any]) -> Any:
+    """Return a private parameter; raise if it is no list of values of a type."""
+    values = rospy.get_param('~' + name, list(default))
+    if not isinstance(values, list):
+        raise rospy.ROSInitException(f'Parameter {name} must be a list, not {values!r}.')
+    return tuple(checked(name, value, type_) for value in values)
+
+
+def checked(name: str, value: Any, type_: type) -> Any:
+    """Return a value of a parameter; raise if it is not of its type."""
+    if type_ is float and type(value) is int:
         value = float(value)
-    if type(value) is not type(default):
-        wanted = type(default).__name__
+    if type(value) is not type_:
+        wanted = type_.__name__
         raise rospy.ROSInitException(f'Parameter {name} must be of type {wanted}, not {value!r}.')
     return value
+
+
+def check_range(name: str, value: float, low: float, high: float) -> None:
+    """Raise if a parameter is out of its range, or not finite."""
+    if not (isfinite(value) and low <= value <= high):
+        wanted = f'from {low} to {high}'
+        raise rospy.ROSInitException(f'Parameter {name} must be {wanted}, not {value}.')

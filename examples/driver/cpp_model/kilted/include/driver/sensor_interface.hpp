@@ -7,6 +7,7 @@
 #ifndef DRIVER__SENSOR_INTERFACE_HPP_
 #define DRIVER__SENSOR_INTERFACE_HPP_
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -33,6 +34,12 @@ struct SensorConfig
 {
   /// Where the sensor is
   std::string device = "/dev/ttyUSB0";
+
+  /// Bits a second
+  std::int64_t serial_baud = 9600;
+
+  /// How long a reading may take, s
+  double serial_timeout = 0.5;
 };
 
 /// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
