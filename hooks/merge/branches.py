@@ -14,11 +14,11 @@ from ..dictionary import Dictionary
 from ..faults import SpecError
 from ..package import SUFFIX
 from . import git
-from .lines import MARKS, split
+from .lines import split
 from .package import ALIKE, Result, likeness
 from .proof import Proof
 from .render import Renderer
-from .tree import Tree
+from .tree import File, Tree, encode
 from .versions import Answers, Versions, versions
 
 _UNDER_WAY = {
@@ -52,12 +52,14 @@ def under_way(package: Path, answers_file: str) -> Branches | None:
     """
     for name, folder in _UNDER_WAY.items():
         commits = git.pseudo_commits(package, name) if git.has(package, folder) else []
-        both = ("HEAD", *commits[:1])
-        if commits and all(git.name_in(package, one, answers_file) for one in both):
+        if not all(git.name_in(package, one, answers_file) for one in ("HEAD", *commits)):
+            continue
+        if commits:
             _refuse_octopus(commits)
-            is_merge = name == "MERGE_HEAD"
-            bases = git.merge_bases(package, *both) if is_merge else git.parents(package, both[1])
-            return Branches(*both, bases if is_merge else bases[:1])
+            theirs = commits[0]
+            if name == "MERGE_HEAD":
+                return Branches("HEAD", theirs, git.merge_bases(package, "HEAD", theirs))
+            return Branches("HEAD", theirs, git.parents(package, theirs)[:1])
     return None
 
 
@@ -77,6 +79,11 @@ class Side:
     versions: Versions
     result: Result
     proof: Proof
+
+    @property
+    def tree(self) -> Tree:
+        """Its files, with the developer's side of each conflict."""
+        return {**self.result.tree, **self.result.settled}
 
 
 @dataclass(frozen=True)
@@ -163,21 +170,16 @@ class Joiner:
         """
         sides = (self.side(branches.ours), self.side(branches.theirs))
         base = self.base(branches.bases)
-        made = _people(sides[0].result.tree, base, sides[1].result.tree, _conflicts(sides))
+        made = _people(sides[0].tree, base, sides[1].tree)
         result = settle(made)
-        _keep_conflicts(result, sides)
-        own = now
-        if branches.merge:
-            own = self.files(branches.merge)
-            if own != now:  # what came after it
-                made = _people(result.tree, own, now, set())
-                later = settle(made)
-                later.conflicts = {**result.conflicts, **later.conflicts}
-                later.settled = {**result.settled, **later.settled}
-                result = later
-        for tree in (result.tree, result.conflicts, result.settled, result.rejected):
-            for path in [path for path in tree if path.endswith(SUFFIX)]:
-                del tree[path]
+        for side in sides:
+            _keep_conflicts(result, side)
+        own = self.files(branches.merge) if branches.merge else now
+        if own != now:  # what came after the merge
+            later = settle(_people(result.tree, own, now))
+            later.conflicts |= {p: c for p, c in result.conflicts.items() if p in later.tree}
+            later.settled = {**result.settled, **later.settled}
+            result = later
         result.tree |= {path: file for path, file in now.items() if path.endswith(SUFFIX)}
         return Joined(sides, made, result, own)
 
@@ -186,10 +188,10 @@ class Joiner:
         known = [commit for commit in commits if self.recorded(commit)]
         if not known:
             return self.renderer.fresh(self.answers).tree
-        tree = self.side(known[0]).result.tree
+        tree = self.side(known[0]).tree
         for commit in known[1:]:
             before = self.base(git.merge_bases(self.package, known[0], commit))
-            tree = _people(tree, before, self.side(commit).result.tree, set()).merged().tree
+            tree = _people(tree, before, self.side(commit).tree).merged()[0].tree
         return tree
 
     def own_lines(self, joined: Joined) -> Iterator[tuple[str, int, str]]:
@@ -218,8 +220,8 @@ def settle(made: Versions) -> Result:
         SpecError: lines would not be in their place.
 
     """
-    result = made.merged()
-    if wrong := made.doubts(result):
+    result, wrong = made.merged()
+    if wrong:
         said = "".join(f"\n  {path}: {what}" for path, what in wrong[:20])
         raise SpecError(
             "nothing was joined, for these lines would not be where you have written them; take"
@@ -228,16 +230,20 @@ def settle(made: Versions) -> Result:
     return result
 
 
-def _people(mine: Tree, old: Tree, new: Tree, in_conflict: set[str]) -> Versions:
-    """Return three versions of which two are developers'; files they moved have one path."""
-    for side, other in ((mine, new), (new, mine)):
-        moves = _moves(old, side)
-        follow = {path: to for path, to in moves.items() if to not in other}
-        old = {follow.get(path, path): file for path, file in old.items()}
-        other = {follow.get(path, path): file for path, file in other.items()}
-        mine, new = (side, other) if side is mine else (other, side)
-    both = {path for path in in_conflict if len({tree.get(path) for tree in (mine, old, new)}) > 2}
-    return Versions(mine, old, new, unmerged=frozenset(both), of_people=True)
+def _people(mine: Tree, old: Tree, new: Tree) -> Versions:
+    """Return three versions of which two are developers'; files they moved have one path.
+
+    The spec is not among them: the developers have resolved it.
+    """
+    mine, old, new = (
+        {path: file for path, file in tree.items() if not path.endswith(SUFFIX)}
+        for tree in (mine, old, new)
+    )
+    moves = {path: to for path, to in _moves(old, mine).items() if to not in new}
+    old, new = ({moves.get(p, p): file for p, file in tree.items()} for tree in (old, new))
+    moves = {path: to for path, to in _moves(old, new).items() if to not in mine}
+    old, mine = ({moves.get(p, p): file for p, file in tree.items()} for tree in (old, mine))
+    return Versions(mine, old, new, of_people=True)
 
 
 def _moves(old: Tree, side: Tree) -> dict[str, str]:
@@ -257,19 +263,22 @@ def _moves(old: Tree, side: Tree) -> dict[str, str]:
     return found
 
 
-def _conflicts(sides: Iterable[Side]) -> set[str]:
-    return {path for side in sides for path in side.result.conflicts}
-
-
-def _keep_conflicts(result: Result, sides: Iterable[Side]) -> None:
-    """Note the conflicts that a side has brought along, of one developer and the model."""
-    for side in sides:
-        for path, stages in side.result.conflicts.items():
-            text = result.tree[path].text if path in result.tree else None
-            if path not in result.conflicts and MARKS[0] in (text or ""):
-                result.conflicts[path] = stages
-                settled = side.result.settled.get(path, result.tree[path])
-                result.settled[path] = settled
+def _keep_conflicts(result: Result, side: Side) -> None:
+    """Bring in the conflicts of one developer and the model, where the two have none."""
+    made = side.versions
+    sources = {made.renaming.path(path): path for path in made.old}
+    for path, stages in side.result.conflicts.items():
+        if path in result.conflicts or path not in result.tree:
+            continue
+        result.conflicts[path] = stages
+        source = sources.get(path, path)
+        file, new = made.old.get(source), made.new.get(path)
+        if new and file and file.text is not None:
+            old = File(encode(made.renaming.text(source, file.text)))
+            again = Versions({path: result.tree[path]}, {path: old}, {path: new}).merged()[0]
+            if path in again.conflicts:
+                for name in ("tree", "conflicts", "rejected", "settled"):
+                    getattr(result, name)[path] = getattr(again, name)[path]
 
 
 def _refuse_older(version: str, others: Iterable[str]) -> None:
@@ -298,8 +307,10 @@ def wrong_merge(joiner: Joiner, now: Tree) -> Branches | None:
     package, answers_file = joiner.package, joiner.answers_file
     commit, parents = _last_making(package, answers_file)
     answers = joiner.recorded(commit) if commit else {}
-    others = [one for one in parents if joiner.recorded(one) not in ({}, answers)]
-    if not answers or not others:
+    recorded = {one: joiner.recorded(one) for one in parents}
+    is_known = all(each.get("_src_path") == answers.get("_src_path") for each in recorded.values())
+    others = [one for one in parents if recorded[one] != answers]
+    if not (answers and others and is_known):
         return None
     there, made = joiner.files(commit), joiner.renderer.recorded(answers)
     befores = [(joiner.files(one), joiner.made(one)) for one in others]

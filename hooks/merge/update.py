@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
+
+from copier.errors import CopierError
 
 from ..changes import changed_answers, changes, left
 from ..dictionary import Dictionary
@@ -17,7 +20,7 @@ from .proof import Proof, places, uses, uses_of_left
 from .render import Renderer, begin, recorded_answers
 from .report import Report, left_behind, removed, report
 from .transaction import Guard, Snapshot, take
-from .tree import Tree, read_paths
+from .tree import SUBMODULE, Tree, read_paths
 from .versions import Versions, versions
 
 
@@ -73,7 +76,8 @@ class Update:
         mine = {path: file for path, file in files if path != self.answers_file}
         answers, dictionary = joiner.answers, joiner.dictionary
         branches = under_way(self.package, self.answers_file)
-        branches = branches or wrong_merge(joiner, mine)
+        with contextlib.suppress(CopierError, OSError):  # a version that is no longer there
+            branches = branches or wrong_merge(joiner, mine)
         if branches and branches.ours:
             joiner.check(branches, given)
             return self._joined(joiner, branches, joiner.join(branches, mine), inline)
@@ -86,7 +90,7 @@ class Update:
             rest = {path: file for path, file in made.old.items() if path not in branches.files}
             made = replace(made, old={**rest, **theirs})
             notes = [_noted(branches)]
-        result = made.merged()
+        result, _ = made.merged()
         self.snapshot.put(result, {self.answers_file}, inline)
         found = read_paths(self.package, result.tree)
         proof = made.proof(result, found)
@@ -132,7 +136,8 @@ class Update:
         if found != result.tree and inline:
             raise SpecError("the update was undone, for not all files could be written")
         if not branches.merge:
-            paths = {*self.snapshot.modes, *result.tree, self.answers_file}
+            paths = {p for p, mode in self.snapshot.modes.items() if mode != SUBMODULE}
+            paths |= {*result.tree, self.answers_file}
             git.stage(self.package, sorted(paths - {*result.conflicts}))
         said = [_noted(branches)] if branches.merge else []
         said += changed_answers(self.answers, joiner.answers)

@@ -24,7 +24,7 @@ class Versions:
     """Two descendants of a package that become one, and what tells how.
 
     `to_ros` is the other ROS that a package moves to. `of_people`: the new version is another
-    developer's, not the model's. Files in `unmerged` are not merged.
+    developer's, not the model's.
     """
 
     mine: Tree
@@ -34,15 +34,17 @@ class Versions:
     is_kept: Callable[[str], bool] = frozenset().__contains__
     to_ros: int | None = None
     of_people: bool = False
-    unmerged: frozenset[str] = frozenset()
 
-    def merged(self) -> Result:
-        """Merge; what a proof does not find in its place becomes a conflict."""
-        result = self._merged(self.unmerged)
-        doubtful = self.doubts(result)
-        return self._merged(self.unmerged | {path for path, _ in doubtful}) if doubtful else result
+    def merged(self) -> tuple[Result, Places]:
+        """Merge; what a proof does not find becomes a conflict, and what it then still misses."""
+        result = self._merged(set())
+        doubts = self._doubts(result)
+        if doubts:
+            result = self._merged({path for path, _ in doubts})
+            doubts = self._doubts(result)
+        return result, doubts
 
-    def _merged(self, unmerged: frozenset[str]) -> Result:
+    def _merged(self, unmerged: set[str]) -> Result:
         """Merge; in a move to another ROS, carry what other files have there."""
         trees = (self.mine, self.old, self.new, self.renaming)
         result = merge_package(*trees, self.is_kept, unmerged, self.of_people)
@@ -51,7 +53,7 @@ class Versions:
             carry_build_files(*trees, result, self.to_ros)
         return result
 
-    def doubts(self, result: Result) -> Places:
+    def _doubts(self, result: Result) -> Places:
         """Return what the proofs do not find in its place; of two people, the lines of both."""
         proof = self.proof(result, result.tree)
         found = [*proof.lost, *self.wrong(result, result.tree, proof)]

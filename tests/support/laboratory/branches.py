@@ -101,7 +101,7 @@ def grown(random, laboratory, spec, model, distros, versions, edited, number, **
     edited = copy.deepcopy(edited)
     trees = (edited.tree(), tree_of(pair.old), tree_of(pair.new))
     to_ros = {"noetic": 1}.get(distros[1], 2) if distros[0] != distros[1] else None
-    result = Versions(*trees, pair.renaming, pair.is_kept, to_ros).merged()
+    result = Versions(*trees, pair.renaming, pair.is_kept, to_ros).merged()[0]
     if result.conflicts:
         return None
     texts = _texts(result.tree)
