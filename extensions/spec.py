@@ -49,6 +49,7 @@ class SpecExtension(Extension):
         self.specs: dict[Path, bytes] = {}
         self.contexts: dict[tuple[Path, bytes, str], dict[str, Any]] = {}
         self.update: Any = None
+        self.joining: Any = None
         self.report: Any = None
         for function in (
             self.ros_distros,
@@ -65,6 +66,8 @@ class SpecExtension(Extension):
             self.template_notes,
             self.begin_update,
             self.finish_update,
+            self.is_joining,
+            self.finish_join,
             self.update_report,
         ):
             environment.globals[function.__name__] = pass_context(self._reporting(function))
@@ -190,6 +193,16 @@ class SpecExtension(Extension):
             self.report = self._finish(self.update, context, spec)
         return False
 
+    def is_joining(self, _context: Context) -> bool:
+        """Say whether two branches are joined, which git has begun to."""
+        return self.joining is not None
+
+    def finish_join(self, context: Context, spec: dict[str, Any]) -> bool:
+        """Join two branches, in place of what Copier has written. Always false, as above."""
+        if self.joining:
+            self.report = self._finish(self.joining, context, spec)
+        return False
+
     def update_report(self, context: Context, spec: dict[str, Any]) -> Any:
         """Return what the update has to say: `lines`, and the files in conflict.
 
@@ -213,6 +226,7 @@ class SpecExtension(Extension):
             self._model(context).dictionary,
             self._moved_files(context, spec),
             context["_copier_conf"]["conflict"] == "inline",
+            context["_copier_conf"]["data"],
         )
 
     def _moved_files(self, context: Context, spec: dict[str, Any]) -> Any:
@@ -240,6 +254,10 @@ class SpecExtension(Extension):
                 given = {**context["_copier_answers"], "spec": values}
                 renderer = self._renderer(context)
                 self._merge("preflight").refuse_questions(package.folder, given, renderer)
+        elif answers.exists() and self._joins(package):
+            self.joining = self._new_update(context, package)
+            given = {**context["_copier_answers"], "spec": values}
+            self._merge("preflight").refuse_join(package.folder, given, self._renderer(context))
         elif answers.exists():
             model = self._model(context)
             self._merge("preflight").check(
@@ -250,6 +268,9 @@ class SpecExtension(Extension):
                 self._renderer(context),
                 self._moved_files(context, values),
             )
+
+    def _joins(self, package: Any) -> bool:
+        return bool(self._merge("preflight").is_joining(package.folder, package.answers_file))
 
     def _merge(self, name: str) -> Any:
         """Load a module of `hooks.merge`, which no render needs."""

@@ -9,6 +9,8 @@
     depth        the keys of YAML that another ROS puts below others
     launch       what the developer wrote into a launch file, carried into that of another ROS
     builds       the same for CMakeLists.txt and setup.py
+    branches     two branches, each brought to the merged spec, become one
+    versions     three versions of a package, their merge and its proofs
     moves        the files that a new version of the model renames
     package      three versions of a package merged file by file
     merging      three versions of a file merged by block, lines inside of a block

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import os
 import subprocess
+import tempfile
+from collections.abc import Iterable, Mapping
 from pathlib import Path
+
+from .tree import Tree, read_folder
 
 _NEUTRAL = (
     "core.quotePath=false",
@@ -14,7 +18,13 @@ _NEUTRAL = (
 )
 
 
-def git(folder: Path, *arguments: str, given: bytes = b"", check: bool = True) -> str:
+def git(
+    folder: Path,
+    *arguments: str,
+    given: bytes = b"",
+    check: bool = True,
+    environment: Mapping[str, str] | None = None,
+) -> str:
     """Run git in a folder and return what it says; an empty text where it fails unchecked.
 
     Raises:
@@ -23,7 +33,10 @@ def git(folder: Path, *arguments: str, given: bytes = b"", check: bool = True) -
     """
     settings = [word for setting in _NEUTRAL for word in ("-c", setting)]
     command = ["git", *settings, *arguments]
-    result = subprocess.run(command, cwd=folder, capture_output=True, input=given, check=False)
+    variables = {**os.environ, **(environment or {})}
+    result = subprocess.run(
+        command, cwd=folder, capture_output=True, input=given, check=False, env=variables
+    )
     if result.returncode and check:
         said = result.stderr.decode(errors="replace").strip()
         raise RuntimeError(f"git {' '.join(arguments)}: {said}")
@@ -58,12 +71,71 @@ def changed(folder: Path) -> list[str]:
 
 def index_file(folder: Path) -> Path:
     """Return where git keeps its index."""
-    return folder / git(folder, "rev-parse", "--git-path", "index").rstrip("\n")
+    return _own(folder, "index")
 
 
 def committed(folder: Path, path: str, commit: str = "HEAD") -> bytes:
     """Return a file of a commit, by default the last one; nothing where it has none."""
     return os.fsencode(git(folder, "show", f"{commit}:./{path}", check=False))
+
+
+def files_of(folder: Path, commit: str) -> Tree:
+    """Return the files below a folder as a checkout of a commit would write them."""
+    prefix = git(folder, "rev-parse", "--show-prefix").rstrip("\n")
+    with tempfile.TemporaryDirectory(prefix="commit.") as place:
+        index = {"GIT_INDEX_FILE": f"{place}/index"}
+        git(folder, "read-tree", commit, environment=index)
+        names = os.fsencode(git(folder, "ls-files", "-z", ".", environment=index))
+        to = f"--prefix={place}/files/"
+        git(folder, "checkout-index", "-z", "--stdin", to, given=names, environment=index)
+        return read_folder(Path(place, "files", prefix))
+
+
+def parents(folder: Path, commit: str) -> list[str]:
+    """Return the commits that a commit follows."""
+    return git(folder, "rev-parse", f"{commit}^@").split()
+
+
+def merge_bases(folder: Path, one: str, other: str) -> list[str]:
+    """Return the last commits that two have in common: several after criss-cross merges."""
+    return git(folder, "merge-base", "--all", one, other, check=False).split()
+
+
+def name_in(folder: Path, commit: str, path: str = "") -> str:
+    """Return git's name of what a commit has at a path, or of all it has in the folder."""
+    return git(folder, "rev-parse", "--verify", "-q", f"{commit}:./{path}", check=False).strip()
+
+
+def last_making(folder: Path, path: str, commit: str) -> str:
+    """Return the last commit, up to one, that merges or has changed a file."""
+    options = ("--full-history", "--parents", "--topo-order", "-1")
+    return git(folder, "rev-list", *options, commit, "--", path).partition(" ")[0].strip()
+
+
+def pseudo_commits(folder: Path, name: str) -> list[str]:
+    """Return the commits that a file of git's, like MERGE_HEAD, names."""
+    file = _own(folder, name)
+    return file.read_text(encoding="ascii").split() if file.is_file() else []
+
+
+def has(folder: Path, name: str) -> bool:
+    """Say whether git has a file or folder of its own, like rebase-merge."""
+    return _own(folder, name).exists()
+
+
+def _own(folder: Path, name: str) -> Path:
+    return folder / git(folder, "rev-parse", "--git-path", name).rstrip("\n")
+
+
+def stage(folder: Path, paths: Iterable[str]) -> None:
+    """Put files into the index as they are, or take those out that are not there."""
+    git(folder, "update-index", "--add", "--remove", "-z", "--stdin", given=_records(paths))
+
+
+def keep(folder: Path, data: bytes) -> str:
+    """Keep a content in git; return its short name."""
+    name = git(folder, "hash-object", "-w", "--stdin", "--no-filters", given=data).strip()
+    return git(folder, "rev-parse", "--short", name).strip()
 
 
 def last_commit(folder: Path) -> str:
@@ -94,5 +166,5 @@ def mark_conflict(folder: Path, path: str, mode: str, versions: dict[int, bytes]
     git(folder, "update-index", "-z", "--index-info", given=_records(lines))
 
 
-def _records(lines: list[str]) -> bytes:
+def _records(lines: Iterable[str]) -> bytes:
     return os.fsencode("".join(line + "\0" for line in lines))

@@ -65,6 +65,7 @@ def merge_lines(
     new: Sequence[str],
     key: Key,
     same: Callable[[str, str], bool],
+    of_people: bool = False,
 ) -> Merged:
     """Merge two descendants of `old`.
 
@@ -87,7 +88,7 @@ def merge_lines(
             start = min(change.start for change in group)
             end = max(change.end for change in group)
         merged += stable[at:start]
-        merged += _settle(group, stable, old, start, end, key, same)
+        merged += _settle(group, stable, old, start, end, key, same, of_people)
         at = end
     return [*merged, *stable[at:]]
 
@@ -123,8 +124,13 @@ def _settle(
     end: int,
     key: Key,
     same: Callable[[str, str], bool],
+    of_people: bool,
 ) -> Merged:
-    """Return what changes that meet come to."""
+    """Return what changes that meet come to.
+
+    Of lines that the new version inserts where the developer has them already, one is enough; what
+    two developers have written in one place may have lines in common.
+    """
     mine = [change for change in group if change.is_mine]
     new = [change for change in group if not change.is_mine]
     if not mine or not new:
@@ -133,7 +139,7 @@ def _settle(
     if list(map(key, ours)) == list(map(key, theirs)) or same("".join(ours), "".join(theirs)):
         return list(ours)
     if start == end:  # both insertions stay, the model's first (decision 24)
-        have = {key(line) for line in ours}
+        have = set() if of_people else {key(line) for line in ours}
         return [*_ended(line for line in theirs if key(line) not in have), *ours]
     before = "".join(old[start:end])
     if same("".join(ours), before):

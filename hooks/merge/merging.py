@@ -50,29 +50,34 @@ class Version:
     read: Callable[[Language], list[Block]]
 
 
-def merge(path: str, mine: Version, old: Version | None, new: Version) -> Outcome:
+def merge(
+    path: str, mine: Version, old: Version | None, new: Version, of_people: bool = False
+) -> Outcome:
     """Merge two descendants of `old`; blocks where all three can be read so, else lines.
 
-    There is no `old` where both sides have made the file.
+    There is no `old` where both sides have made the file. `of_people`: both sides are developers',
+    so that neither gives way to the other.
     """
     if mine.text == new.text or (old and mine.text == old.text):
         return Outcome(lines.split(new.text))  # type: ignore[arg-type]
     known = language(path, new.text)
     if old and new.text == old.text:
-        return Outcome(lines.split(mine.text), [], _missing(known, mine, old, new))  # type: ignore[arg-type]
+        missing = [] if of_people else _missing(known, mine, old, new)
+        return Outcome(lines.split(mine.text), [], missing)  # type: ignore[arg-type]
     if known not in (TEXT, MARKDOWN) or old is not None:
         try:
-            merger = _Merger(known)
+            merger = _Merger(known, of_people)
             base = old.read(known) if old else []
             sides = align(mine.read(known), base, new.read(known))
             merged = merger.sequence(*sides)
             if readable(known, merged):
-                return Outcome(merged, merger.removed, list(_deleted(*sides)), merger.own)
+                missing = [] if of_people else [*_deleted(*sides)]
+                return Outcome(merged, merger.removed, missing, merger.own)
         except (ValueError, RecursionError):
             pass
     if old is None:
         return conflict(path, mine, old, new)
-    outcome = by_line(known, mine.text, old.text, new.text)
+    outcome = by_line(known, mine.text, old.text, new.text, of_people)
     could_be_read = readable(known, [*lines.split(mine.text)])
     is_code = known in (CPP, PYTHON)
     if is_code and not could_be_read and _names(known, old) != _names(known, new):
@@ -88,10 +93,10 @@ def conflict(path: str, mine: Version, old: Version | None, new: Version) -> Out
     return Outcome([Conflict(*map(lines.split, texts))])
 
 
-def by_line(known: Language, mine: str, old: str, new: str) -> Outcome:
+def by_line(known: Language, mine: str, old: str, new: str, of_people: bool = False) -> Outcome:
     """Merge texts that have no blocks, or not all of them."""
     ours, base, theirs = (lines.split(text) for text in (mine, old, new))
-    return Outcome(lines.merge_lines(ours, base, theirs, known.key, known.same))
+    return Outcome(lines.merge_lines(ours, base, theirs, known.key, known.same, of_people))
 
 
 def readable(known: Language, merged: Merged) -> bool:
@@ -143,8 +148,8 @@ _UNNAMED = re.compile(r"from |import |install |list ")
 
 
 class _Merger:
-    def __init__(self, known: Language) -> None:
-        self.language = known
+    def __init__(self, known: Language, of_people: bool) -> None:
+        self.language, self.of_people = known, of_people
         self.removed: list[str] = []
         self.own: list[str] = []
 
@@ -165,16 +170,30 @@ class _Merger:
             elif key in ours and key in base and not base[key].lines:
                 merged += self.emptied(ours[key], base[key])
             elif key in ours and key in base:
-                if not self.is_same(ours[key], base[key]):
-                    self.removed.append(block_name(key))
+                merged += self.left(ours[key], base[key])
             elif key in ours:
                 merged += lines.split(ours[key].text)
             elif key not in base:
                 merged += lines.split(theirs[key].text)
+            elif self.of_people and key in theirs and not self.is_same(theirs[key], base[key]):
+                merged += self.disputed("", base[key].text, theirs[key].text)
             if is_comment(last) and last not in theirs and _touch(merged[end - 1 : end + 1]):
                 merged.insert(end, "\n")  # or the comment would be about what follows it now
             last = key
         return merged
+
+    def left(self, mine: Block, old: Block) -> Merged:
+        """Take out a block that the new version has no longer."""
+        if self.is_same(mine, old):
+            return []
+        if self.of_people:
+            return self.disputed(mine.text, old.text, "")
+        self.removed.append(block_name(mine.key))
+        return []
+
+    def disputed(self, mine: str, old: str, new: str) -> Merged:
+        """Leave a block to the developer."""
+        return [lines.Conflict(*map(lines.split, (mine, old, new)))]
 
     def block(self, mine: Block, old: Block | None, new: Block) -> Merged:
         """Merge one block; where there was none before, both stay, or what has one name once.
@@ -188,6 +207,8 @@ class _Merger:
                     return list(lines.split(mine.text))
                 if _UNNAMED.match(mine.key):
                     return list(lines.split(new.text + mine.text))
+                if self.of_people:
+                    return self.disputed(mine.text, "", new.text)
                 self.own.append(block_name(mine.key))
                 return list(lines.split(mine.text))
             new = Block(new.key, mine.lines, new.children, mine.tail)
@@ -215,7 +236,8 @@ class _Merger:
         return merged
 
     def lines(self, mine: lines.Lines, old: lines.Lines, new: lines.Lines) -> Merged:
-        return lines.merge_lines(mine, old, new, self.language.key, self.language.same)
+        known = self.language
+        return lines.merge_lines(mine, old, new, known.key, known.same, self.of_people)
 
     def is_same(self, one: Block, other: Block) -> bool:
         return one.text == other.text or self.language.same(one.text, other.text)

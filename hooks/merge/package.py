@@ -15,6 +15,8 @@ from .renaming import Renaming
 from .tree import LINK, File, Tree, encode
 
 BOM = "\ufeff"
+ALIKE = 0.6
+"""Which part of its lines a file that has been moved still has."""
 
 
 @dataclass
@@ -53,12 +55,14 @@ def merge_package(
     renaming: Renaming,
     is_kept: Callable[[str], bool],
     unmerged: Collection[str] = (),
+    of_people: bool = False,
 ) -> Result:
     """Merge; `is_kept` says of a path that the developer's file stays as it is.
 
-    Files in `unmerged` become conflicts from the first line to the last.
+    Files in `unmerged` become conflicts from the first line to the last. `of_people`: the new
+    version is another developer's.
     """
-    return _Package(mine, old, new, renaming, is_kept, unmerged).result
+    return _Package(mine, old, new, renaming, is_kept, unmerged, of_people).result
 
 
 class _Package:
@@ -70,9 +74,10 @@ class _Package:
         renaming: Renaming,
         is_kept: Callable[[str], bool],
         unmerged: Collection[str],
+        of_people: bool,
     ) -> None:
         self.new, self.renaming, self.result = new, renaming, Result()
-        self.unmerged = unmerged
+        self.unmerged, self.of_people = unmerged, of_people
         self.source = {renaming.path(path): path for path in old} | {
             renaming.path(path): path for path in mine
         }
@@ -96,11 +101,11 @@ class _Package:
                 self._follow(path, target)
                 own.remove(target)
         likely = [
-            (PurePosixPath(target).name == PurePosixPath(path).name, likeness, path, target)
+            (PurePosixPath(target).name == PurePosixPath(path).name, alike, path, target)
             for path in away
             for target in own
             if PurePosixPath(target).suffix == PurePosixPath(path).suffix
-            and (likeness := _likeness(self.old[path], self.mine[target])) > 0.6
+            and (alike := likeness(self.old[path], self.mine[target])) > ALIKE
         ]
         for *_, path, target in sorted(likely, reverse=True):
             if path in self.old and target in own:
@@ -117,7 +122,9 @@ class _Package:
     def _file(self, path: str, is_kept: bool) -> None:
         mine, old, new = (tree.get(path) for tree in (self.mine, self.old, self.new))
         result = self.result
-        if mine and (is_kept or not new):
+        if self.of_people and old and (mine is None) != (new is None):
+            self._deleted(path, old, mine, new)
+        elif mine and (is_kept or not new):
             if is_kept or not old or not self._leaves(path, mine, old):
                 result.tree[path] = self._renamed(path, mine)
         elif mine and new:
@@ -126,6 +133,14 @@ class _Package:
             result.missing[path] = [""]
         elif new:
             result.tree[path] = new
+
+    def _deleted(self, path: str, old: File, mine: File | None, new: File | None) -> None:
+        """Leave a file out that one developer has deleted, unless the other has edited it."""
+        file = mine or new
+        if file and file != old:
+            stages = {1: old, 2: mine, 3: new}
+            self.result.conflicts[path] = {n: one.data for n, one in stages.items() if one}
+            self.result.tree[path] = self.result.settled[path] = file
 
     def _leaves(self, path: str, mine: File, old: File) -> bool:
         """Note that a file leaves, which was the developer's too if edited."""
@@ -151,16 +166,21 @@ class _Package:
         source = self.source.get(path, path)
         origin = self.origin.get(path, source)
         ours, base, theirs = (text or "" for text in texts)
-        bom, ours = (BOM, ours[1:]) if ours.startswith(BOM) else ("", ours)
-        crlf = "\r\n" in ours and ours.count("\r\n") == ours.count("\n")
-        ours = ours.replace("\r\n", "\n") if crlf else ours
+        forms, (ours, base, theirs) = zip(*map(_form, (ours, base, theirs)), strict=True)
+        bom, crlf = forms[2] if old and forms[0] == forms[1] else forms[0]
         versions = (
             self._version(origin, ours),
             self._version(origin, base) if old else None,
             Version(theirs, lambda known: known.blocks(theirs)),
         )
-        choose = conflict if path in self.unmerged else merge
-        outcome = choose(path, *versions)
+        if path in self.unmerged:
+            outcome = conflict(path, *versions)
+        else:
+            outcome = merge(path, *versions, of_people=self.of_people)
+        if outcome.conflict and self.of_people and path not in self.unmerged:
+            # What a developer puts around code, the merge follows on the one side alone.
+            other = merge(path, *versions[::-1], of_people=True)
+            outcome = outcome if other.conflict else other
         self._note(path, source, outcome)
         text = bom + (outcome.text.replace("\n", "\r\n") if crlf else outcome.text)
         if outcome.conflict:
@@ -184,7 +204,7 @@ class _Package:
         """Choose between versions that are links, or no text."""
         if mine in (old, new):
             return new
-        if mine.mode == LINK:
+        if mine.mode == LINK and not self.of_people:
             self.result.missing[path] = [""]
         elif new != old:
             versions = {2: mine.data, 3: new.data} | ({1: old.data} if old else {})
@@ -200,7 +220,14 @@ class _Package:
             self.result.own[path] = outcome.own
 
 
-def _likeness(one: File, other: File) -> float:
+def _form(text: str) -> tuple[tuple[str, bool], str]:
+    """Take the mark of its encoding, and Windows' line ends, off a text; return what was there."""
+    bom, text = (BOM, text[1:]) if text.startswith(BOM) else ("", text)
+    crlf = "\r\n" in text and text.count("\r\n") == text.count("\n")
+    return (bom, crlf), text.replace("\r\n", "\n") if crlf else text
+
+
+def likeness(one: File, other: File) -> float:
     """Return which part of the lines of a file another one has."""
     if one.text is None or other.text is None:
         return float(one == other)

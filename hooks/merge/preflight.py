@@ -11,6 +11,7 @@ from ..changes import check_names_before, marked
 from ..dictionary import Dictionary
 from ..faults import SpecError
 from ..package import SUFFIX
+from .branches import under_way
 from .git import changed, is_repository, tracked, untracked
 from .renaming import plan_renames
 from .render import Renderer, recorded_answers
@@ -60,6 +61,27 @@ def check(
         moves = {path: renaming.path(path) for path in modes}
         moves = {path: after for path, after in moves.items() if after != path}
     refuse(package, touched | set(moves.values()), moves)
+
+
+def is_joining(package: Path, answers_file: str) -> bool:
+    """Say whether git has begun to join two branches here, and left the package unfinished."""
+    return is_repository(package) and bool(changed(package) and under_way(package, answers_file))
+
+
+def refuse_join(package: Path, answers: Mapping[str, Any], renderer: Renderer) -> None:
+    """Insist that git has what is written over when two branches are joined.
+
+    Raises:
+        SpecError: it has not; the message has the remedy.
+
+    """
+    paths = sorted({renderer.answers_file, *renderer.fresh(answers).tree})
+    modes = tracked(package)
+    refuse_names(modes)
+    refuse_places(package, paths)
+    for path in paths:
+        _refuse_links(package, path, set(modes))
+    _refuse_untracked(package, paths)
 
 
 def refuse_questions(package: Path, answers: Mapping[str, Any], renderer: Renderer) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
@@ -33,12 +33,18 @@ def report(
     changes: list[str],
     uses: Iterable[str],
     proof: Proof,
+    more: Iterable[str] = (),
 ) -> Report:
-    """Say what became of the files of a package, `before` and `after` an update."""
+    """Say what became of the files of a package, `before` and `after` an update.
+
+    `more` is what there is to say of another branch's files.
+    """
     conflicts = sorted(result.conflicts)
     files = [*_files(package, before, after, result), *_returned(package, before, after, result)]
-    files += _removed(package, before, after, result)
-    files += _left_behind(package, proof.left)
+    commit = git.last_commit(package)
+    files += removed(commit, package, before, after, result)
+    files += left_behind(f"{commit}:./{{}}".format, proof.left)
+    files += more
     files += _unnamed(after, proof.left)
     others = [f"missing   {path}{part and ': '}{part}" for path, part in _missing(result)]
     others += [
@@ -107,8 +113,10 @@ def _functions(known: Language, file: File) -> dict[str, str]:
     return found
 
 
-def _removed(package: Path, before: Tree, after: Tree, result: Result) -> Iterator[str]:
-    commit = git.last_commit(package)
+def removed(
+    commit: str, package: Path, before: Tree, after: Tree, result: Result
+) -> Iterator[str]:
+    """Name the files and parts that left."""
     parts = [(path, "") for path in before if path not in result.moved and path not in after]
     parts += [(path, part) for path, names in result.removed.items() for part in names]
     for path, part in sorted(parts):
@@ -117,9 +125,13 @@ def _removed(package: Path, before: Tree, after: Tree, result: Result) -> Iterat
             yield f"removed   {what}      (see it again: git show {commit}:./{path})"
 
 
-def _left_behind(package: Path, left: Iterable[tuple[str, int, str]]) -> Iterator[str]:
-    """Name the developer's own lines among those that left, those of a place together."""
-    commit = git.last_commit(package)
+def left_behind(
+    shown: Callable[[str], str], left: Iterable[tuple[str, int, str]]
+) -> Iterator[str]:
+    """Name the developer's own lines among those that left, those of a place together.
+
+    `shown` gives what `git show` wants for a path.
+    """
     places: list[tuple[str, list[int], str]] = []
     for path, number, line in sorted(left):
         if places and places[-1][0] == path and number <= places[-1][1][-1] + 2:
@@ -127,10 +139,10 @@ def _left_behind(package: Path, left: Iterable[tuple[str, int, str]]) -> Iterato
         else:
             places.append((path, [number], line.strip()))
     for path, numbers, text in places:
-        where = f"{numbers[0]}-{numbers[-1]}" if len(numbers) > 1 else f"{numbers[0]}"
+        span = f"{numbers[0]}-{numbers[-1]}" if len(numbers) > 1 else f"{numbers[0]}"
         text = text if len(text) <= 60 else f"{text[:57]}..."
         more = f" and {len(numbers) - 1} more" if len(numbers) > 1 else ""
-        yield f"left      {path}:{where}: {text}{more}      (git show {commit}:./{path})"
+        yield f"left      {path}:{span}: {text}{more}      (git show {shown(path)})"
 
 
 def _unnamed(after: Tree, left: Iterable[tuple[str, int, str]]) -> Iterator[str]:

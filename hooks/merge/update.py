@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+import contextlib
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
+
+from copier.errors import CopierError
 
 from ..changes import changed_answers, changes, left
 from ..dictionary import Dictionary
 from ..faults import SpecError
-from .builds import carry_build_files
-from .launch import carry_launch_files
-from .package import Result, merge_package
-from .proof import places, prove, uses, uses_of_left
-from .recount import recount
-from .renaming import Renaming, plan_renames
+from . import git
+from .branches import Branches, Joined, Joiner, under_way, wrong_merge
+from .package import Result
+from .proof import Proof, places, uses, uses_of_left
 from .render import Renderer, begin, recorded_answers
-from .report import Report, report
+from .report import Report, left_behind, removed, report
 from .transaction import Guard, Snapshot, take
-from .tree import Tree, read_paths
+from .tree import SUBMODULE, Tree, read_paths
+from .versions import Versions, versions
 
 
 class Update:
@@ -39,6 +42,7 @@ class Update:
         dictionary: Dictionary,
         moved: Mapping[str, str],
         inline: bool,
+        given: Iterable[str] = (),
     ) -> Report:
         """Merge, put in place, prove.
 
@@ -48,13 +52,16 @@ class Update:
             dictionary: what names the items of a context.
             moved: the new paths of files that the new version of the model renames.
             inline: whether conflicts go between marks, else to files that end in .rej.
+            given: the names of the answers that this update was given.
 
         Raises:
             SpecError: a line of the developer's would not be in its place; nothing has changed.
 
         """
+        about = (answers, renderer, dictionary, moved)
+        joiner = Joiner(self.package, self.answers_file, *about)
         try:
-            said = self._finish(answers, renderer, dictionary, moved, inline)
+            said = self._finish(joiner, inline, given)
         except BaseException:
             self.guard.undo()
             raise
@@ -63,68 +70,116 @@ class Update:
         self.guard.release()
         return said
 
-    def _finish(
-        self,
-        answers: Mapping[str, Any],
-        renderer: Renderer,
-        dictionary: Dictionary,
-        moved: Mapping[str, str],
-        inline: bool,
-    ) -> Report:
-        spec = answers["spec"]
-        old, new = renderer.recorded(self.answers), renderer.fresh(answers)
-        mine = {p: f for p, f in self.snapshot.files.items() if p != self.answers_file}
-        renaming = plan_renames(self.answers, spec, dictionary, old.tree, mine, renderer)
-        renaming.follow(moved, old.tree, new.tree)
-        renaming.move(old.tree, new.tree)
-        trees = (mine, old.tree, new.tree, renaming, new.is_kept)
-        ros = [context.get("ros") for context in (self.answers.get("spec") or {}, spec)]
-
-        to_ros = int(ros[1] or 0) if ros[0] != ros[1] else None
-        result = join(*trees, to_ros)
-        proof = prove(mine, old.tree, result, result.tree, renaming)
-        doubtful = [*proof.lost, *recount(*trees, result, result.tree, proof.left)]
-        if doubtful:
-            result = join(*trees, to_ros, {path for path, _ in doubtful})
+    def _finish(self, joiner: Joiner, inline: bool, given: Iterable[str]) -> Report:
+        """Join branches, where there are two; else merge what the new version changes."""
+        files = self.snapshot.files.items()
+        mine = {path: file for path, file in files if path != self.answers_file}
+        answers, dictionary = joiner.answers, joiner.dictionary
+        branches = under_way(self.package, self.answers_file)
+        with contextlib.suppress(CopierError, OSError):  # a version that is no longer there
+            branches = branches or wrong_merge(joiner, mine)
+        if branches and branches.ours:
+            joiner.check(branches, given)
+            return self._joined(joiner, branches, joiner.join(branches, mine), inline)
+        about = (joiner.renderer, dictionary, joiner.moved)
+        made = versions(mine, self.answers, answers, *about)
+        notes = []
+        if branches:  # each file on what it was made of
+            before = joiner.made(branches.theirs)
+            theirs = {path: file for path, file in before.items() if path in branches.files}
+            rest = {path: file for path, file in made.old.items() if path not in branches.files}
+            made = replace(made, old={**rest, **theirs})
+            notes = [_noted(branches)]
+        result, _ = made.merged()
         self.snapshot.put(result, {self.answers_file}, inline)
         found = read_paths(self.package, result.tree)
-        proof = prove(mine, old.tree, result, found, renaming)
-        if lost := [*places(mine, proof.lost, renaming)]:
+        proof = made.proof(result, found)
+        self._insist(made, result, found, proof)
+        said = [*notes, *changed_answers(self.answers, answers)]
+        said += changes(self.answers.get("spec") or {}, answers["spec"], dictionary)
+        still = self._still(self.answers, joiner, made, found)
+        return report(self.package, self.snapshot.files, found, result, said, still, proof)
+
+    def _still(
+        self, answers: Mapping[str, Any], joiner: Joiner, made: Versions, found: Tree
+    ) -> list[str]:
+        """Return the uses of what was renamed, or left."""
+        still = [*uses(made.mine, made.old, made.new, found, made.renaming)]
+        gone = left(answers.get("spec") or {}, joiner.answers["spec"], joiner.dictionary)
+        return still + [*uses_of_left(gone, made.old, made.new, found)]
+
+    def _insist(self, made: Versions, result: Result, found: Tree, proof: Proof) -> None:
+        """Look once more, at what is on the disk now.
+
+        Raises:
+            SpecError: something is not where it should be.
+
+        """
+        if lost := [*places(made.mine, proof.lost, made.renaming)]:
             raise SpecError(
                 "the update was undone, for it would have put lines of yours where you did not"
                 " write them; take these lines out and commit; update; put them in again:"
                 + _listed(lost)
             )
-        if wrong := recount(*trees, result, found, proof.left):
+        if wrong := made.wrong(result, found, proof):
             raise SpecError(
                 "the update was undone, for these files would not be what both sides made of them;"
                 " take your changes of them out and commit; update; put them in again:"
                 + _listed(f"{path}: {what}" for path, what in wrong)
             )
-        said = [*changed_answers(self.answers, answers)]
-        said += changes(self.answers.get("spec") or {}, spec, dictionary)
-        still = [*uses(mine, old.tree, new.tree, found, renaming)]
-        gone = left(self.answers.get("spec") or {}, spec, dictionary)
-        still += uses_of_left(gone, old.tree, new.tree, found)
-        return report(self.package, self.snapshot.files, found, result, said, still, proof)
+
+    def _joined(self, joiner: Joiner, branches: Branches, joined: Joined, inline: bool) -> Report:
+        """Put two joined branches in place; leave it to git to end what it has begun."""
+        result, (ours, theirs) = joined.result, joined.sides
+        self.snapshot.put(result, {self.answers_file}, inline)
+        found = read_paths(self.package, result.tree)
+        if found != result.tree and inline:
+            raise SpecError("the update was undone, for not all files could be written")
+        if not branches.merge:
+            paths = {p for p, mode in self.snapshot.modes.items() if mode != SUBMODULE}
+            paths |= {*result.tree, self.answers_file}
+            git.stage(self.package, sorted(paths - {*result.conflicts}))
+        said = [_noted(branches)] if branches.merge else []
+        said += changed_answers(self.answers, joiner.answers)
+        said += changes(self.answers.get("spec") or {}, joiner.answers["spec"], joiner.dictionary)
+        still = {
+            line
+            for side in joined.sides
+            for line in self._still(joiner.recorded(side.commit), joiner, side.versions, found)
+        }
+        for name in ("moved", "removed", "missing", "own"):
+            getattr(result, name).update(getattr(ours.result, name))
+        other = theirs.commit[:7]
+        before = theirs.versions.mine
+        more = [*removed(other, self.package, before, theirs.result.tree, theirs.result)]
+        more += left_behind(f"{other}:./{{}}".format, theirs.proof.left)
+        more += left_behind(self._kept(branches, joined), joiner.own_lines(joined))
+        proofs = [side.proof for side in joined.sides]
+        proof = Proof(
+            sum(proof.total for proof in proofs),
+            sum(proof.in_place for proof in proofs),
+            [left for proof in proofs for left in proof.left],
+        )
+        shown = replace(proof, left=ours.proof.left)
+        lines = report(
+            self.package, ours.versions.mine, found, result, said, sorted(still), shown, more
+        )
+        lines.lines[-1] = proof.sentence
+        return lines
+
+    def _kept(self, branches: Branches, joined: Joined) -> Callable[[str], str]:
+        """Return what `git show` wants for a file of the merge that was joined again."""
+        if branches.merge:
+            return f"{branches.merge[:7]}:./{{}}".format
+        return lambda path: git.keep(self.package, joined.own[path].data)
+
+
+def _noted(branches: Branches) -> str:
+    names = ", ".join(branches.files[:3]) + (" and more" if branches.files[3:] else "")
+    cure = "joined again from its two sides" if branches.ours else "made of the spec before it"
+    what = "has left files that were not made of the recorded spec"
+    return f"! {branches.merge[:7]} {what}: {names}: {cure}"
 
 
 def _listed(lines: Iterable[str]) -> str:
     return "".join(f"\n  {line}" for line in [*lines][:20]) + "\n"
-
-
-def join(
-    mine: Tree,
-    old: Tree,
-    new: Tree,
-    renaming: Renaming,
-    is_kept: Callable[[str], bool],
-    to_ros: int | None = None,
-    unmerged: Collection[str] = (),
-) -> Result:
-    """Merge a package; in a move to another ROS, `to_ros`, carry what other files have there."""
-    result = merge_package(mine, old, new, renaming, is_kept, unmerged=unmerged)
-    if to_ros is not None:
-        carry_launch_files(mine, old, new, renaming, result, to_ros)
-        carry_build_files(mine, old, new, renaming, result, to_ros)
-    return result

@@ -11,7 +11,7 @@ from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
 from hooks.merge.tree import File
 from support import ros
-from support.laboratory import specs
+from support.laboratory import branches, specs
 from support.laboratory.edits import HABITS
 from support.laboratory.mutants import MUTANTS, OF_HABITS
 from support.laboratory.running import compiles, runs
@@ -114,6 +114,38 @@ def test_moves_lose_nothing_in_silence(laboratory, has_ros1, model, distro):
     counts = run(laboratory, has_ros1, model, distro, TRIALS, moving=1)
     assert counts.lines > counts.updates
     assert counts.wrong == []
+
+
+@pytest.mark.parametrize("distro", DISTROS)
+@pytest.mark.parametrize("model", ALL_MODELS)
+def test_two_branches_become_one(laboratory, model, distro):
+    """Two developers edit, change the spec and update; one of them may move to another ROS."""
+    random, counts = Random(f"{SEED} branches {model} {distro}"), branches.Counts()
+    pairs = TRIALS if AT_LENGTH else TRIALS // 4
+    while counts.pairs < pairs:
+        ways = set(HABITS) - {"format"} if random.random() < 0.5 else ()
+        for said in branches.pair_of_branches(
+            random, laboratory, model, distro, counts, ways=ways
+        ):
+            print(f"{model} {distro}, pair {counts.pairs}: {said}")
+    print(f"{model} {distro}, branches: {counts.row()}")
+    assert counts.both_edited > counts.pairs
+    assert counts.wrong == []
+    assert len(counts.refused) <= 0.02 * pairs
+    assert sum(counts.conflicts.values()) <= 0.2 * counts.both_edited
+
+
+@pytest.mark.parametrize("mutant", branches.MUTANTS, ids=lambda mutant: mutant.__name__)
+def test_the_judge_sees_a_wrong_join(laboratory, mutant):
+    random, counts = Random(2), branches.Counts()
+    for _ in range(12):
+        about = (laboratory, "python_model", "kilted", counts)
+        before = counts.spoiled
+        complaints = branches.pair_of_branches(random, *about, mutant, ways=())
+        assert complaints or counts.spoiled == before
+        if counts.spoiled == 3:
+            break
+    assert counts.spoiled
 
 
 EXCHANGES = {

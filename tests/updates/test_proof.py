@@ -7,7 +7,7 @@ import pytest
 
 from hooks.dictionary import load
 from hooks.faults import SpecError
-from hooks.merge import update as module
+from hooks.merge import versions as module
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove, uses_of_left
 from hooks.merge.renaming import Renaming
@@ -71,8 +71,8 @@ def test_result_is_put_in_place(package):
     ],
 )
 def test_file_that_was_merged_wrong_becomes_a_conflict(package, monkeypatch, right, wrong):
-    def spoil(*trees, unmerged=()):
-        result = merge_package(*trees, unmerged=unmerged)
+    def spoil(*trees):
+        result, unmerged = merge_package(*trees), trees[5]
         if not unmerged:
             text = result.tree[PATH].text.replace(right, wrong)
             result.tree[PATH] = replace(result.tree[PATH], data=text.encode())
@@ -86,8 +86,8 @@ def test_file_that_was_merged_wrong_becomes_a_conflict(package, monkeypatch, rig
 
 @pytest.mark.parametrize("fault", ["line", "file", "error"])
 def test_wrong_merge_is_undone(package, monkeypatch, fault):
-    def spoil(*trees, unmerged=()):
-        result = merge_package(*trees, unmerged=unmerged)
+    def spoil(*trees):
+        result = merge_package(*trees)
         if fault == "line":
             result.tree[PATH] = File(NEW.encode())
         elif fault == "file":

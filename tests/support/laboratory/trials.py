@@ -22,7 +22,7 @@ from hooks.merge.proof import prove
 from hooks.merge.recount import recount
 from hooks.merge.renaming import Renaming, plan
 from hooks.merge.tree import File, encode, read_folder, remove, write
-from hooks.merge.update import join
+from hooks.merge.versions import Versions
 from hooks.model import Model
 from support.direct_render import Renderer as DirectRenderer
 from support.laboratory import layouts, specs
@@ -162,11 +162,12 @@ def trial(random, pair, counts, mutate=None, check=None, **options):
     edited.texts["lab.ros_package"] = pair.new["lab.ros_package"]
     mine, old, new = edited.tree(), tree_of(pair.old), tree_of(pair.new)
     trees = (mine, old, new, pair.renaming, pair.is_kept)
-    result = join(*trees, pair.to_ros)
+    made = Versions(*trees, pair.to_ros)
+    result = made.merge(set())
     if doubtful := doubts(trees, result):
         # As an update does: what the proofs do not find in its place becomes a conflict.
         counts.doubtful += 1
-        result = join(*trees, pair.to_ros, {path for path, _ in doubtful})
+        result = made.merge({path for path, _ in doubtful})
     if mutate:
         mutate(random, result.tree, edited, pair)
     texts = {path: file.text or "" for path, file in result.tree.items()}

@@ -1,0 +1,414 @@
+"""Join two branches, each brought to the merged spec before (decision 104)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+from pathlib import Path, PurePosixPath
+
+from packaging.version import InvalidVersion, Version
+
+from ..data import load_yaml
+from ..dictionary import Dictionary
+from ..faults import SpecError
+from ..package import SUFFIX
+from . import git
+from .lines import split
+from .package import ALIKE, Result, likeness
+from .proof import Proof
+from .render import Renderer
+from .tree import File, Tree, encode
+from .versions import Answers, Versions, versions
+
+_UNDER_WAY = {
+    "MERGE_HEAD": "MERGE_HEAD",
+    "CHERRY_PICK_HEAD": "CHERRY_PICK_HEAD",
+    "REBASE_HEAD": "rebase-merge",
+}
+"""What names the commit that git is about to join, and what is there while it is."""
+
+
+@dataclass(frozen=True)
+class Branches:
+    """Two commits that are to be one, and what they come from.
+
+    `merge` is the commit that has made one of them, but wrong; `files` are those that show it.
+    """
+
+    ours: str
+    theirs: str
+    bases: list[str]
+    merge: str = ""
+    files: tuple[str, ...] = ()
+
+
+def under_way(package: Path, answers_file: str) -> Branches | None:
+    """Return what git is about to join: a merge, a rebase or a cherry-pick that is not ended.
+
+    Raises:
+        SpecError: it is a merge of more than two.
+
+    """
+    for name, folder in _UNDER_WAY.items():
+        commits = git.pseudo_commits(package, name) if git.has(package, folder) else []
+        if not all(git.name_in(package, one, answers_file) for one in ("HEAD", *commits)):
+            continue
+        if commits:
+            _refuse_octopus(commits)
+            theirs = commits[0]
+            if name == "MERGE_HEAD":
+                return Branches("HEAD", theirs, git.merge_bases(package, "HEAD", theirs))
+            return Branches("HEAD", theirs, git.parents(package, theirs)[:1])
+    return None
+
+
+def _refuse_octopus(others: Sequence[str]) -> None:
+    if len(others) > 1:
+        raise SpecError(
+            f"{len(others) + 1} branches are merged at once here, and an update joins two; undo"
+            " this (git merge --abort, or git reset --hard HEAD^), and merge one after the other"
+        )
+
+
+@dataclass(frozen=True)
+class Side:
+    """A commit that was brought to the merged spec."""
+
+    commit: str
+    versions: Versions
+    result: Result
+    proof: Proof
+
+    @property
+    def tree(self) -> Tree:
+        """Its files, with the developer's side of each conflict."""
+        return {**self.result.tree, **self.result.settled}
+
+
+@dataclass(frozen=True)
+class Joined:
+    """Two sides that have become one."""
+
+    sides: tuple[Side, Side]
+    versions: Versions
+    result: Result
+    own: Tree
+    """What stood in the place of the joined files: where git, or a hand, has merged them."""
+
+
+class Joiner:
+    """Brings commits of a package to new answers, and joins them there."""
+
+    def __init__(
+        self,
+        package: Path,
+        answers_file: str,
+        answers: Answers,
+        renderer: Renderer,
+        dictionary: Dictionary,
+        moved: Mapping[str, str],
+    ) -> None:
+        """Say where the package is, and what it is to be; arguments as those of an update."""
+        self.package, self.answers_file, self.answers = package, answers_file, answers
+        self.renderer, self.dictionary, self.moved = renderer, dictionary, moved
+
+    def recorded(self, commit: str) -> dict[str, object]:
+        """Return the answers that a commit has."""
+        found = load_yaml(git.committed(self.package, self.answers_file, commit))
+        return found if isinstance(found, dict) else {}
+
+    def made(self, commit: str) -> Tree:
+        """Render what the model has made of a commit."""
+        return self.renderer.recorded(self.recorded(commit)).tree
+
+    def files(self, commit: str) -> Tree:
+        """Return the files of a commit, but for its answers."""
+        found = git.files_of(self.package, commit)
+        return {path: file for path, file in found.items() if path != self.answers_file}
+
+    def check(self, branches: Branches, given: Iterable[str]) -> None:
+        """Insist that the answers are those of both sides; `given` are the ones that `-d` gives.
+
+        Raises:
+            SpecError: another one is; the message says what to do.
+
+        """
+        sides = [self.recorded(one) for one in (branches.ours, branches.theirs)]
+        base = self.recorded(branches.bases[0]) if branches.bases else {}
+        for name in sorted({*sides[0], *sides[1]} - {"spec", *given}):
+            was, (ours, theirs) = base.get(name), (side.get(name) for side in sides)
+            due = {str(side) for side in (ours, theirs) if side != was} or {str(ours)}
+            if name == "_commit":
+                _refuse_older(str(self.answers.get("_commit")), (str(ours), str(theirs)))
+            elif name[0] != "_" and due != {str(self.answers.get(name))}:
+                raise SpecError(
+                    f"{name}: one branch has {ours}, the other {theirs}; say which one the package"
+                    f" is to have: -d {name}={theirs if theirs != was else ours}"
+                )
+
+    def side(self, commit: str) -> Side:
+        """Bring a commit to the new answers.
+
+        Raises:
+            SpecError: a line would not be in its place.
+
+        """
+        answers = self.recorded(commit)
+        made = versions(
+            self.files(commit), answers, self.answers, self.renderer, self.dictionary, self.moved
+        )
+        result = settle(made)
+        return Side(commit, made, result, made.proof(result, result.tree))
+
+    def join(self, branches: Branches, now: Tree) -> Joined:
+        """Bring two commits to the new answers, and join them; `now` is the package as it is.
+
+        Raises:
+            SpecError: as above.
+
+        """
+        sides = (self.side(branches.ours), self.side(branches.theirs))
+        base = self.base(branches.bases)
+        made = _people(sides[0].tree, base, sides[1].tree)
+        result = settle(made)
+        for side in sides:
+            _keep_conflicts(result, side)
+        own = self.files(branches.merge) if branches.merge else now
+        if own != now:  # what came after the merge
+            later = settle(_people(result.tree, own, now))
+            later.conflicts |= {p: c for p, c in result.conflicts.items() if p in later.tree}
+            later.settled = {**result.settled, **later.settled}
+            result = later
+        result.tree |= {path: file for path, file in now.items() if path.endswith(SUFFIX)}
+        return Joined(sides, made, result, own)
+
+    def base(self, commits: Sequence[str]) -> Tree:
+        """Return what two commits have in common, brought to the new answers."""
+        known = [commit for commit in commits if self.recorded(commit)]
+        if not known:
+            return self.renderer.fresh(self.answers).tree
+        tree = self.side(known[0]).tree
+        for commit in known[1:]:
+            before = self.base(git.merge_bases(self.package, known[0], commit))
+            tree = _people(tree, before, self.side(commit).tree).merged()[0].tree
+        return tree
+
+    def own_lines(self, joined: Joined) -> Iterator[tuple[str, int, str]]:
+        """Yield the lines that neither branch has, only what a hand has made of both."""
+        trees = [joined.result.tree, joined.versions.old]
+        trees += [tree for side in joined.sides for tree in (side.versions.mine, side.result.tree)]
+        known = {line.strip() for tree in trees for f in tree.values() for line in _lines(f.text)}
+        for path, file in sorted(joined.own.items()):
+            lines = _lines(file.text) if not path.endswith(SUFFIX) else []
+            for number, line in enumerate(lines, 1):
+                if line.strip() not in known and not line.startswith(_GITS_MARKS):
+                    yield path, number, line
+
+
+_GITS_MARKS = ("<<<<<<< ", "=======", ">>>>>>> ", "||||||| ")
+
+
+def _lines(text: str | None) -> list[str]:
+    return (text or "").replace("\r\n", "\n").split("\n")
+
+
+def settle(made: Versions) -> Result:
+    """Merge in memory, and insist on the proofs.
+
+    Raises:
+        SpecError: lines would not be in their place.
+
+    """
+    result, wrong = made.merged()
+    if wrong:
+        said = "".join(f"\n  {path}: {what}" for path, what in wrong[:20])
+        raise SpecError(
+            "nothing was joined, for these lines would not be where you have written them; take"
+            f" them out on their branch, join, and put them in again:{said}\n"
+        )
+    return result
+
+
+def _people(mine: Tree, old: Tree, new: Tree) -> Versions:
+    """Return three versions of which two are developers'; files they moved have one path.
+
+    The spec is not among them: the developers have resolved it.
+    """
+    mine, old, new = (
+        {path: file for path, file in tree.items() if not path.endswith(SUFFIX)}
+        for tree in (mine, old, new)
+    )
+    moves = {path: to for path, to in _moves(old, mine).items() if to not in new}
+    old, new = ({moves.get(p, p): file for p, file in tree.items()} for tree in (old, new))
+    moves = {path: to for path, to in _moves(old, new).items() if to not in mine}
+    old, mine = ({moves.get(p, p): file for p, file in tree.items()} for tree in (old, mine))
+    return Versions(mine, old, new, of_people=True)
+
+
+def _moves(old: Tree, side: Tree) -> dict[str, str]:
+    """Return the files that a developer has given another name."""
+    away, own = ([p for p in one if p not in other] for one, other in ((old, side), (side, old)))
+    likely = [
+        (alike, path, target)
+        for path in away
+        for target in own
+        if PurePosixPath(path).suffix == PurePosixPath(target).suffix
+        and (alike := likeness(old[path], side[target])) > ALIKE
+    ]
+    found: dict[str, str] = {}
+    for _, path, target in sorted(likely, reverse=True):
+        if path not in found and target not in found.values():
+            found[path] = target
+    return found
+
+
+def _keep_conflicts(result: Result, side: Side) -> None:
+    """Bring in the conflicts of one developer and the model, where the two have none."""
+    made = side.versions
+    sources = {made.renaming.path(path): path for path in made.old}
+    for path, stages in side.result.conflicts.items():
+        if path in result.conflicts or path not in result.tree:
+            continue
+        result.conflicts[path] = stages
+        source = sources.get(path, path)
+        file, new = made.old.get(source), made.new.get(path)
+        if new and file and file.text is not None:
+            old = File(encode(made.renaming.text(source, file.text)))
+            again = Versions({path: result.tree[path]}, {path: old}, {path: new}).merged()[0]
+            if path in again.conflicts:
+                for name in ("tree", "conflicts", "rejected", "settled"):
+                    getattr(result, name)[path] = getattr(again, name)[path]
+
+
+def _refuse_older(version: str, others: Iterable[str]) -> None:
+    for other in others:
+        try:
+            is_older = Version(version) < Version(other)
+        except InvalidVersion:  # a commit without a tag
+            continue
+        if is_older:
+            raise SpecError(
+                f"one branch was made by version {other} of the model, newer than {version};"
+                f" add --vcs-ref={other}"
+            )
+
+
+def wrong_merge(joiner: Joiner, now: Tree) -> Branches | None:
+    """Return the last merge, or other change of the answers, that has left files of another spec.
+
+    Files count which are so since then, and still are (decision 105).
+
+    Raises:
+        SpecError: more than two branches have become one, or files are half of the one spec and
+            half of the other.
+
+    """
+    package, answers_file = joiner.package, joiner.answers_file
+    commit, parents = _last_making(package, answers_file)
+    answers = joiner.recorded(commit) if commit else {}
+    recorded = {one: joiner.recorded(one) for one in parents}
+    is_known = all(each.get("_src_path") == answers.get("_src_path") for each in recorded.values())
+    others = [one for one in parents if recorded[one] != answers]
+    if not (answers and others and is_known):
+        return None
+    there, made = joiner.files(commit), joiner.renderer.recorded(answers)
+    befores = [(joiner.files(one), joiner.made(one)) for one in others]
+    kept = {path for path in made.tree if made.is_kept(path)}
+    found = [path for path in _stale(there, made.tree, befores) if path not in kept]
+    found = [path for path in found if path in {*_stale(now, made.tree, befores)}]
+    if len(parents) > 1:
+        bases = git.merge_bases(package, *parents[:2])
+        base = joiner.files(bases[0]) if bases else {}
+        sides = [(joiner.files(one), joiner.made(one)) for one in parents]
+        dropped = [
+            path for path in _dropped(there, base, sides) if there.get(path) == now.get(path)
+        ]
+        found += [path for path in dropped if path not in found and not path.endswith(SUFFIX)]
+    if not found:
+        return None
+    files = tuple(sorted(found))
+    if len(parents) < 2:
+        return Branches("", parents[0], [], commit, files)
+    _refuse_octopus(parents[1:])
+    return Branches(parents[0], parents[1], git.merge_bases(package, *parents), commit, files)
+
+
+def _last_making(package: Path, answers_file: str) -> tuple[str, list[str]]:
+    """Return the last commit in which files may have lost their answers, and its parents."""
+    commit = "HEAD"
+    while commit := git.last_making(package, answers_file, commit):
+        parents = git.parents(package, commit)
+        names = {git.name_in(package, one, answers_file) for one in (commit, *parents)}
+        same = [
+            one for one in parents if git.name_in(package, one) == git.name_in(package, commit)
+        ]
+        if not parents or (len(names) > 1 and not same):
+            return commit, parents
+        commit = [*same, *parents][0]
+    return "", []
+
+
+AROUND = 3
+"""How many lines tell the place of a change."""
+
+
+def _stale(found: Tree, made: Tree, befores: Sequence[tuple[Tree, Tree]]) -> Iterator[str]:
+    """Yield the files of which a part is as another spec makes it, and not as their own does.
+
+    `befores` are packages that this one comes from, and what their specs make.
+    """
+    for path in sorted({*made, *(path for _, before in befores for path in before)}):
+        text = found[path].text if path in found else None
+        for there, before in befores:
+            if path not in made or path not in before:
+                is_due, was_made = path in made, path in before
+                is_deleted = any(path in one and path not in files for files, one in befores)
+                was = there.get(path)
+                if (is_due and path not in found and not is_deleted) or (
+                    was_made and was is not None and was == found.get(path)
+                ):
+                    yield path
+                    break
+                continue
+            old, new = (tree[path].text or "" for tree in (before, made))
+            if any(
+                was in (text or "")
+                and now not in (text or "")
+                and not _is_edited(path, now, befores)
+                for was, now in _changes(old, new)
+            ):
+                yield path
+                break
+
+
+def _changes(old: str, new: str) -> Iterator[tuple[str, str]]:
+    """Yield what has changed, as it was and as it is, with some lines around."""
+    before, after = split(old), split(new)
+    for tag, start, end, first, last in SequenceMatcher(None, before, after, False).get_opcodes():
+        if tag != "equal":
+            above, below = before[max(0, start - AROUND) : start], before[end : end + AROUND]
+            yield (
+                "".join([*above, *before[start:end], *below]),
+                "".join([*above, *after[first:last], *below]),
+            )
+
+
+def _is_edited(path: str, part: str, befores: Sequence[tuple[Tree, Tree]]) -> bool:
+    """Say whether a developer has changed a part of a file that the model has made."""
+    return any(
+        part in (made[path].text or "")
+        and (path not in there or part not in (there[path].text or ""))
+        for there, made in befores
+        if path in made
+    )
+
+
+def _dropped(found: Tree, base: Tree, sides: Sequence[tuple[Tree, Tree]]) -> Iterator[str]:
+    """Yield the files that are those of one side, without lines that the other has written."""
+    for (ours, _), (theirs, made) in (sides[:2], sides[1::-1]):
+        for path, file in theirs.items():
+            others = (one.get(path) for one in (made, base, found))
+            known = {line for other in others for line in _lines(other.text if other else "")}
+            if ours.get(path) == found.get(path) and {*_lines(file.text)} - known:
+                yield path

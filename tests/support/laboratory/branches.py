@@ -1,0 +1,381 @@
+"""Pairs of branches: two developers edit a package, change its spec and update; then they merge.
+
+They have edited it together before. Each line has its mark; the judge looks for all of them, and
+for the template's side.
+"""
+
+import copy
+import re
+from collections import Counter
+from dataclasses import dataclass, field, replace
+
+from hooks.faults import SpecError
+from hooks.merge.branches import Branches, Joiner
+from hooks.merge.render import Render
+from hooks.merge.tree import LINK, File, encode
+from hooks.merge.versions import Versions
+from support.laboratory import specs
+from support.laboratory.edits import edit
+from support.laboratory.judge import CONFLICT, _readable, judge
+from support.laboratory.trials import (
+    ANSWERS,
+    DISTROS,
+    MODELS,
+    _said,
+    moves,
+    renamed,
+    tree_of,
+)
+
+SPEC = "lab.ros_package"
+
+
+@dataclass
+class Counts:
+    """What a number of pairs gave."""
+
+    pairs: int = 0
+    lines: int = 0
+    clean: int = 0
+    both_edited: int = 0
+    """Files that both developers have edited since they were one."""
+    conflicts: Counter = field(default_factory=Counter)
+    moved: Counter = field(default_factory=Counter)
+    """The same in pairs of which one moves to the other ROS."""
+    wrong: list = field(default_factory=list)
+    refused: list = field(default_factory=list)
+    spoiled: int = 0
+
+    def row(self):
+        return (
+            f"{self.pairs} pairs, {self.lines} lines, {self.both_edited} files edited by both:"
+            f" {len(self.wrong)} wrong, {len(self.refused)} refused, {self.clean} clean,"
+            f" conflicts {dict(self.conflicts)},"
+            f" in moves to the other ROS {dict(self.moved)}"
+        )
+
+
+class Renders:
+    """Renders of Jinja in the place of Copier's, by the version that answers name."""
+
+    def __init__(self, laboratory, model):
+        self.laboratory, self.model = laboratory, model
+        self.known = {}
+
+    def recorded(self, answers):
+        key = repr(answers)
+        if key not in self.known:
+            renderer = self.laboratory.renderers[answers["_commit"], self.model]
+            self.known[key] = renderer.render(answers["spec"], answers["ros_distro"])
+        tree = tree_of(self.known[key])
+        return Render(tree, {SPEC, "CHANGELOG.md"}.__contains__)
+
+    fresh = recorded
+
+
+class Joining(Joiner):
+    """Joins commits that are in memory."""
+
+    commits: dict
+
+    def recorded(self, commit):
+        return self.commits[commit][1]
+
+    def files(self, commit):
+        return self.commits[commit][0]
+
+
+@dataclass
+class Branch:
+    """What a developer has made of a package, and what it was made of."""
+
+    edited: object
+    answers: dict
+    pair: object
+
+
+def grown(random, laboratory, spec, model, distros, versions, edited, number, **options):
+    """Let a developer change the spec, update and edit; None where the update conflicts."""
+    new_spec = specs.change(random, spec)
+    pair = laboratory.pair(spec, new_spec, model, distros, versions[1], versions[0])
+    edited = copy.deepcopy(edited)
+    trees = (edited.tree(), tree_of(pair.old), tree_of(pair.new))
+    to_ros = {"noetic": 1}.get(distros[1], 2) if distros[0] != distros[1] else None
+    result = Versions(*trees, pair.renaming, pair.is_kept, to_ros).merged()[0]
+    if result.conflicts:
+        return None
+    texts = _texts(result.tree)
+    edited.follow(texts, moves(pair, edited), renamed(pair, edited))
+    edited.around = edited.around if distros[0] == distros[1] else {}
+    edited.number = number
+    try:
+        edited = edit(random, texts, edited=edited, **options)
+    except StopIteration:  # a file of theirs without the imports that the laboratory wants
+        return None
+    edited.texts[SPEC] = pair.new[SPEC]
+    if any(fault for path, text in edited.texts.items() for fault in _readable(path, text)):
+        return None  # no developer would commit it
+    return Branch(edited, answers(laboratory, model, new_spec, distros[1], versions[1]), pair)
+
+
+def _texts(tree):
+    files = ((path, file.text) for path, file in tree.items() if file.mode != LINK)
+    return {path: text.replace("\r\n", "\n") for path, text in files if text is not None}
+
+
+def answers(laboratory, model, spec, distro, version):
+    xml = specs.xml(spec, model)
+    context = laboratory.models[model].context(xml.encode(), SPEC, distro)
+    return {"_commit": version, "ros_distro": distro, "spec": context}
+
+
+def identified(spec):
+    """Give each node and item an identity that its names do not have."""
+    spec = copy.deepcopy(spec)
+    for node in spec["nodes"]:
+        for item in (node, *node["items"]):
+            item["id"] = item["name"]
+    return spec
+
+
+def _identity(item):
+    names = (item["name"], item.get("was") or item["name"])
+    return item["id"] if item.get("id") in names else f"{item['name']}, which is new"
+
+
+def merged_spec(base, ours, theirs):
+    """Resolve the spec as developers would: what both have done; of two changes of one, ours."""
+    nodes = _merged(base["nodes"], ours["nodes"], theirs["nodes"])
+    return {**ours, "nodes": nodes or ours["nodes"]}
+
+
+def _merged(base, ours, theirs):
+    known, one, other = ({_identity(item): item for item in s} for s in (base, ours, theirs))
+    found = []
+    for key in [*one, *(key for key in other if key not in one)]:
+        sides = [side.get(key) for side in (known, one, other)]
+        if sides[0] and not (sides[1] and sides[2]):
+            continue  # one has removed it
+        item = _merged_item(*sides) if sides[1] and sides[2] else sides[1] or sides[2]
+        if not specs.names_of(item) & {name for each in found for name in specs.names_of(each)}:
+            found.append(item)
+        elif item.get("was") and item["name"] not in {each["name"] for each in found}:
+            found.append(item)  # two that swap names, or one that takes the name of another
+    return found
+
+
+def _merged_item(base, ours, theirs):
+    if base is None:
+        base = {}
+    item = {
+        name: ours.get(name) if ours.get(name) != base.get(name) else theirs.get(name)
+        for name in {*ours, *theirs} - {"items"}
+    }
+    renamed_by = ours if ours["name"] != base.get("name") else theirs
+    item |= {name: renamed_by.get(name) for name in ("name", "was")}
+    if "items" in ours:
+        items = _merged(*(side.get("items", []) for side in (base, ours, theirs)))
+        item["items"] = items
+    return item
+
+
+def pair_of_branches(random, laboratory, model, distro, counts, mutate=None, **options):
+    """Make two branches, join and judge them; return the complaints.
+
+    There are none, and nothing is counted, where the two have made what cannot be.
+    """
+    spec = identified(specs.random_spec(random))
+    versions, distros = ["1.0.0", "1.0.0"], [distro, distro]
+    if model in MODELS and random.random() < 0.2:
+        versions[random.randint(0, 1)] = "2.0.0"
+    if random.random() < 0.1:
+        distros[1] = next(one for one in DISTROS if one != distro)
+    start = laboratory.pair(spec, spec, model, (distro, distro), "1.0.0")
+    together = edit(random, start.old, **options)
+    together.texts[SPEC] = start.old[SPEC]
+    sides = []
+    for number, (to, version) in enumerate(zip(distros, versions, strict=True), 1):
+        about = (model, (distro, to), ("1.0.0", version), together, 1000 * number)
+        sides.append(grown(random, laboratory, spec, *about, **options))
+    if None in sides:
+        return []
+    new_spec = merged_spec(spec, *(side.pair.new_spec for side in sides))
+    version = max(versions)
+    try:
+        new = answers(laboratory, model, new_spec, distros[1], version)
+        layout = laboratory.pair(spec, new_spec, model, (distro, distros[1]), version).layout
+    except SpecError:  # the two have made what no package can have
+        return []
+    renders = Renders(laboratory, model)
+    dictionary = laboratory.models[model].dictionary
+    joiner = Joining(None, ANSWERS, new, renders, dictionary, layout)
+    joiner.commits = {
+        name: (side.edited.tree(), side.answers)
+        for name, side in zip(("ours", "theirs"), sides, strict=True)
+    }
+    before = answers(laboratory, model, spec, distro, "1.0.0")
+    joiner.commits["base"] = (together.tree(), before)
+    now = {SPEC: File(encode(specs.xml(new_spec, model)))}
+    try:
+        joined = joiner.join(Branches("ours", "theirs", ["base"]), now)
+    except SpecError as error:
+        counts.refused.append(str(error))
+        return []
+    if mutate:
+        counts.spoiled += mutate(joined)
+    fresh = {path: file.text for path, file in renders.fresh(new).tree.items()}
+    return judged(sides, joined, new_spec, fresh | _texts(now), counts)
+
+
+def judged(sides, joined, new_spec, fresh, counts):
+    """Judge each side, brought to the new spec, and then both as one."""
+    complaints, parts, said = [], [], set()
+    for branch, side in zip(sides, joined.sides, strict=True):
+        edited = copy.deepcopy(branch.edited)
+        spec, renaming = branch.pair.new_spec, side.versions.renaming
+        pair = replace(
+            branch.pair,
+            spec=spec,
+            new_spec=seen_from(spec, new_spec),
+            old=branch.pair.new,
+            new=fresh,
+            renaming=renaming,
+            layout=dict(renaming.moved),
+        )
+        left = {m for *_, line in side.proof.left for m in re.findall(r"\bmine_\d+\b", line)}
+        said |= left
+        left |= {*side.result.left, *_said(side.result.removed)}
+        missing = {path for path, parts in side.result.missing.items() if "" in parts}
+        missing |= {*_said(side.result.missing)}
+        places, names = moves(pair, edited), renamed(pair, edited)
+        edited.texts[SPEC] = fresh[SPEC]
+        tree = {**side.result.tree, SPEC: File(encode(fresh[SPEC]))}
+        found = judge(edited, pair.old, fresh, tree, left, missing, places, names)
+        complaints += [f"side: {line}" for line in found]
+        texts = _texts(tree)
+        edited.follow(texts, places, names)
+        edited.texts = texts
+        parts.append(edited)
+    both, result = union(*parts), joined.result
+    tree = result.tree
+    conflicts = {*result.conflicts} | {p for p, text in _texts(tree).items() if CONFLICT in text}
+    gone = {f"{p[0]}: {p[1]}" if isinstance(p, tuple) else p for p in both.deleted}
+    found = judge(both, fresh, fresh, tree, said, gone, {}, {})
+    in_conflict = tuple(f"{path}:" for path in conflicts)
+    complaints += [line for line in found if not line.startswith(in_conflict)]
+    counts.pairs += 1
+    counts.lines += len(both.lines)
+    counts.clean += not conflicts
+    one, other = (part.texts for part in parts)
+    counts.both_edited += sum(
+        len({text, other.get(path), fresh.get(path)}) == 3 for path, text in one.items()
+    )
+    is_move = len({side.answers["ros_distro"] for side in sides}) > 1
+    for path in conflicts:
+        where = counts.moved if is_move else counts.conflicts
+        where[re.sub(r"\w+(?=_(impl|ros|interface|node))", "node", path)] += 1
+    counts.wrong += complaints
+    return complaints
+
+
+def seen_from(spec, new_spec):
+    """Return the new spec as an update from a branch's sees it: what it has done is done."""
+    new_spec = copy.deepcopy(new_spec)
+    known = {node["name"]: node for node in spec["nodes"]}
+    for node in new_spec["nodes"]:
+        before = known.get(node["name"])
+        was = known.get(node.get("was"))
+        if before and before.get("was") == node.get("was"):
+            node["was"] = None
+            was = before
+        have = {item["name"]: item for item in (was or before or {"items": []})["items"]}
+        for item in node["items"]:
+            if item.get("was") and have.get(item["name"], {}).get("was") == item["was"]:
+                item["was"] = None
+    return new_spec
+
+
+def union(ours, theirs):
+    """Return the edits of two developers as those of one."""
+    both = copy.deepcopy(ours)
+    both.texts = {**theirs.texts, **ours.texts}
+    for name in ("lines", "moved", "links", "around", "exact"):
+        setattr(both, name, {**getattr(theirs, name), **getattr(ours, name)})
+    for name in ("deleted", "crlf", "foreign", "formatted", "ahead"):
+        setattr(both, name, getattr(ours, name) | getattr(theirs, name))
+    for path, lines in theirs.replaced.items():
+        both.replaced[path] = [*both.replaced.get(path, []), *lines]
+    for path, lines in theirs.repeated.items():
+        both.repeated[path] = both.repeated.get(path, Counter()) + lines
+    return both
+
+
+def ours_dropped(joined):
+    """The other branch is taken."""
+    return _taken(joined, 1)
+
+
+def theirs_dropped(joined):
+    return _taken(joined, 0)
+
+
+def _taken(joined, number):
+    before, tree = dict(joined.result.tree), joined.sides[number].result.tree
+    joined.result.tree.update({path: file for path, file in tree.items() if path != SPEC})
+    return _with_marks(before) != _with_marks(joined.result.tree)
+
+
+def _with_marks(tree):
+    return sorted(mark for text in _texts(tree).values() for mark in re.findall(r"mine_\d+", text))
+
+
+def file_of_one_side(joined):
+    """A file is taken from one branch, as a hand resolves a conflict."""
+    ours, tree = joined.sides[0].result.tree, joined.result.tree
+    for path, file in sorted(tree.items()):
+        before = {path: file}
+        if (
+            path != SPEC
+            and path in ours
+            and _with_marks(before) != _with_marks({path: ours[path]})
+        ):
+            tree[path] = ours[path]
+            return path not in joined.result.conflicts
+    return False
+
+
+def line_of_both_twice(joined):
+    tree = joined.result.tree
+    for path, file in sorted(tree.items()):
+        marked = re.search(r"(?m)^.*\bmine_\d\d?\b.*\n", file.text or "")
+        if marked and path not in joined.result.conflicts:
+            tree[path] = replace(file, data=encode(file.text.replace(marked[0], marked[0] * 2)))
+            return True
+    return False
+
+
+def left_as_made(joined):
+    """The files are what the model makes of the merged spec."""
+    made = joined.sides[0].versions.new
+    before = _with_marks(joined.result.tree)
+    joined.result.tree.update({p: f for p, f in made.items() if p not in joined.result.conflicts})
+    return _with_marks(joined.result.tree) != before
+
+
+def own_file_lost(joined):
+    made, tree = joined.sides[0].versions.new, joined.result.tree
+    own = [p for p in sorted(tree) if p not in made and "mine_" in (tree[p].text or "")]
+    if own:
+        del tree[own[0]]
+    return bool(own)
+
+
+MUTANTS = (
+    ours_dropped,
+    theirs_dropped,
+    file_of_one_side,
+    line_of_both_twice,
+    left_as_made,
+    own_file_lost,
+)
+"""Joins that are wrong: the judge must see each."""
