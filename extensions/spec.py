@@ -331,25 +331,38 @@ class SpecExtension(Extension):
         """Make a fault of a template a message of Copier's, with file and line (decision 100)."""
         try:
             Environment.handle_exception(self.environment, source)
+        except CopierError as error:  # of a function that the template calls, or a part of it
+            place, is_file = self._place(error)
+            if is_file and isinstance(error, UserMessageError):
+                raise UserMessageError(f"{error} (in {place})") from error
+            raise
         except Exception as error:
             # Copier has an UndefinedError of its own, for answers that are unset.
             is_own = isinstance(error, UndefinedError) and type(error) is not UndefinedError
-            place = self._place(error)
-            if isinstance(error, CopierError) or is_own or not place:
+            place, is_file = self._place(error)
+            if is_own or not place:
                 raise
-            raise UserMessageError(f"{place}: {_what(error)}") from error
+            where = place if is_file else self._found(place) or f'"{place}"'
+            raise UserMessageError(f"{where}: {_what(error)}") from error
 
-    def _place(self, error: Exception) -> str:
-        """Name the template and the line of a fault; of a text without a file, where it is."""
+    def _place(self, error: Exception) -> tuple[str, bool]:
+        """Return the template and the line of a fault, or a text without a file.
+
+        Nothing for one of the hook or the extensions, which needs its traceback.
+        """
         frames = [(f.filename, f.lineno) for f in traceback.extract_tb(error.__traceback__)]
+        if not isinstance(error, TemplateError | CopierError) and frames:
+            last = Path(frames[-1][0])
+            if last.suffix == ".py" and last.is_relative_to(self.root):
+                return "", False
         if isinstance(error, TemplateSyntaxError):
             frames.append((error.filename or "", error.lineno))
         for file, line in reversed(frames):
             if Path(file).is_relative_to(self.root) and not file.endswith(".py"):
-                return f"{Path(file).relative_to(self.root)}:{line}"
+                return f"{Path(file).relative_to(self.root)}:{line}", True
             if file.startswith('"'):
-                return self._found(file[1:-1]) or file
-        return ""
+                return file[1:-1], False
+        return "", False
 
     def _found(self, text: str) -> str:
         """Name the template whose name a text is a part of, or the line of a setting."""

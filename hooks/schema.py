@@ -8,7 +8,6 @@ formats, names that are taken, how often there is something, what one attribute 
 from __future__ import annotations
 
 import re
-import textwrap
 from collections.abc import Iterable
 from xml.sax.saxutils import escape, quoteattr
 
@@ -136,12 +135,17 @@ def _note(doc: str) -> str:
 
 def _pair(outer: str, inner: str, base: str, inside: str) -> str:
     """Return an element with one inside that is based on a type."""
-    body = textwrap.indent(inside, "  ")
-    return f'<xs:{outer}><xs:{inner} base="{base}">\n{body}</xs:{inner}></xs:{outer}>\n'
+    start, end = f'<xs:{outer}><xs:{inner} base="{base}">', f"</xs:{inner}></xs:{outer}>"
+    return f"{start}\n{_indented(inside)}{end}\n"
 
 
 def _tag(tag: str, inside: str = "", /, **attributes: str) -> str:
     """Return an element of the schema, in lines."""
     given = "".join(f" {key}={quoteattr(value)}" for key, value in attributes.items())
-    body = textwrap.indent(inside, "  ")
-    return f"<xs:{tag}{given}>\n{body}</xs:{tag}>\n" if inside else f"<xs:{tag}{given}/>\n"
+    if not inside:
+        return f"<xs:{tag}{given}/>\n"
+    return f"<xs:{tag}{given}>\n{_indented(inside)}</xs:{tag}>\n"
+
+
+def _indented(lines: str) -> str:
+    return "  " + lines[:-1].replace("\n", "\n  ") + "\n" if lines else ""

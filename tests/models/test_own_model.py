@@ -151,6 +151,7 @@ def test_fault_in_a_function(model, make):
     with pytest.raises(copier.errors.UserMessageError) as error:
         make(SPEC)
     assert "functions.py:6: degrees(1.5708): NameError: name 'missing'" in str(error.value)
+    assert str(error.value).endswith(f" (in {JOINTS}:3)")
 
 
 JOINTS = "template/[controller.label].txt.jinja"
@@ -262,3 +263,12 @@ def test_mistake_in_a_newer_model(model, make, update):
         update(package)
     assert str(error.value) == f"{JOINTS}:3: 'dict object' has no attribute 'lable'"
     assert git(package, "status", "--short") == ""
+
+
+def test_fault_of_the_hook_keeps_its_traceback(model, make):
+    """It is no mistake of the author's, and a line would hide where it is."""
+    file = model / "hooks/complete.py"
+    file.write_text(file.read_text().replace("    _check_kinds(spec)\n", "    {}['fault']\n", 1))
+    commit(model, tag="2.0.0")
+    with pytest.raises(KeyError, match="fault"):
+        make(SPEC)
