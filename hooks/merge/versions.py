@@ -59,8 +59,16 @@ class Versions:
         found = [*proof.lost, *self.wrong(result, result.tree, proof)]
         if self.of_people:
             theirs = replace(self, mine=self.new, new=self.mine).proof(result, result.tree)
-            found += [place for place in theirs.lost if place[0] not in result.conflicts]
+            # What the one has put around code is no place that the other knows.
+            found += [lost for lost in theirs.lost if self._is_less(*lost, result)]
         return found
+
+    def _is_less(self, path: str, line: str, result: Result) -> bool:
+        """Say whether a file has a line of the other developer's less often than theirs."""
+        trees = (self.new, result.tree)
+        texts = [(tree[path].text or "" if path in tree else "") for tree in trees]
+        before, after = ([one.strip() for one in text.split("\n")].count(line) for text in texts)
+        return path not in result.conflicts and after < before
 
     def proof(self, result: Result, found: Tree) -> Proof:
         """Look for the developer's lines in a merged package."""
