@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..dictionary import Dictionary
 from .builds import carry_build_files
+from .languages import language
 from .launch import carry_launch_files
+from .merging import by_line
 from .package import Result, merge_package
 from .proof import Proof, prove
 from .recount import Places, recount
 from .renaming import Renaming, plan_renames
 from .render import Renderer
-from .tree import Tree
+from .tree import File, Tree, encode
 
 Answers = Mapping[str, Any]
 
@@ -38,9 +40,19 @@ class Versions:
     def merged(self) -> tuple[Result, Places]:
         """Merge; what a proof does not find becomes a conflict, and what it then still misses."""
         result = self.merge(set())
+        others: Tree = {}
         doubts = self.doubts(result)
+        if doubts and self.of_people:
+            # What another puts around code, lines follow where blocks do not.
+            others = {
+                path: file for path in {p for p, _ in doubts} for file in self._by_line(path)
+            }
+            result.tree |= others
+            doubts = self.doubts(result)
         if doubts:
-            result = self.merge({path for path, _ in doubts})
+            doubtful = {path for path, _ in doubts}
+            result = self.merge(doubtful)
+            result.tree |= {path: file for path, file in others.items() if path not in doubtful}
             doubts = self.doubts(result)
         return result, doubts
 
@@ -53,13 +65,24 @@ class Versions:
             carry_build_files(*trees, result, self.to_ros)
         return result
 
+    def _by_line(self, path: str) -> Iterator[File]:
+        """Yield a file merged by line, where it can be."""
+        files = [tree.get(path) for tree in (self.mine, self.old, self.new)]
+        texts = [file.text for file in files if file and file.text is not None]
+        if files[0] and len(texts) == 3:
+            merged = by_line(language(path, texts[0]), texts[0], texts[1], texts[2], True)
+            if not merged.conflict:
+                yield replace(files[0], data=encode(merged.text))
+
     def doubts(self, result: Result) -> Places:
         """Return what the proofs do not find in its place; of two people, the lines of both."""
         proof = self.proof(result, result.tree)
-        found = [*proof.lost, *self.wrong(result, result.tree, proof)]
-        if self.of_people:
-            theirs = replace(self, mine=self.new, new=self.mine).proof(result, result.tree)
-            found += [place for place in theirs.lost if place[0] not in result.conflicts]
+        found = self.wrong(result, result.tree, proof)
+        if not self.of_people:
+            return [*proof.lost, *found]
+        theirs = replace(self, mine=self.new, new=self.mine).proof(result, result.tree)
+        for side, lost in ((self.mine, proof.lost), (self.new, theirs.lost)):
+            found += [each for each in lost if _is_lost(*each, side, result)]
         return found
 
     def proof(self, result: Result, found: Tree) -> Proof:
@@ -70,6 +93,25 @@ class Versions:
         """Count all lines of a merged package."""
         trees = (self.mine, self.old, self.new, self.renaming, self.is_kept)
         return recount(*trees, result, found, proof.left)
+
+
+def _is_lost(path: str, line: str, side: Tree, result: Result) -> bool:
+    """Say whether a line has left, or has other lines above and below than a side gives it.
+
+    A block that the other developer has put around it is no other place.
+    """
+    if path in result.conflicts:
+        return False
+    before, after = (_neighbours(tree, path, line) for tree in (side, result.tree))
+    return len(after) < len(before) or not {*before} & {*after}
+
+
+def _neighbours(tree: Tree, path: str, line: str) -> list[tuple[str, str]]:
+    """Return each line that stands above or below a line, with what it is."""
+    text = (tree[path].text or "") if path in tree else ""
+    lines = ["", *filter(None, map(str.strip, text.split("\n"))), ""]
+    places = [at for at, found in enumerate(lines) if found == line]
+    return [pair for at in places for pair in (("above", lines[at - 1]), ("below", lines[at + 1]))]
 
 
 def versions(

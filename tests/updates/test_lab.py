@@ -121,7 +121,7 @@ def test_moves_lose_nothing_in_silence(laboratory, has_ros1, model, distro):
 def test_two_branches_become_one(laboratory, model, distro):
     """Two developers edit, change the spec and update; one of them may move to another ROS."""
     random, counts = Random(f"{SEED} branches {model} {distro}"), branches.Counts()
-    pairs = TRIALS if AT_LENGTH else TRIALS // 4
+    pairs = TRIALS // 4
     while counts.pairs < pairs:
         ways = set(HABITS) - {"format"} if random.random() < 0.5 else ()
         for said in branches.pair_of_branches(
