@@ -156,7 +156,8 @@ def commit_that_had(folder: Path, path: str, word: str = "") -> str:
 
 def mark_conflict(folder: Path, path: str, mode: str, versions: dict[int, bytes]) -> None:
     """Tell git of a conflict: the base is version 1, the developer's 2, the new one 3."""
-    full = git(folder, "ls-files", "--full-name", "--", path).strip("\n") or (
+    # One line for each version, where git itself has left a conflict.
+    full = git(folder, "ls-files", "--full-name", "--", path).partition("\n")[0] or (
         git(folder, "rev-parse", "--show-prefix").strip("\n") + path
     )
     lines = [f"0 {'0' * 40}\t{full}"]
