@@ -369,7 +369,8 @@ def _cmake(random, edited, path, lines):
             ends = [i for i in range(first, len(lines)) if lines[i] == ")" and not lines[i + 1]]
             name = re.match(form, lines[first])[1]
             form = "if(TRUE)  # {}", "endif()  # {}"
-            _put_around(edited, path, lines, first, ends[0], name, form)
+            if not any(first < start < ends[0] for start in starts):
+                _put_around(edited, path, lines, first, ends[0], name, form)
 
 
 CONDITIONS = (
