@@ -3,128 +3,233 @@
 
 """A node that talks to the node under test."""
 
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from time import monotonic, sleep
+from copy import deepcopy
+from io import BytesIO
+from threading import Thread
 from xmlrpc.client import ServerProxy
 
 import actionlib
-import dynamic_reconfigure.client
+from actionlib_msgs.msg import GoalStatus
+from dynamic_reconfigure.client import Client
+import genpy
 import rosgraph
+from rosgraph_msgs.msg import Clock
 import rospy
+from rospy.msg import serialize_message
 from support.running import eventually, TIMEOUT
-
-PUBLISHERS, SUBSCRIBERS, SERVICES = range(3)  # indices of the master's system state
-EVERY_NODE_HAS = ('/rosout', '/get_loggers', '/set_logger_level')
 
 
 class Peer:
-    """Publishers, subscriptions and clients for the node of a given full name."""
+    """Publishers, subscriptions, clients and servers."""
 
-    def __init__(self, node):
-        """Join the graph, and delete the parameters of earlier nodes of that name."""
-        self.name = node
-        self._master = rosgraph.Master('/peer')
-        self._endpoints = []
+    def __init__(self):
+        """Join the graph."""
         if not rospy.core.is_initialized():
             rospy.init_node('peer', argv=[], anonymous=True, disable_signals=True)
-        if rospy.has_param(node):
-            rospy.delete_param(node)
+        self._clients = {}
+        self._pool = ThreadPoolExecutor()
+        self._clock = rospy.Publisher('/clock', Clock, queue_size=10)
 
-    def close(self):
-        """Leave the topics."""
-        for endpoint in self._endpoints:
-            endpoint.unregister()
+    def give(self, node, parameters, use_sim_time):
+        """Set the parameters of a node that is to start; simulated time is one for all."""
+        master = rosgraph.Master('/peer')
+        master.setParam('/use_sim_time', use_sim_time)
+        master.setParam(node, parameters)
 
-    def _has(self, kind, name):
-        return self.name in dict(self._master.getSystemState()[kind]).get(name, [])
+    def knows(self, node):
+        """Return whether the master knows a node."""
+        state = rosgraph.Master('/peer').getSystemState()
+        return any(node.name in nodes for kind in state for _, nodes in kind)
 
-    def publisher(self, topic):
-        """Return type and latching of the node's publisher to a topic."""
-        probe = rospy.Subscriber(topic, rospy.AnyMsg)
+    def kill(self, node):
+        """Tell a node to end, as `rosnode kill` does; it may end before it answers."""
+        uri = rosgraph.Master('/peer').lookupNode(node.name)
 
-        def own():
-            return [link for link in probe.impl.connections if link.callerid_pub == self.name]
+        def shut_down():
+            with suppress(OSError):
+                ServerProxy(uri).shutdown('/peer', 'killed')
+
+        Thread(target=shut_down, daemon=True).start()
+
+    def set_time(self, seconds):
+        """Publish simulated time."""
+        self._clock.publish(Clock(clock=rospy.Time.from_sec(seconds)))
+
+    def set_parameter(self, node, name, value):
+        """Set a dynamic parameter; return whether it was accepted, not bounded."""
+        if node.name not in self._clients:
+            self._clients[node.name] = Client(node.name, TIMEOUT)
+        return self._clients[node.name].update_configuration({name: value})[name] == value
+
+    def has(self, node, kind, topic, type_, _=None, durability=None):
+        """Return whether a node has a publisher, latched or not, or a subscription of a type."""
+        if kind == 'subscription':
+            master = rosgraph.Master('/peer')
+            nodes = dict(master.getSystemState()[1]).get(topic, [])
+            return node.name in nodes and dict(master.getTopicTypes())[topic] == type_._type
+        probe = rospy.Subscriber(topic, type_)
+
+        def latching():
+            links = [each for each in probe.impl.connections if each.callerid_pub == node.name]
+            return ['transient_local' if each.is_latched else 'volatile' for each in links]
 
         try:
-            if not eventually(own):
-                return ()
-            return own()[0].type, 'latched' if own()[0].is_latched else 'not latched'
+            return eventually(latching, 2.0) and durability in (None, *latching())
         finally:
             probe.unregister()
 
-    def subscription(self, topic):
-        """Return the type of the node's subscription to a topic."""
-        if not eventually(lambda: self._has(SUBSCRIBERS, topic)):
-            return ()
-        return (dict(self._master.getTopicTypes())[topic],)
-
-    def has(self, kind, name, type_):
-        """Return whether the node has a service or action, as a server or client."""
-        if kind == 'service server':  # a call checks its type
-            return eventually(lambda: self._has(SERVICES, name))
-        goals, results = self.subscription, self.publisher
-        if kind == 'action client':
-            goals, results = results, goals
-        is_sent = type_ + 'ActionGoal' in goals(name + '/goal')
-        return is_sent and type_ + 'ActionResult' in results(name + '/result')
-
-    def is_connected(self):
-        """Return whether the node has a topic or service beside those of every node."""
-        state = self._master.getSystemState()
-        names = {name for kind in state for name, nodes in kind if self.name in nodes}
-        return any(not name.endswith(EVERY_NODE_HAS) for name in names)
-
-    def kill(self):
-        """Tell the node to end, as `rosnode kill` does; it may end before it answers."""
-        with suppress(OSError):
-            ServerProxy(self._master.lookupNode(self.name)).shutdown('/peer', 'killed')
-
-    def call(self, service_type, name):
-        """Return the response of a service, or None."""
-        try:
-            rospy.wait_for_service(name, TIMEOUT)
-            return rospy.ServiceProxy(name, service_type)()
-        except (rospy.ROSException, rospy.ServiceException):
-            return None
-
-    def serve(self, service_type, name):
-        """Serve with empty responses."""
-        rospy.Service(name, service_type, lambda _: service_type._response_class())
-
-    def execute(self, action_type, name):
-        """Send a goal and return whether it succeeds."""
-        client = actionlib.SimpleActionClient(name, action_type)
-        if not client.wait_for_server(rospy.Duration(TIMEOUT)):
-            return False
-        client.send_goal(action_type().action_goal.goal)
-        client.wait_for_result(rospy.Duration(TIMEOUT))
-        return client.get_state() == actionlib.GoalStatus.SUCCEEDED
-
-    def set_parameter(self, name, value):
-        """Set a dynamic parameter; return its value afterwards."""
-        client = dynamic_reconfigure.client.Client(self.name, TIMEOUT)
-        try:
-            return client.update_configuration({name: value})[name]
-        finally:
-            client.close()
-
-    def subscribe(self, message_type, topic):
+    def subscribe(self, message_type, topic, *_):
         """Return a list that grows by the messages to a topic."""
         messages = []
-        subscriber = rospy.Subscriber(topic, message_type, messages.append)
-        self._endpoints.append(subscriber)
-        eventually(subscriber.get_num_connections)
+        rospy.Subscriber(topic, message_type, lambda message: messages.append(same(message)))
         return messages
 
-    def publish(self, message, topic, is_received):
-        """Publish a message until it is received; return how many times."""
-        publisher = rospy.Publisher(topic, type(message), queue_size=1)
-        eventually(publisher.get_num_connections)
-        count = 0
-        end = monotonic() + TIMEOUT
-        while not is_received() and monotonic() < end:
-            publisher.publish(message)
-            count += 1
-            sleep(0.1)
-        publisher.unregister()
-        return count
+    def publisher(self, message_type, topic, *_):
+        """Return a publisher that has a subscription."""
+        publisher = rospy.Publisher(topic, message_type, queue_size=1000)
+        assert eventually(publisher.get_num_connections), f'{topic} has no subscription'
+        publish = publisher.publish
+        publisher.publish = lambda message: publish(deepcopy(message))  # for it gets a number
+        return publisher
+
+    def call(self, node, service_type, name, request):
+        """Return the response of a service of a node."""
+        with suppress(rospy.ServiceException):
+            return self.send(node, service_type, name, request).result()
+
+    def send(self, _, service_type, name, request):
+        """Send a request; return the future response."""
+        rospy.wait_for_service(name, TIMEOUT)
+        return self._pool.submit(rospy.ServiceProxy(name, service_type), request)
+
+    def serve(self, service_type, name, response):
+        """Serve with a response; return a list that grows by the requests."""
+        requests = []
+        rospy.Service(name, service_type, lambda request: requests.append(request) or response)
+        return requests
+
+    def goal(self, _, action_type, name, goal):
+        """Send a goal; return it, with its feedback, or None if it is rejected."""
+        if name not in self._clients:
+            client = actionlib.ActionClient(name, action_type)
+            feedback = []
+            rospy.Subscriber(name + '/feedback', client.ActionFeedback, feedback.append)
+            assert client.wait_for_server(rospy.Duration(TIMEOUT)), f'{name} is not served'
+            self._clients[name] = client, feedback
+        client, feedback = self._clients[name]
+        sent = SentGoal(client.send_goal(goal), feedback)
+        assert eventually(lambda: sent.state() != GoalStatus.PENDING), f'{name} does not answer'
+        return None if sent.state() == GoalStatus.REJECTED else sent
+
+    def execute(self, action_type, name, feedback, result):
+        """Serve an action: send feedback and the result when told to, the result if canceled."""
+        return GoalServer(action_type, name, feedback, result)
+
+
+def encode(message):
+    """Return a message, serialized with its length, in hexadecimal."""
+    buffer = BytesIO()
+    serialize_message(buffer, 0, message)
+    return buffer.getvalue().hex()
+
+
+def decode(text, message_type):
+    """Return a message from hexadecimal."""
+    return same(message_type().deserialize(bytes.fromhex(text)[4:]))
+
+
+def same(message):
+    """Return a message without the number that its publisher has given it."""
+    if message._has_header:
+        message.header.seq = 0
+    return message
+
+
+def sample(message_type, number=3):
+    """Return a message with a number in its numbers, strings and arrays of numbers."""
+    message = message_type()
+    for name, type_ in zip(message.__slots__, message._slot_types):
+        value = getattr(message, name)
+        if isinstance(value, genpy.Message):
+            value = sample(type(value), number)
+        elif isinstance(value, bytes):
+            value = bytes([number]) * (len(value) or 1)
+        elif isinstance(value, list) and genpy.base.is_simple(type_.partition('[')[0]):
+            value = [number] * (len(value) or 1)
+        elif isinstance(value, (bool, int, float, genpy.rostime.TVal)):
+            value = type(value)(number)
+        elif isinstance(value, str):
+            value = f's{number}'
+        setattr(message, name, value)
+    return decode(encode(message), message_type)  # for its arrays are of other types then
+
+
+def parts(action_type):
+    """Return the types of goal, feedback and result."""
+    action = action_type()
+    goal, feedback = action.action_goal.goal, action.action_feedback.feedback
+    return type(goal), type(feedback), type(action.action_result.result)
+
+
+class SentGoal:
+    """A goal that a node executes."""
+
+    def __init__(self, handle, feedback):
+        """Know a goal that is sent, and the feedback to all goals."""
+        self.cancel = handle.cancel
+        self._handle = handle
+        self._feedback = feedback
+
+    @property
+    def feedback(self):
+        """Return the feedback to this goal; actionlib drops what comes after the result."""
+        goal = self._handle.comm_state_machine.action_goal.goal_id.id
+        return [each.feedback for each in self._feedback if each.status.goal_id.id == goal]
+
+    def state(self):
+        """Return the state that the server has told."""
+        return self._handle.get_goal_status()
+
+    def end(self):
+        """Return the outcome and the result, when they are there."""
+        done = actionlib.CommState.DONE
+        assert eventually(lambda: self._handle.get_comm_state() == done), 'the goal has no result'
+        words = {
+            GoalStatus.SUCCEEDED: 'succeeded',
+            GoalStatus.ABORTED: 'aborted',
+            GoalStatus.PREEMPTED: 'canceled',
+        }
+        return words[self.state()], self._handle.get_result()
+
+
+class GoalServer:
+    """An action server: `goals` are those it got, `cancels` the number of cancels."""
+
+    def __init__(self, action_type, name, feedback, result):
+        """Serve an action."""
+        self.goals = []
+        self.cancels = 0
+        self._handle = None
+        self._feedback = feedback
+        self._result = result
+        actionlib.ActionServer(name, action_type, self._accept, self._cancel, False).start()
+
+    def feed_back(self):
+        """Send feedback, which a client that does not know the goal yet does not get."""
+        if self._handle:
+            self._handle.publish_feedback(self._feedback)
+
+    def finish(self):
+        """Let the goal succeed."""
+        self._handle.set_succeeded(self._result)
+
+    def _accept(self, handle):
+        self.goals.append(handle.get_goal())
+        handle.set_accepted()
+        self._handle = handle
+
+    def _cancel(self, handle):
+        self.cancels += 1
+        handle.set_canceled(self._result)

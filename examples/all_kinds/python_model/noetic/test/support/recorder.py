@@ -1,95 +1,192 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Runs a node with a logic that writes its calls to stdout: recorder.py NODE CLASS ARGUMENTS."""
+"""
+Runs a node with a logic that obeys the test: recorder.py NODE CLASS_OF_THE_LOGIC ARGUMENTS.
 
+A line of stdin, METHOD STEP=VALUE STEP..., says what to do when a method is called next; `now`, at
+once. Calls and the results of steps are reported to stdout: name and value, in JSON. Messages are
+serialized, in hexadecimal. What is not ordered is not done: no output is active.
+"""
+
+from collections import defaultdict, deque
+from functools import partial
 from importlib import import_module
+from io import BytesIO
+import json
+from pathlib import Path
 import sys
-from threading import Thread
+from threading import Event, Thread
 from time import monotonic, sleep
 from typing import get_args, get_type_hints
 
+from rospy.msg import serialize_message
 
-def record(name, words=''):
+LINES = open(0)  # not sys.stdin, which Python closes at its end while a thread reads it
+ORDERS = defaultdict(deque)
+
+
+def report(name, value=None):
     """Write a line for the test, in one call, as other threads write too."""
-    sys.stdout.write(f'called {name} {words}\n')
+    sys.stdout.write(f'report {json.dumps([name, value])}\n')
     sys.stdout.flush()
 
 
-def recorder(impl_type):
-    """Return a class that records the calls of the logic, to use instead of `impl_type`."""
+def encode(message):
+    """Return a message in hexadecimal, or None."""
+    if message is None:
+        return None
+    buffer = BytesIO()
+    serialize_message(buffer, 0, message)
+    return buffer.getvalue().hex()
 
-    class Recorder(impl_type):
-        """Refuses nothing, publishes every output, and serves every request at once."""
 
-        def __init__(self, passthrough):
-            self.passthrough = passthrough
-            self.config = None
-            self.is_active = False
-            self.updates = 0
-            self.start = 0.0
+def decode(text, message_type):
+    """Return a message from hexadecimal."""
+    return message_type().deserialize(bytes.fromhex(text)[4:])  # without the length
 
-        def configure(self, config):
-            self.config = config
-            record('configure', ascii(config))
-            return True
 
-        def activate(self):
-            self.updates = 0
-            self.start = monotonic()
-            self.is_active = True
-            for name, type_ in get_type_hints(type(self.passthrough)).items():
-                if name.startswith('client_'):
-                    arguments = (name, get_args(type_)[0])
-                    Thread(target=self.call, args=arguments, daemon=True).start()
-            record('activate')
-            return True
+class _Recorder:
+    current = None
 
-        def call(self, name, request_type):
-            client = getattr(self.passthrough, name)
-            while self.is_active:
-                if client.call(request_type()) is not None:
-                    record(name)
-                    return
-                sleep(0.1)
+    def __init__(self, passthrough):
+        self.passthrough = passthrough
+        self.config = None
+        self.released = Event()
+        self.cycles = 0, 0.0, 0.0
+        is_first = not _Recorder.current
+        _Recorder.current = self
+        if is_first:
+            _Recorder.listen(until='\n')
+            Thread(target=self.listen, daemon=True).start()
 
-        def update(self, data, config):
-            self.updates += 1
-            for name, value in vars(data).items():
-                if name.endswith('_updated') and value is True:
-                    record(name)
-            if config != self.config:
-                self.config = config
-                record('config', ascii(config))
+    @staticmethod
+    def listen(until=''):
+        for method, *steps in map(str.split, iter(LINES.readline, until)):
+            if method == 'now':
+                _Recorder.current.do(steps)
+            else:
+                ORDERS[method].append(steps)
+                report('order')
 
-        def deactivate(self):
-            self.is_active = False
-            record('rate', self.updates / (monotonic() - self.start))
-            record('deactivate')
+    def called(self, method):
+        report(method, Path('/proc/thread-self/comm').read_text().strip())
+        return self.obey(method)
 
-        def cleanup(self):
-            record('cleanup')
+    def obey(self, method, item=None):
+        return self.do(ORDERS[method].popleft() if ORDERS[method] else (), item)
 
-    def callback(name):
-        def receive_or_execute(_self, item):
-            record(name)
-            if name.startswith('execute_'):
-                item.succeed()
+    def do(self, steps, item=None):
+        for name, _, value in (step.partition('=') for step in steps):
+            if name == 'refuse':
+                return False
+            report('begun', name)
+            report(name, getattr(self, 'do_' + name.partition('_')[0])(name, value, item))
+        return True
 
-        def serve(_self, _request, response):
-            record(name)
-            return response
+    def configure(self, config):
+        self.record(config)
+        return self.called('configure')
 
-        return serve if name.startswith('serve_') else receive_or_execute
+    def record(self, config):
+        self.config = config
+        report('config', vars(config))
 
-    for name in dir(impl_type):
-        if name.startswith(('receive_', 'serve_', 'execute_')):
-            setattr(Recorder, name, callback(name))
-    return Recorder
+    def activate(self):
+        return self.called('activate')
+
+    def deactivate(self):
+        self.called('deactivate')
+
+    def cleanup(self):
+        self.called('cleanup')
+
+    def update(self, data, config):
+        self.cycles = self.cycles[0] + 1, monotonic(), self.passthrough.now()
+        if config != self.config:
+            self.record(config)
+        steps = ORDERS['update'].popleft() if ORDERS['update'] else []
+        for name, value in list(vars(data).items()):
+            member, _, kind = name.rpartition('_')
+            if kind == 'updated' and value is True:
+                report(member, encode(getattr(data, member)))
+            if kind == 'active' and member not in ' '.join(steps) and isinstance(value, bool):
+                setattr(data, name, False)
+        self.do(steps, data)
+
+    def __getattr__(self, method):
+        return partial(self.call_back, method)
+
+    def call_back(self, method, item, *response):
+        report(method, encode(item.request if method.startswith('execute_') else item))
+        responses = list(response)
+        is_accepted = self.obey(method, responses or item)
+        return responses[0] if responses and is_accepted else None
+
+    def do_raise(self, *_):
+        raise RuntimeError('told to raise')
+
+    def do_block(self, *_):
+        self.released.wait()
+
+    def do_release(self, *_):
+        self.released.set()
+        self.released = Event()
+
+    def do_wait(self, _, seconds, *__):
+        sleep(float(seconds))
+
+    def do_sleep(self, _, seconds, *__):
+        return self.passthrough.sleep(float(seconds))
+
+    def do_cycles(self, *_):
+        return self.cycles
+
+    def do_out(self, name, message, data):
+        setattr(data, name, decode(message, type(getattr(data, name))))
+
+    def member(self, name):
+        hint = get_type_hints(type(self.passthrough))[name]
+        return getattr(self.passthrough, name), get_args(hint)[0]
+
+    def do_pub(self, name, message, _):
+        publisher, type_ = self.member(name)
+        publisher.publish(decode(message, type_))
+
+    def do_response(self, _, message, responses):
+        responses[0] = decode(message, type(responses[0]))
+
+    def do_client(self, name, value, _):
+        client, type_ = self.member(name)
+        request, timeout = value.split(',')
+        return encode(client.call(decode(request, type_), float(timeout)))
+
+    def do_feedback(self, _, message, goal):
+        goal.feedback = decode(message, type(goal.feedback))
+        goal.publish_feedback()
+
+    def do_result(self, _, message, goal):
+        goal.result = decode(message, type(goal.result))
+
+    def do_end(self, _, outcome, goal):
+        getattr(goal, outcome)()
+
+    def do_await(self, _, __, goal):
+        while not goal.cancel_requested:
+            sleep(0.01)
+
+    def do_action(self, name, goal, _):
+        client, type_ = self.member(name)
+        return client.send_goal(decode(goal, type_)) if goal else client.cancel()
+
+    def do_state(self, name, *_):
+        client, _ = self.member(name.partition('_')[2])
+        return client.state, encode(client.feedback), encode(client.result)
 
 
 if __name__ == '__main__':
     node = import_module('all_kinds.' + sys.argv.pop(1) + '_ros')
-    impl = sys.argv.pop(1)
-    setattr(node, impl, recorder(getattr(node, impl)))
+    logic = sys.argv.pop(1)
+    if logic:  # else its own
+        setattr(node, logic, _Recorder)
     sys.exit(node.main())

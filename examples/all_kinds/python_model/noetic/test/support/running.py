@@ -1,81 +1,82 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Nodes in processes of their own."""
+"""Processes that run a node with the recorder as its logic."""
 
+import json
 import os
-import signal
-import subprocess
-from threading import Condition, Thread
+from pathlib import Path
+import re
+from subprocess import PIPE, Popen, STDOUT
+from threading import Thread
 from time import monotonic, sleep
 
+LIFE = ['configure', 'activate', 'deactivate', 'cleanup']
 TIMEOUT = float(os.environ.get('TEST_TIMEOUT', 20.0))  # seconds; long, for busy machines
 
 
 class RunningNode:
-    """A process that runs a node, and the calls that its recorder writes."""
+    """A node in a process of its own; its log, and what its recorder reports in it."""
 
-    def __init__(self, command):
-        """Start a program, given by its path and arguments."""
-        self._calls = []
-        self._changed = Condition()
-        self._process = subprocess.Popen(
-            command,
-            stdout=subprocess.PIPE,
-            universal_newlines=True,
-        )
-        self._reader = Thread(target=self._read, daemon=True)
+    def __init__(self, name, command, *orders):
+        """Start a program; the orders come before its logic does anything."""
+        self.name = name
+        self.log = ''
+        self.reports = []
+        self._process = Popen(command, stdin=PIPE, stdout=PIPE, stderr=STDOUT)
+        self._reader = Thread(target=self._read)
         self._reader.start()
+        self._write(*orders, '')
+
+    def _write(self, *lines):
+        self._process.stdin.write(''.join(line + '\n' for line in lines).encode())
+        self._process.stdin.flush()
 
     def _read(self):
         for line in self._process.stdout:
-            if line.startswith('called '):
-                with self._changed:
-                    self._calls.append(line.strip().partition(' ')[2].partition(' '))
-                    self._changed.notify_all()
+            self.log += line.decode(errors='replace')
+            if line.startswith(b'report '):
+                self.reports.append(json.loads(line[7:].decode(), strict=False))
 
-    def calls(self, *names):
-        """Return the calls so far, in order: all of them, or those of some methods."""
-        with self._changed:
-            return [call[0] for call in self._calls if not names or call[0] in names]
+    def got(self, name):
+        """Return the values reported under a name, in order."""
+        return [value for each, value in self.reports.copy() if each == name]
 
-    def words(self, *names):
-        """Return what the recorder wrote with the calls of some methods, in order."""
-        with self._changed:
-            return [call[2] for call in self._calls if call[0] in names]
+    def life(self):
+        """Return the calls of configure, activate, deactivate and cleanup, all in one thread."""
+        calls = [report for report in self.reports.copy() if report[0] in LIFE]
+        assert all(thread == 'logic' for _, thread in calls), calls
+        return [name for name, _ in calls]
 
-    def is_called(self, name, count=1, timeout=TIMEOUT):
-        """Return whether a method is called that often before the timeout."""
-        with self._changed:
-            return self._changed.wait_for(
-                lambda: [call[0] for call in self._calls].count(name) >= count,
-                timeout,
-            )
+    def order(self, method, *steps):
+        """Say what a method does when it is called next; `now`: at once, and return its result."""
+        report = steps[-1].partition('=')[0] if method == 'now' else 'order'
+        count = len(self.got(report))
+        self._write(' '.join((method, *steps)))
+        assert eventually(lambda: len(self.got(report)) > count), f'{method} {steps}:\n{self.log}'
+        return self.got(report)[-1]
 
-    def is_running(self):
-        """Return whether the process lives."""
-        return self._process.poll() is None
-
-    def stop(self, number=signal.SIGINT):
-        """Send a signal to the process, which must run; return its exit code."""
-        assert self.is_running(), 'the node has ended by itself'
+    def signal(self, number):
+        """Send a signal to the process, which must run."""
+        assert self._process.poll() is None, f'the node has ended by itself:\n{self.log}'
         self._process.send_signal(number)
-        return self.exit_code()
+
+    def handles(self, number):
+        """Return whether the process has a handler for a signal."""
+        status = Path(f'/proc/{self._process.pid}/status').read_text()
+        return bool(int(re.findall(r'SigCgt:\s*(\w+)', status)[0], 16) >> (number - 1) & 1)
 
     def exit_code(self):
-        """Return the exit code of a process that ends."""
-        try:
-            return self._process.wait(TIMEOUT)
-        finally:
-            self.kill()
+        """Return the exit code of the process, which must end, when all that it wrote is read."""
+        assert eventually(lambda: self._process.poll() is not None), f'runs on:\n{self.log}'
+        self._reader.join()
+        return self._process.poll()
 
     def kill(self):
         """End the process, if it still runs."""
-        if self.is_running():
-            self._process.kill()
-        self._process.wait()
+        self._process.kill()
         self._reader.join()
-        self._process.stdout.close()
+        self._process.communicate()
 
 
 def eventually(condition, timeout=TIMEOUT):
@@ -84,5 +85,5 @@ def eventually(condition, timeout=TIMEOUT):
     while not condition():
         if monotonic() > end:
             return False
-        sleep(0.05)
+        sleep(0.01)
     return True

@@ -5,84 +5,78 @@
 #define SUPPORT__RECORDER__ALL_KINDS__OBSERVER_IMPL_HPP_
 
 #include <chrono>
-#include <iostream>
+#include <mutex>
 #include <string>
 
 #include "all_kinds/observer_interface.hpp"
 
+#include "../recorder.hpp"
+
 namespace all_kinds
 {
 
-/// Stands in for the logic of observer: it writes its calls to stdout, for the test to read.
-///
-/// It refuses nothing, publishes every output, and fulfils every request at once.
+/// Stands in for the logic of observer: it reports what it gets, and does what the test orders.
 class ObserverImpl
 {
 public:
-  explicit ObserverImpl(
-    [[maybe_unused]] const ObserverPassthrough & passthrough)
+  explicit ObserverImpl(const ObserverPassthrough & passthrough)
+  : passthrough_(passthrough), recorder_({
+      {"sleep", [this](const std::string & seconds) {
+          return to_json(passthrough_.sleep(std::stod(seconds)));
+        }},
+      {"cycles", [this](const std::string &) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          return cycles_;
+        }},
+    })
   {
   }
 
-  bool configure(
-    [[maybe_unused]] const ObserverConfig & config)
+  bool configure(const ObserverConfig & config)
   {
-    record("configure");
-    record_changes(config);
-    return true;
+    record(config);
+    return recorder_.called("configure");
   }
 
-  bool activate()
-  {
-    updates_ = 0;
-    start_ = Clock::now();
-    record("activate");
-    return true;
-  }
+  bool activate() {return recorder_.called("activate");}
+  void deactivate() {recorder_.called("deactivate");}
+  void cleanup() {recorder_.called("cleanup");}
 
-  void update(
-    [[maybe_unused]] ObserverData & data,
-    [[maybe_unused]] const ObserverConfig & config)
+  void update(ObserverData & data, const ObserverConfig & config)
   {
-    if (++updates_ == 1) {
-      record("update");
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now().time_since_epoch();
+    const auto times = to_json(wall.count()) + ", " + to_json(passthrough_.now().seconds());
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      cycles_ = "[" + to_json(++count_) + ", " + times + "]";
     }
+    record(config);
     if (data.in_status_updated) {
-      record("in_status");
+      report("in_status", encode(data.in_status));
     }
-    record_changes(config);
+    const auto words = recorder_.next("update");
+    recorder_.run(words);
   }
-
-  void deactivate()
-  {
-    const std::chrono::duration<double> seconds = Clock::now() - start_;
-    record("rate " + std::to_string(updates_ / seconds.count()));
-    record("deactivate");
-  }
-
-  void cleanup() {record("cleanup");}
 
 private:
-  using Clock = std::chrono::steady_clock;
-
-  static void record(const std::string & call)
+  /// Report the parameters, if they have changed.
+  void record(const ObserverConfig & config)
   {
-    std::cout << "called " + call + "\n" << std::flush;
-  }
-
-  /// Record the parameters that have changed; at first, those that differ from the spec.
-  void record_changes(
-    const ObserverConfig & config)
-  {
-    if (config.limit != config_.limit) {
-      record("config.limit");
+    const std::string text = "{"
+      "\"limit\": " + to_json(config.limit) +
+      "}";
+    if (text != config_) {
+      config_ = text;
+      report("config", text);
     }
-    config_ = config;
   }
 
-  ObserverConfig config_;
-  int updates_ = 0;
-  Clock::time_point start_;
+  const ObserverPassthrough passthrough_;
+  std::mutex mutex_;
+  std::string cycles_ = "[0, 0, 0]";
+  int count_ = 0;
+  std::string config_;
+  Recorder recorder_;
 };
 
 }  // namespace all_kinds

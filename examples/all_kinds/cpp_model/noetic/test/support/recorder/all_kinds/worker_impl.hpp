@@ -4,167 +4,126 @@
 #ifndef SUPPORT__RECORDER__ALL_KINDS__WORKER_IMPL_HPP_
 #define SUPPORT__RECORDER__ALL_KINDS__WORKER_IMPL_HPP_
 
-#include <atomic>
 #include <chrono>
-#include <iostream>
+#include <mutex>
 #include <string>
-#include <thread>
 
 #include "all_kinds/worker_interface.hpp"
+
+#include "../recorder.hpp"
 
 namespace all_kinds
 {
 
-/// Stands in for the logic of worker: it writes its calls to stdout, for the test to read.
-///
-/// It refuses nothing, publishes every output, and fulfils every request at once.
+/// Stands in for the logic of worker: it reports what it gets, and does what the test orders.
 class WorkerImpl
 {
 public:
-  explicit WorkerImpl(
-    [[maybe_unused]] const WorkerPassthrough & passthrough)
-  : passthrough_(passthrough)
+  explicit WorkerImpl(const WorkerPassthrough & passthrough)
+  : passthrough_(passthrough), recorder_({
+      {"sleep", [this](const std::string & seconds) {
+          return to_json(passthrough_.sleep(std::stod(seconds)));
+        }},
+      {"cycles", [this](const std::string &) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          return cycles_;
+        }},
+      {"pub_echo", publishes(passthrough.pub_echo)},
+      {"pub_empty", publishes(passthrough.pub_empty)},
+      {"client_permit", calls(passthrough.client_permit)},
+      {"action_delegate", sends(passthrough.action_delegate)},
+      {"state_action_delegate", tells(passthrough.action_delegate)},
+    })
   {
   }
 
-  bool configure(
-    [[maybe_unused]] const WorkerConfig & config)
+  bool configure(const WorkerConfig & config)
   {
-    record("configure");
-    record_changes(config);
-    return true;
+    record(config);
+    return recorder_.called("configure");
   }
 
-  bool activate()
-  {
-    is_active_ = true;
-    calling_ = std::thread([this] {call_services();});
-    publish();
-    updates_ = 0;
-    start_ = Clock::now();
-    record("activate");
-    return true;
-  }
+  bool activate() {return recorder_.called("activate");}
+  void deactivate() {recorder_.called("deactivate");}
+  void cleanup() {recorder_.called("cleanup");}
 
-  void update(
-    [[maybe_unused]] WorkerData & data,
-    [[maybe_unused]] const WorkerConfig & config)
+  void update(WorkerData & data, const WorkerConfig & config)
   {
-    if (++updates_ == 1) {
-      record("update");
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now().time_since_epoch();
+    const auto times = to_json(wall.count()) + ", " + to_json(passthrough_.now().seconds());
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      cycles_ = "[" + to_json(++count_) + ", " + times + "]";
     }
+    record(config);
     if (data.in_speed_updated) {
-      record("in_speed");
+      report("in_speed", encode(data.in_speed));
     }
     if (data.in_counter_updated) {
-      record("in_counter");
+      report("in_counter", encode(data.in_counter));
     }
-    record_changes(config);
+    const auto words = recorder_.next("update");
+    data.out_counter_active = data.out_counter_active && has(words, "out_counter=");
+    data.out_status_active = data.out_status_active && has(words, "out_status=");
+    recorder_.run(
+      words, {
+        {"out_counter", sets(data.out_counter)},
+        {"out_status", sets(data.out_status)},
+      });
   }
 
-  void receive_say(
-    const worker_types::SayMessage & /* message */)
+  void receive_say(const worker_types::SayMessage & message)
   {
-    record("receive_say");
+    report("receive_say", encode(message));
+    recorder_.run(recorder_.next("receive_say"));
   }
 
   void serve_reset(
-    const worker_types::ResetService::Request & /* request */,
-    worker_types::ResetService::Response & /* response */)
+    const worker_types::ResetService::Request & request,
+    worker_types::ResetService::Response & response)
   {
-    record("serve_reset");
+    report("serve_reset", encode(request));
+    recorder_.run(recorder_.next("serve_reset"), {{"response", sets(response)}});
   }
 
   void serve_enable(
-    const worker_types::EnableService::Request & /* request */,
-    worker_types::EnableService::Response & /* response */)
+    const worker_types::EnableService::Request & request,
+    worker_types::EnableService::Response & response)
   {
-    record("serve_enable");
+    report("serve_enable", encode(request));
+    recorder_.run(recorder_.next("serve_enable"), {{"response", sets(response)}});
   }
 
-  void execute_compute(
-    Goal<worker_types::ComputeAction> & goal)
+  void execute_compute(Goal<worker_types::ComputeAction> & goal)
   {
-    record("execute_compute");
-    goal.succeed();
+    report("execute_compute", encode(goal.request));
+    recorder_.run(recorder_.next("execute_compute"), executes(goal));
   }
-
-  void deactivate()
-  {
-    is_active_ = false;
-    calling_.join();
-    const std::chrono::duration<double> seconds = Clock::now() - start_;
-    record("rate " + std::to_string(updates_ / seconds.count()));
-    record("deactivate");
-    publish();
-  }
-
-  void cleanup() {record("cleanup");}
 
 private:
-  using Clock = std::chrono::steady_clock;
-
-  static void record(const std::string & call)
+  /// Report the parameters, if they have changed.
+  void record(const WorkerConfig & config)
   {
-    std::cout << "called " + call + "\n" << std::flush;
-  }
-
-  /// Record the parameters that have changed; at first, those that differ from the spec.
-  void record_changes(
-    const WorkerConfig & config)
-  {
-    if (config.prefix != config_.prefix) {
-      record("config.prefix");
-    }
-    if (config.weights != config_.weights) {
-      record("config.weights");
-    }
-    if (config.gain != config_.gain) {
-      record("config.gain");
-    }
-    if (config.step != config_.step) {
-      record("config.step");
-    }
-    if (config.verbose != config_.verbose) {
-      record("config.verbose");
-    }
-    if (config.label != config_.label) {
-      record("config.label");
-    }
-    config_ = config;
-  }
-
-  /// Call every service, one after the other.
-  void call_services()
-  {
-    call(*passthrough_.client_permit, "client_permit");
-  }
-
-  /// Call a service until it responds.
-  template<typename Service>
-  void call(ServiceClient<Service> & client, const std::string & name)
-  {
-    while (is_active_) {
-      if (client.call(typename Service::Request())) {
-        record(name);
-        return;
-      }
+    const std::string text = "{"
+      "\"prefix\": " + to_json(config.prefix) +
+      ", \"weights\": " + to_json(config.weights) +
+      ", \"gain\": " + to_json(config.gain) +
+      ", \"step\": " + to_json(config.step) +
+      ", \"verbose\": " + to_json(config.verbose) +
+      ", \"label\": " + to_json(config.label) +
+      "}";
+    if (text != config_) {
+      config_ = text;
+      report("config", text);
     }
   }
 
-  /// Publish a message to every topic that the logic publishes to by itself.
-  void publish()
-  {
-    passthrough_.pub_echo->publish(worker_types::PubEcho());
-    passthrough_.pub_empty->publish(worker_types::PubEmpty());
-  }
-
-  WorkerPassthrough passthrough_;
-  WorkerConfig config_;
-  std::atomic<bool> is_active_{false};
-  std::thread calling_;
-  int updates_ = 0;
-  Clock::time_point start_;
+  const WorkerPassthrough passthrough_;
+  std::mutex mutex_;
+  std::string cycles_ = "[0, 0, 0]";
+  int count_ = 0;
+  std::string config_;
+  Recorder recorder_;
 };
 
 }  // namespace all_kinds

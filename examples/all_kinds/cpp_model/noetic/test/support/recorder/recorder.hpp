@@ -1,0 +1,318 @@
+// Copyright 2026 Ada Lovelace
+// SPDX-License-Identifier: Apache-2.0
+
+// What logics that obey the test have in common.
+//
+// A line of stdin, METHOD STEP=VALUE STEP..., says what to do when a method is called next; `now`,
+// at once. Calls and the results of steps are reported to stdout: name and value, in JSON. Messages
+// are serialized, in hexadecimal. What is not ordered is not done: no output is active.
+
+#ifndef SUPPORT__RECORDER__RECORDER_HPP_
+#define SUPPORT__RECORDER__RECORDER_HPP_
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "all_kinds/ros/action_client.hpp"
+#include "all_kinds/ros/goal.hpp"
+#include "all_kinds/ros/publisher.hpp"
+#include "all_kinds/ros/service_client.hpp"
+#include "ros/serialization.h"
+
+namespace all_kinds
+{
+
+/// Write a line for the test, in one call, as other threads write too.
+inline void report(const std::string & name, const std::string & json)
+{
+  std::cout << "report [\"" + name + "\", " + json + "]\n" << std::flush;
+}
+
+inline std::string to_json(bool value) {return value ? "true" : "false";}
+
+template<typename Value>
+std::string to_json(const Value & value)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << value;
+  return text.str();
+}
+
+inline std::string to_json(const std::string & value)
+{
+  std::ostringstream text;
+  text << std::quoted(value);
+  return text.str();
+}
+
+inline std::string to_json(const char * value) {return to_json(std::string(value));}
+
+template<typename Value>
+std::string to_json(const std::vector<Value> & values)
+{
+  std::string text;
+  for (const Value & value : values) {
+    text += (text.empty() ? "" : ", ") + to_json(value);
+  }
+  return "[" + text + "]";
+}
+
+/// Return a message, serialized, in hexadecimal.
+template<typename Message>
+std::string encode(const Message & message)
+{
+  const auto raw = ros::serialization::serializeMessage(message);
+  const std::vector<std::uint8_t> bytes(raw.buf.get(), raw.buf.get() + raw.num_bytes);
+  std::ostringstream text;
+  text << std::hex << std::setfill('0');
+  for (const int byte : bytes) {
+    text << std::setw(2) << byte;
+  }
+  return to_json(text.str());
+}
+
+/// Return a message from hexadecimal.
+template<typename Message>
+Message decode(const std::string & text)
+{
+  std::vector<std::uint8_t> bytes;
+  for (std::size_t at = 0; at < text.size(); at += 2) {
+    bytes.push_back(static_cast<std::uint8_t>(std::stoi(text.substr(at, 2), nullptr, 16)));
+  }
+  Message message;
+  bytes.erase(bytes.begin(), bytes.begin() + 4);  // the length
+  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::deserialize(stream, message);
+  return message;
+}
+
+/// What a step does with its value; the result is JSON.
+using Step = std::function<std::string(const std::string &)>;
+using Steps = std::map<std::string, Step>;
+using Words = std::vector<std::string>;
+
+/// Return whether some words order a step.
+inline bool has(const Words & words, const std::string & step)
+{
+  return std::any_of(
+    words.begin(), words.end(), [&](const auto & word) {return word.rfind(step, 0) == 0;});
+}
+
+/// Obeys the orders of the test.
+class Recorder
+{
+public:
+  explicit Recorder(Steps steps)
+  {
+    steps["raise"] = [](const auto &) -> std::string {throw std::runtime_error("told to raise");};
+    steps["wait"] = [](const auto & seconds) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(std::stod(seconds)));
+        return "null";
+      };
+    steps["block"] = [](const auto &) {
+        std::unique_lock<std::mutex> lock(shared().mutex);
+        const int before = shared().releases;
+        shared().released.wait(lock, [before] {return shared().releases != before;});
+        return "null";
+      };
+    steps["release"] = [](const auto &) {
+        const std::lock_guard<std::mutex> lock(shared().mutex);
+        ++shared().releases;
+        shared().released.notify_all();
+        return "null";
+      };
+    steps_ = std::make_shared<Steps>(std::move(steps));
+    shared().steps = steps_;
+    if (!shared().is_listening) {
+      shared().is_listening = true;
+      listen("");
+      std::thread([] {listen("\n");}).detach();
+    }
+  }
+
+  /// Report a call of one of the five methods, and obey; return false where it is to refuse.
+  bool called(const std::string & method)
+  {
+    std::ifstream file("/proc/thread-self/comm");
+    std::string thread;
+    std::getline(file, thread);
+    report(method, to_json(thread));
+    return run(next(method));
+  }
+
+  /// Return what was ordered for a call of a method.
+  Words next(const std::string & method)
+  {
+    const std::lock_guard<std::mutex> lock(shared().mutex);
+    auto & orders = shared().orders[method];
+    Words words;
+    if (!orders.empty()) {
+      words = orders.front();
+      orders.pop_front();
+    }
+    return words;
+  }
+
+  /// Do what was ordered; return false where a method is to refuse.
+  bool run(const Words & words, const Steps & own = {}) {return run(words, own, *steps_);}
+
+private:
+  struct Shared
+  {
+    std::ifstream input{"/dev/stdin"};  // not std::cin, whose lock a process needs that ends
+    std::mutex mutex;
+    std::map<std::string, std::deque<Words>> orders;
+    std::weak_ptr<Steps> steps;  // they keep publishers and clients
+    bool is_listening = false;
+    std::condition_variable released;
+    int releases = 0;
+  };
+
+  static Shared & shared()
+  {
+    static Shared & shared = *new Shared;  // never destroyed, as a thread reads on at the end
+    return shared;
+  }
+
+  static bool run(const Words & words, const Steps & own, const Steps & steps)
+  {
+    for (const auto & word : words) {
+      const auto name = word.substr(0, word.find('='));
+      if (name == "refuse") {
+        return false;
+      }
+      report("begun", to_json(name));
+      const auto & step = own.count(name) ? own.at(name) : steps.at(name);
+      report(name, step(name == word ? "" : word.substr(name.size() + 1)));
+    }
+    return true;
+  }
+
+  /// Take orders until a certain line.
+  static void listen(const std::string & last)
+  {
+    std::string line;
+    while (std::getline(shared().input, line) && line != last) {
+      std::istringstream rest(line);
+      std::string method;
+      rest >> method;
+      const Words words{std::istream_iterator<std::string>(rest), {}};
+      if (method == "now") {
+        if (const auto steps = shared().steps.lock()) {
+          run(words, {}, *steps);
+        }
+        continue;
+      }
+      const std::lock_guard<std::mutex> lock(shared().mutex);
+      shared().orders[method].push_back(words);
+      report("order", "null");
+    }
+  }
+
+  std::shared_ptr<Steps> steps_;
+};
+
+/// The step that sets a message.
+template<typename Message>
+Step sets(Message & message)
+{
+  return [&message](const std::string & text) {
+           message = decode<Message>(text);
+           return "null";
+         };
+}
+
+/// The step that publishes a message.
+template<typename Message>
+Step publishes(const std::shared_ptr<Publisher<Message>> & publisher)
+{
+  return [publisher](const std::string & text) {
+           publisher->publish(decode<Message>(text));
+           return "null";
+         };
+}
+
+/// The step that calls a service: REQUEST,TIMEOUT.
+template<typename Service>
+Step calls(const std::shared_ptr<ServiceClient<Service>> & client)
+{
+  return [client](const std::string & text) {
+           const auto comma = text.find(',');
+           const std::chrono::duration<double> timeout(std::stod(text.substr(comma + 1)));
+           const auto request = decode<typename Service::Request>(text.substr(0, comma));
+           const auto response = client->call(request, timeout);
+           return response ? encode(*response) : "null";
+         };
+}
+
+/// The steps of a callback that executes a goal.
+template<typename Action>
+Steps executes(Goal<Action> & goal)
+{
+  return {
+    {"result", sets(goal.result)},
+    {"feedback", [&goal](const std::string & text) {
+        goal.feedback = decode<typename Action::Feedback>(text);
+        goal.publish_feedback();
+        return "null";
+      }},
+    {"await", [&goal](const std::string &) {
+        while (!goal.cancel_requested()) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return "null";
+      }},
+    {"end", [&goal](const std::string & outcome) {
+        outcome == "succeed" ? goal.succeed() : outcome == "abort" ? goal.abort() : goal.canceled();
+        return "null";
+      }},
+  };
+}
+
+/// The step that sends a goal, or cancels it where there is none.
+template<typename Action>
+Step sends(const std::shared_ptr<ActionClient<Action>> & client)
+{
+  return [client](const std::string & text) -> std::string {
+           if (!text.empty()) {
+             return to_json(client->send_goal(decode<typename Action::Goal>(text)));
+           }
+           client->cancel();
+           return "null";
+         };
+}
+
+/// The step that tells state, feedback and result of a goal.
+template<typename Action>
+Step tells(const std::shared_ptr<ActionClient<Action>> & client)
+{
+  return [client](const std::string &) {
+           const auto state = to_json(to_string(client->state()));
+           const auto feedback = client->feedback();
+           const auto result = client->result();
+           return "[" + state + ", " + (feedback ? encode(*feedback) : "null") + ", " +
+                  (result ? encode(*result) : "null") + "]";
+         };
+}
+
+}  // namespace all_kinds
+
+#endif  // SUPPORT__RECORDER__RECORDER_HPP_

@@ -1,0 +1,409 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""Tests that every node passes; test_NODE_node.py says what the node is in ROS."""
+
+from concurrent.futures import ThreadPoolExecutor
+import itertools
+from signal import SIGINT as INT, SIGTERM as TERM
+from time import sleep
+
+from support.peer import decode, encode, parts, Peer, sample
+from support.running import eventually, LIFE, RunningNode, TIMEOUT
+from tf2_msgs.msg import TFMessage
+
+TOPICS = ('out_', 'pub_', 'in_', 'receive_')
+
+
+class NodeTests:
+    """Tests of a node in processes of its own, with a logic that obeys them."""
+
+    frequency = None
+    interfaces = {}
+    can_refuse = ()
+    transforms = ()
+    parameters = {}
+    dynamic_parameters = {}
+
+    @classmethod
+    def setUpClass(cls):
+        """Join the graph; start the node as it is, and with all that can be given."""
+        cls.numbers = itertools.count(1)
+        cls.peer = Peer()
+        cls.given = cls.start(override=True)
+        assert eventually(lambda: cls.given.got('activate')), cls.given.log
+        cls.node = cls.start()
+        assert eventually(lambda: cls.node.got('activate')), cls.node.log
+
+    @classmethod
+    def tearDownClass(cls):
+        """Stop the nodes, which must still run."""
+        for node in cls.node, cls.given:
+            node.signal(INT)
+            assert (node.exit_code(), node.life()[-2:]) == (0, LIFE[2:]), node.log
+
+    @classmethod
+    def start(cls, *orders, command=None, override=False, **given):
+        """Start the node in a namespace of its own, and return it."""
+        space = f'/test{next(cls.numbers)}'
+        node = f'{space}/{cls.name}'
+        if override:
+            for name, (_, other, *_) in [*cls.parameters.items(), *cls.dynamic_parameters.items()]:
+                given = {**given, name: other} if other is not None else given
+        cls.peer.give(node, given, use_sim_time=override)
+        command = [*(command or cls.recorder), '__ns:=' + space]
+        for name, *_ in cls.interfaces.values():
+            command += [f'{name}:={space}/absolute{name}'] if name[0] == '/' else []
+        running = RunningNode(node, command, *orders)
+        cls.addClassCleanup(running.kill)
+        return running
+
+    @classmethod
+    def each(cls, *prefixes, node=None):
+        """Return member, full name, type and more of each interface of some kinds."""
+        node = node or cls.node.name
+        for member, (name, *rest) in cls.interfaces.items():
+            if member.startswith(prefixes):
+                space = {'~': node, '/': node.rpartition('/')[0] + '/absolute'}
+                start = space.get(name[0], node.rpartition('/')[0] + '/')
+                yield (member, start + name.lstrip('~'), *rest)
+
+    def name_of(self, member, node):
+        """Return the full name of an interface of a node."""
+        return {each: name for each, name, *_ in self.each(member, node=node.name)}[member]
+
+    def test_topics(self):
+        """Every topic has its name and type; that of a publisher is latched or not."""
+        for node in self.node, self.given:
+            for _, topic, type_, kind, *qos, _ in self.each(*TOPICS, node=node.name):
+                expected = (node, kind, topic, type_, *qos)
+                self.assertTrue(eventually(lambda: self.peer.has(*expected)), expected)
+
+    def test_transforms(self):
+        """The node sends transforms, or listens to them."""
+        for kind in self.transforms:
+            wanted = (self.node, kind, '/tf', TFMessage)
+            self.assertTrue(eventually(lambda: self.peer.has(*wanted)), kind)
+
+    def test_messages_in(self):
+        """Every message reaches the logic as it was sent, once."""
+        for member, topic, type_, _, *qos, depth in self.each('in_', 'receive_'):
+            publisher = self.peer.publisher(type_, topic, *qos)
+
+            def got():
+                return [decode(text, type_) for text in self.node.got(member)]
+
+            first, *messages = (sample(type_, number) for number in (1, 2, 3))
+            self.assertTrue(eventually(lambda: publisher.publish(first) or got()), topic)
+            for message in messages:
+                publisher.publish(message)
+                self.assertTrue(eventually(lambda: message in got()), topic)
+            if member.startswith('receive_'):  # and waits where the logic does not receive it yet
+                self.node.order(member, 'block')
+                more = [sample(type_, number) for number in range(4, min(depth or 5, 5) + 5)]
+                publisher.publish(more[0])
+                self.assertTrue(eventually(lambda: more[0] in got()), topic)
+                for message in more[1:]:
+                    publisher.publish(message)
+                self.release()
+                self.assertTrue(eventually(lambda: more[-1] in got()), topic)
+                messages += more
+            self.cycles(more=3)
+            self.assertEqual(
+                *([each for each in all_ if each != first] for all_ in (got(), messages))
+            )
+
+    def test_messages_out(self):
+        """Every message is published as the logic says, and where it says so."""
+        for member, topic, type_, _, *qos, _ in self.each('out_', 'pub_'):
+            method = 'update' if member.startswith('out_') else 'now'
+            got = self.peer.subscribe(type_, topic, *qos)
+
+            def publish(number):
+                message = sample(type_, number)
+                self.node.order(method, f'{member}={encode(message)}')
+                return eventually(lambda: message in got, 0.5 if number == 1 else TIMEOUT)
+
+            self.assertTrue(eventually(lambda: publish(1)), topic)
+            for number in (2, 3):
+                self.assertTrue(publish(number), topic)
+                self.cycles(more=2)
+            first, *rest = (sample(type_, number) for number in (1, 2, 3))
+            self.assertEqual(*([each for each in all_ if each != first] for all_ in (got, rest)))
+
+    def test_last_words(self):
+        """What the logic publishes last leaves the node."""
+        node = self.start()
+        heard, steps = [], []
+        for member, topic, type_, _, *qos, _ in self.each('pub_', node=node.name):
+            got = self.peer.subscribe(type_, topic, *qos)
+            first, last = (f'{member}={encode(sample(type_, number))}' for number in (1, 2))
+            self.assertTrue(eventually(lambda: node.order('now', first) or got), topic)
+            heard.append((got, sample(type_, 2)))
+            steps.append(last)
+        node.order('cleanup', *steps)
+        node.signal(INT)
+        for got, last in heard:
+            self.assertTrue(eventually(lambda: last in got), last)
+
+    def trigger(self, node, member):
+        """Have the node call a callback."""
+        count = len(node.got(member))
+
+        def is_called():
+            return len(node.got(member)) > count
+
+        for _, name, type_, *rest in self.each(member, node=node.name):
+            if member.startswith('receive_'):
+                publisher = self.peer.publisher(type_, name, *rest[1:3])
+                eventually(lambda: publisher.publish(sample(type_, 1)) or is_called())
+            if member.startswith('serve_'):
+                self.peer.send(node, type_, name, type_._request_class())
+            if member.startswith('execute_'):
+                self.peer.goal(node, type_, name, parts(type_)[0]())
+        self.assertTrue(eventually(is_called), member)
+
+    def release(self, count=1):
+        """Let callbacks go on that block, or are about to."""
+        count += len(self.node.got('block'))
+
+        def are_released():
+            self.node.order('now', 'release')
+            return len(self.node.got('block')) >= count
+
+        self.assertTrue(eventually(are_released))
+
+    def test_callbacks(self):
+        """Callbacks that block do not delay each other, nor the loop."""
+        callbacks = [member for member, *_ in self.each('receive_', 'serve_', 'execute_')]
+        for member in callbacks:
+            self.node.order(member, 'block')
+            self.trigger(self.node, member)
+        self.cycles(more=3)
+        self.release(len(callbacks))
+
+    def got(self, member, type_):
+        """Return the last message that a callback got, in a list."""
+        return [decode(text, type_) for text in self.node.got(member)[-1:]]
+
+    def test_services(self):
+        """Every service gets its requests, and responds as the logic does."""
+        for member, name, type_ in self.each('serve_'):
+            request, response = sample(type_._request_class), sample(type_._response_class, 5)
+            self.node.order(member, 'response=' + encode(response))
+            self.assertEqual(self.peer.call(self.node, type_, name, request), response)
+            self.assertTrue(eventually(lambda: self.got(member, type(request)) == [request]), name)
+
+    def test_service_clients(self):
+        """Every client warns of a missing server, gives up in time, and gets its responses."""
+        for member, name, type_ in self.each('client_'):
+            request, response = sample(type_._request_class), sample(type_._response_class, 5)
+            self.assertTrue(eventually(lambda: 'service ' in self.node.log), name)
+            self.assertIsNone(self.node.order('now', f'{member}={encode(request)},0.1'))
+            requests = self.peer.serve(type_, name, response)
+            got = self.node.order('now', f'{member}={encode(request)},1000')
+            self.assertEqual((decode(got, type(response)), requests), (response, [request]))
+
+    def test_action_servers(self):
+        """Every action gets its goals and cancels, and sends feedback, results and outcomes."""
+        for member, name, type_, policy in self.each('execute_'):
+            types = parts(type_)
+            request, feedback, result = map(sample, types, (3, 5, 7))
+            steps = f'feedback={encode(feedback)}', f'result={encode(result)}'
+
+            def send(*more):
+                self.node.order(member, *steps, *more)
+                goal = self.peer.goal(self.node, type_, name, request)
+                self.assertTrue(eventually(lambda: goal.feedback == [feedback]), name)
+                self.assertTrue(
+                    eventually(lambda: self.got(member, type(request)) == [request]), name
+                )
+                return goal
+
+            self.assertEqual(send('end=succeed').end(), ('succeeded', result))
+            self.assertEqual(send('end=abort').end(), ('aborted', result))
+            self.assertEqual(send().end(), ('aborted', result))
+            goal = send('await', 'end=canceled')
+            goal.cancel()
+            self.assertEqual(goal.end(), ('canceled', result))
+            goal = send('await' if policy == 'replace' else 'block', 'end=succeed')
+            self.node.order(member, 'end=succeed')
+            other = self.peer.goal(self.node, type_, name, request)
+            self.release(policy != 'replace')
+            self.assertEqual(goal.end(), ('succeeded', result))
+            self.assertEqual(other is None, policy == 'reject')
+            other = other or self.peer.goal(self.node, type_, name, request)
+            self.assertEqual(other.end()[0], 'succeeded')
+            node = self.start(' '.join((member, *steps, 'await')))
+            goal = self.peer.goal(node, type_, self.name_of(member, node), request)
+            self.assertTrue(eventually(lambda: node.got(member)), name)
+            node.signal(INT)
+            self.assertEqual(goal.end(), ('aborted', result))
+            self.assertEqual((node.exit_code(), node.life()), (0, LIFE), node.log)
+
+    def test_action_clients(self):
+        """Every client sends its goals and cancels, and gets feedback, results and states."""
+        for member, name, type_ in self.each('action_'):
+            node = self.start()
+            name = self.name_of(member, node)
+            types = parts(type_)
+            goal, feedback, result = map(sample, types, (3, 5, 7))
+            send = f'{member}={encode(goal)}'
+
+            def comes(*expected):
+                def is_there():
+                    if expected[0] == 'active':
+                        server.feed_back()
+                    state, *parts = node.order('now', 'state_' + member)
+                    found = (part and decode(part, each) for part, each in zip(parts, types[1:]))
+                    return (state, *found) == expected
+
+                self.assertTrue(eventually(is_there), (name, expected))
+
+            comes('idle', None, None)
+            self.assertFalse(node.order('now', send))
+            comes('lost', None, None)
+            server = self.peer.execute(type_, name, feedback, result)
+            self.assertTrue(eventually(lambda: node.order('now', send)), name)
+            comes('active', feedback, None)
+            server.finish()
+            comes('succeeded', feedback, result)
+            node.order('now', send)
+            comes('active', feedback, None)
+            node.order('now', member + '=')
+            comes('canceled', feedback, result)
+            node.order('now', send)
+            comes('active', feedback, None)
+            node.signal(INT)
+            self.assertTrue(eventually(lambda: server.cancels == 2))
+            self.assertEqual(server.goals, [goal] * 3)
+            self.assertEqual(node.exit_code(), 0)
+
+    def test_rate(self):
+        """Update is called at the frequency; cycles missed are skipped, and the log says so."""
+        count = 5 + int((self.frequency or 0) / 5)
+
+        def rate():
+            (before, begin, _), (after, end, _) = self.cycles(), self.cycles(more=count)
+            return (after - before) / (end - begin) / self.frequency
+
+        if self.frequency:
+            self.assertTrue(eventually(lambda: 0.95 < rate() < 1.05))
+            before, begin, _ = self.cycles()
+            self.node.order('update', f'wait={5 / self.frequency}')
+            self.assertTrue(eventually(lambda: 'Missed ' in self.node.log))
+            self.assertTrue(eventually(lambda: self.node.got('wait')))
+            after, end, _ = self.cycles(more=3)
+            self.assertLess(after - before, (end - begin) * self.frequency - 3)
+
+    def test_simulated_time(self):
+        """The loop follows /clock, where it goes on, jumps back and stands still."""
+        for time in (1000.0, 10.0) if self.frequency else ():
+            ticks = []
+
+            def is_regular():
+                nonlocal time
+                time += 0.25 / self.frequency
+                self.peer.set_time(time)
+                sleep(1.0 / self.frequency if self.frequency > 5.0 else 0.0)  # at another speed
+                tick = self.cycles(self.given)[2]
+                ticks.extend([tick] if tick not in ticks else [])
+                cycles = [(end - start) * self.frequency for start, end in zip(ticks, ticks[1:])]
+                return len(cycles) > 3 and all(0.7 < cycle < 1.3 for cycle in cycles[-3:])
+
+            self.assertTrue(eventually(is_regular), ticks)
+            last = self.cycles(self.given)
+            self.cycles(more=5)
+            self.assertEqual(self.cycles(self.given), last)
+
+    def cycles(self, node=None, more=0):
+        """Return the number of a cycle, `more` after the last, and its wall time and ROS time."""
+
+        def count():
+            return (node or self.node).order('now', 'cycles')
+
+        first = count()[0]
+        self.assertTrue(eventually(lambda: not self.frequency or count()[0] >= first + more))
+        return count()
+
+    def test_parameters(self):
+        """Parameters have their defaults, or what is given; their types and ranges are kept."""
+        every = {**self.parameters, **self.dynamic_parameters}
+        default = {name: value for name, (value, *_) in every.items()}
+        given = {name: other for name, (_, other, *_) in every.items() if other is not None}
+        self.assertEqual(self.node.got('config')[0], default)
+        self.assertEqual(self.given.got('config')[0], {**default, **given})
+        for name, (value, other, *bounds) in every.items():
+            wrong = []
+            for bound, sign in zip(bounds, (-1, 1)):
+                step = 1 if isinstance(bound, int) else 1e-4 * max(1.0, abs(bound or 0.0))
+                if bound is not None and abs(bound) < 2**31 - 1:
+                    wrong.append(bound + sign * step)
+                    self.sets(name, bound)
+                elif bound is None and type(value) in (int, float) and abs(value) < 1e18:
+                    self.sets(name, value + sign * type(value)(1e6))  # there is no limit
+            for each in wrong:
+                self.assertFalse(self.peer.set_parameter(self.node, name, each), (name, each))
+            if bounds and other is not None:
+                self.sets(name, other)
+        with ThreadPoolExecutor(4) as pool:
+            list(pool.map(self.refuses, every))
+
+    def refuses(self, name):
+        """Check that a parameter of another type ends the node."""
+        node = self.start(**{name: {'of': 'another type'}})
+        self.assertEqual((node.exit_code(), node.life()), (1, []), node.log)
+        self.assertIn(name, node.log)
+
+    def sets(self, name, value):
+        """Set a parameter, and see that the logic gets it."""
+        self.assertTrue(self.peer.set_parameter(self.node, name, value), (name, value))
+        self.assertTrue(eventually(lambda: self.node.got('config')[-1][name] == value), name)
+
+    def test_ends(self):
+        """The node ends as its logic and signals have it: exit code, calls and log."""
+        ends = [  # order, stop_timeout, signals, exit code, calls, text of the log
+            ('configure refuse', 2.0, [], 1, LIFE[:1], 'refuse'),
+            ('configure raise', 2.0, [], 1, LIFE[:1], 'told to raise'),
+            ('activate refuse', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'refuse'),
+            ('activate raise', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'told to raise'),
+            ('deactivate raise', 2.0, [INT], 1, LIFE, 'told to raise'),
+            ('cleanup raise', 2.0, [TERM], 1, LIFE, 'told to raise'),
+            ('deactivate block', 0.1, [TERM], 1, LIFE[:3], 'till running'),
+            ('deactivate block', 1e3, [INT, INT], -INT, LIFE[:3], ''),
+            ('deactivate wait=2.5', 1e3, [INT], 0, LIFE, '["wait", null]'),
+            ('deactivate sleep=0.1', 2.0, [TERM], 0, LIFE, '["sleep", true]'),
+            ('deactivate wait=0.1', 2.0, ['rosnode kill'], 0, LIFE, '["wait", null]'),
+        ]
+        if self.frequency:
+            ends.append(('update raise', 2.0, [], 1, LIFE, 'told to raise'))
+            ends.append(('update sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
+        for member, *_ in self.each('receive_', 'serve_', 'execute_'):
+            ends.append((f'{member} raise', 2.0, [], 1, LIFE, 'told to raise'))
+        for member, *_ in self.each(*self.can_refuse):
+            ends.append((f'{member} refuse', 2.0, [], 1, LIFE, 'no response'))
+        for member, _, type_ in self.each('client_') if self.frequency else ():
+            order = f'update {member}={encode(type_._request_class())},1000'
+            ends.append((order, 2.0, [INT], 0, LIFE, f'["{member}", null]'))
+        with ThreadPoolExecutor(4) as pool:
+            list(pool.map(self.end, ends))
+
+    def end(self, case):
+        """Check how a node ends."""
+        order, timeout, signals, code, calls, text = case
+        node = self.start(order, stop_timeout=timeout)
+        if order.startswith(('receive_', 'serve_', 'execute_')):
+            self.trigger(node, order.split()[0])
+        events = ('begun' if 'update' in order else 'activate', 'deactivate')
+        for number, event in zip(signals, events):
+            self.assertTrue(eventually(lambda: node.got(event)), node.log)
+            self.peer.kill(node) if number == 'rosnode kill' else node.signal(number)
+        self.assertEqual((node.exit_code(), node.life()), (code, calls), (order, node.log))
+        self.assertIn(text, node.log, order)
+
+    def test_own_logic(self):
+        """The node runs with its own logic, and ends with exit code 0 at SIGTERM."""
+        node = self.start(command=self.logic)
+        self.assertTrue(eventually(lambda: self.peer.knows(node) and node.handles(TERM)))
+        node.signal(TERM)
+        self.assertEqual(node.exit_code(), 0)
