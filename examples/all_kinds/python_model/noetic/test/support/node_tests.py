@@ -397,6 +397,9 @@ class NodeTests:
         events = ('begun' if 'update' in order else 'activate', 'deactivate')
         for number, event in zip(signals, events):
             self.assertTrue(eventually(lambda: node.got(event)), node.log)
+            self.assertTrue(
+                eventually(lambda: not self.frequency or node.order('now', 'cycles')[0])
+            )
             self.peer.kill(node) if number == 'rosnode kill' else node.signal(number)
         self.assertEqual((node.exit_code(), node.life()), (code, calls), (order, node.log))
         self.assertIn(text, node.log, order)
