@@ -22,8 +22,8 @@ class TestObserverNode(NodeTests, unittest.TestCase):
     interfaces = {
         'in_status': ('/status', std_msgs.msg.String, 'subscription', None, None, None),
     }
-    parameters = {  # default, another value
-        'limit': (100, 0),
+    parameters = {  # default, other values, refused ones
+        'limit': (100, [0, 1, -999900, 1000100], [True]),
     }
 
 

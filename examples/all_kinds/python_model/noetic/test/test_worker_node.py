@@ -45,13 +45,13 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'action_delegate': ('delegate', test_msgs.msg.FibonacciAction),
     }
     transforms = ['publisher', 'subscription']  # of /tf
-    parameters = {  # default, another value
-        'prefix': ('it\'s "said" <so> & für immer', 'other'),
-        'weights': ([0.5, 1.0, 2000.0], [0.0]),
+    parameters = {  # default, other values, refused ones
+        'prefix': ('it\'s "said" <so> & für immer', ['other', 'another'], [True]),
+        'weights': ([0.5, 1.0, 2000.0], [[0.0]], [True]),
     }
-    dynamic_parameters = {  # default, another value, minimum, maximum
-        'gain': (1.5, 0.0, 0.0, 10.0),
-        'step': (1, 2, 1, None),
-        'verbose': (False, True, None, None),
-        'label': ('worker', 'other', None, None),
+    dynamic_parameters = {  # default, other values, refused ones
+        'gain': (1.5, [0.0, 10.0, 1.0], [True, -0.0001, 10.001]),
+        'step': (1, [1000001], [True, 0]),
+        'verbose': (False, [True], ['wrong']),
+        'label': ('worker', ['other', 'another'], [True]),
     }

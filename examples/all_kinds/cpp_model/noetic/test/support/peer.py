@@ -36,7 +36,8 @@ class Peer:
         """Set the parameters of a node that is to start; simulated time is one for all."""
         master = rosgraph.Master('/peer')
         master.setParam('/use_sim_time', use_sim_time)
-        master.setParam(node, parameters)
+        for name, value in parameters.items():
+            master.setParam(f'{node}/{name}', value)
 
     def knows(self, node):
         """Return whether the master knows a node."""

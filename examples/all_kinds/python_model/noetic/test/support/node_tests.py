@@ -48,8 +48,7 @@ class NodeTests:
         space = f'/test{next(cls.numbers)}'
         node = f'{space}/{cls.name}'
         if override:
-            for name, (_, other, *_) in [*cls.parameters.items(), *cls.dynamic_parameters.items()]:
-                given = {**given, name: other} if other is not None else given
+            given = {**cls.others(), **given}
         cls.peer.give(node, given, use_sim_time=override)
         command = [*(command or cls.recorder), '__ns:=' + space]
         for name, *_ in cls.interfaces.values():
@@ -57,6 +56,12 @@ class NodeTests:
         running = RunningNode(node, command, *orders)
         cls.addClassCleanup(running.kill)
         return running
+
+    @classmethod
+    def others(cls):
+        """Return other values of the parameters than their defaults."""
+        every = {**cls.parameters, **cls.dynamic_parameters}.items()
+        return {name: others[0] for name, (_, others, _) in every if others}
 
     @classmethod
     def each(cls, *prefixes, node=None):
@@ -283,12 +288,17 @@ class NodeTests:
         """Update is called at the frequency; cycles missed are skipped, and the log says so."""
         count = 5 + int((self.frequency or 0) / 5)
 
-        def rate():
-            (before, begin, _), (after, end, _) = self.cycles(), self.cycles(more=count)
+        def rate(node=self.node):
+            (before, begin, _), (after, end, _) = self.cycles(node), self.cycles(node, more=count)
             return (after - before) / (end - begin) / self.frequency
 
         if self.frequency:
             self.assertTrue(eventually(lambda: 0.95 < rate() < 1.05))
+            factor = 0.5 if self.frequency > 1.0 else 2.0
+            other = self.start(frequency=factor * self.frequency)
+            self.assertTrue(eventually(lambda: other.got('activate')), other.log)
+            self.assertTrue(eventually(lambda: 0.95 < rate(other) / factor < 1.05))
+            self.assertEqual(self.start(frequency=0.0).exit_code(), 1)
             before, begin, _ = self.cycles()
             self.node.order('update', f'wait={5 / self.frequency}')
             self.assertTrue(eventually(lambda: 'Missed ' in self.node.log))
@@ -330,30 +340,28 @@ class NodeTests:
         """Parameters have their defaults, or what is given; their types and ranges are kept."""
         every = {**self.parameters, **self.dynamic_parameters}
         default = {name: value for name, (value, *_) in every.items()}
-        given = {name: other for name, (_, other, *_) in every.items() if other is not None}
+        given = {**default, **self.others()}
         self.assertEqual(self.node.got('config')[0], default)
-        self.assertEqual(self.given.got('config')[0], {**default, **given})
-        for name, (value, other, *bounds) in every.items():
-            wrong = []
-            for bound, sign in zip(bounds, (-1, 1)):
-                step = 1 if isinstance(bound, int) else 1e-4 * max(1.0, abs(bound or 0.0))
-                if bound is not None and abs(bound) < 2**31 - 1:
-                    wrong.append(bound + sign * step)
-                    self.sets(name, bound)
-                elif bound is None and type(value) in (int, float) and abs(value) < 1e18:
-                    self.sets(name, value + sign * type(value)(1e6))  # there is no limit
-            for each in wrong:
-                self.assertFalse(self.peer.set_parameter(self.node, name, each), (name, each))
-            if bounds and other is not None:
-                self.sets(name, other)
+        self.assertEqual(self.given.got('config')[0], given)
+        for name, (_, others, refused) in self.dynamic_parameters.items():
+            self.refuses(self.node, name, *refused[1:])
+            for value in reversed(others):
+                self.sets(name, value)
+        wrong = [(name, every[name][2][0]) for name in every]
+        wrong += [(name, value) for name in self.parameters for value in every[name][2][1:]]
         with ThreadPoolExecutor(4) as pool:
-            list(pool.map(self.refuses, every))
+            list(pool.map(self.ends_with, wrong))
 
-    def refuses(self, name):
-        """Check that a parameter of another type ends the node."""
-        node = self.start(**{name: {'of': 'another type'}})
-        self.assertEqual((node.exit_code(), node.life()), (1, []), node.log)
-        self.assertIn(name, node.log)
+    def ends_with(self, case):
+        """Check that a node ends that starts with a wrong parameter, and names it."""
+        node = self.start(**dict([case]))
+        self.assertEqual((node.exit_code(), node.life()), (1, []), (case, node.log))
+        self.assertIn(case[0], node.log)
+
+    def refuses(self, node, name, *values):
+        """See that a parameter cannot have some values, nor one that is out of bounds."""
+        for value in values:
+            self.assertFalse(self.peer.set_parameter(node, name, value), (name, value))
 
     def sets(self, name, value):
         """Set a parameter, and see that the logic gets it."""
