@@ -122,7 +122,7 @@ def _attribute(attribute: Attribute) -> str:
     if attribute.choices:
         words = [word for one, others in attribute.choices.items() for word in (one, *others)]
         values = "".join(_tag("enumeration", value=word) for word in words)
-        inside += _pair("simpleType", "restriction", "xs:token", values)
+        inside += _pair("simpleType", "restriction", "xs:token", values.replace("\n", ""))
     elif attribute.format == "bool":
         options.update(type="bool")
     return _tag("attribute", inside, **options)
@@ -136,7 +136,7 @@ def _note(doc: str) -> str:
 def _pair(outer: str, inner: str, base: str, inside: str) -> str:
     """Return an element with one inside that is based on a type."""
     start, end = f'<xs:{outer}><xs:{inner} base="{base}">', f"</xs:{inner}></xs:{outer}>"
-    return f"{start}\n{_indented(inside)}{end}\n"
+    return f"{start}{_within(inside)}{end}\n"
 
 
 def _tag(tag: str, inside: str = "", /, **attributes: str) -> str:
@@ -144,7 +144,12 @@ def _tag(tag: str, inside: str = "", /, **attributes: str) -> str:
     given = "".join(f" {key}={quoteattr(value)}" for key, value in attributes.items())
     if not inside:
         return f"<xs:{tag}{given}/>\n"
-    return f"<xs:{tag}{given}>\n{_indented(inside)}</xs:{tag}>\n"
+    return f"<xs:{tag}{given}>{_within(inside)}</xs:{tag}>\n"
+
+
+def _within(inside: str) -> str:
+    """Lay out what is within an element: a line of it on the line of the element."""
+    return inside.strip() if inside.count("\n") < 2 else f"\n{_indented(inside)}"
 
 
 def _indented(lines: str) -> str:
