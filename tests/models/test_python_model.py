@@ -137,3 +137,11 @@ def test_copyright_is_no_encoding(render, distro):
     assert len(sources) > 5
     for file in sources:
         compile(file.read_bytes(), file, "exec")
+
+
+def test_node_with_a_door_to_rospy_alone_imports_it(render):
+    """No topic of its own needs it."""
+    spec = """<package name="pkg" author="A" author_email="a@example.org" license="MIT"
+                       description="d"><node name="n" client_library="true"/></package>"""
+    package = render(spec, ros_distro="noetic", name="pkg")
+    assert "\nimport rospy\n" in (package / "pkg/n_ros.py").read_text()
