@@ -66,7 +66,7 @@ def test_files_of_the_whole_package_repeat_nothing(name):
     own = {line.strip() for line in text.splitlines() if len(line.strip()) > len("</package>")}
     others = [ROOT / f"{language}_model/template" / name for language in LANGUAGES]
     said = {line.strip() for file in others if file.exists() for line in file.open()}
-    once = {"catkin_python_setup()", "DESTINATION lib/${PROJECT_NAME}"}
+    once = {"{{ spec_schema() }}", "catkin_python_setup()", "DESTINATION lib/${PROJECT_NAME}"}
     once |= {"find_package(ament_cmake_pytest REQUIRED)", "TIMEOUT 600"}  # for other tests
     once |= {line for line in said if "build" in line}  # the tool, and how colcon knows it
     assert not (own & said) - once
