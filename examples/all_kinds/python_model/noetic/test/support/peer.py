@@ -11,7 +11,7 @@ from threading import Thread
 from xmlrpc.client import ServerProxy
 
 import actionlib
-from actionlib_msgs.msg import GoalStatus
+from actionlib import GoalStatus
 from dynamic_reconfigure.client import Client
 import genpy
 import rosgraph
