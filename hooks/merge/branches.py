@@ -14,7 +14,7 @@ from ..dictionary import Dictionary
 from ..faults import SpecError
 from ..package import SUFFIX
 from . import git
-from .lines import split
+from .lines import plain, split
 from .package import ALIKE, Result, likeness
 from .proof import Proof
 from .render import Renderer
@@ -210,7 +210,7 @@ _GITS_MARKS = ("<<<<<<< ", "=======", ">>>>>>> ", "||||||| ")
 
 
 def _lines(text: str | None) -> list[str]:
-    return (text or "").replace("\r\n", "\n").split("\n")
+    return plain(text or "").split("\n")
 
 
 def settle(made: Versions) -> Result:
