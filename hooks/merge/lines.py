@@ -6,9 +6,10 @@ may change beside one that the other side changed. Only changes of the same line
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
+from os.path import commonprefix
 
 Lines = list[str]
 Key = Callable[[str], str]
@@ -96,20 +97,46 @@ def merge_lines(
 def _changes(old: Sequence[str], other: Sequence[str], key: Key, is_mine: bool) -> list[_Change]:
     return [
         _Change(start, end, list(other[first:last]), is_mine)
-        for tag, start, end, first, last in _matcher(old, other, key).get_opcodes()
-        if tag != "equal"
+        for start, end, first, last in _gaps(_matches(old, other, key))
     ]
 
 
-def _matcher(old: Sequence[str], other: Sequence[str], key: Key) -> SequenceMatcher[str]:
-    return SequenceMatcher(None, list(map(key, old)), list(map(key, other)), autojunk=False)
+def _gaps(matches: list[tuple[int, int, int]]) -> Iterator[tuple[int, int, int, int]]:
+    """Yield what is between matches: `start` and `end` in the one list, and in the other."""
+    start = first = 0
+    for end, last, size in matches:
+        if start < end or first < last:
+            yield start, end, first, last
+        start, first = end + size, last + size
+
+
+def _matches(old: Sequence[str], other: Sequence[str], key: Key) -> list[tuple[int, int, int]]:
+    """Return the places and lengths of equal lines, as `SequenceMatcher.get_matching_blocks`.
+
+    What both begin and end with matches first: or the brace that ends a function would match the
+    first one in it.
+    """
+    ours, theirs = list(map(key, old)), list(map(key, other))
+    end, last = _filled(ours), _filled(theirs)
+    head = len(commonprefix([ours[:end], theirs[:last]]))
+    tail = len(commonprefix([ours[head:end][::-1], theirs[head:last][::-1]]))
+    inner = SequenceMatcher(None, ours[head : end - tail], theirs[head : last - tail], False)
+    found = [(i + head, j + head, size) for i, j, size in inner.get_matching_blocks()[:-1]]
+    found += [(end - tail, last - tail, tail)]
+    found += [(end, last, min(len(ours) - end, len(theirs) - last))]
+    return [(0, 0, head), *found, (len(ours), len(theirs), 0)]
+
+
+def _filled(lines: Lines) -> int:
+    """Return how many lines there are without the empty ones at the end."""
+    return max((number for number, line in enumerate(lines, 1) if line.strip()), default=0)
 
 
 def _stable(mine: Sequence[str], old: Sequence[str], new: Sequence[str], key: Key) -> Lines:
     """Return the old lines, each in the form that a side gave it, the developer's first."""
     lines = list(old)
     for other in (new, mine):
-        for start, first, size in _matcher(old, other, key).get_matching_blocks():
+        for start, first, size in _matches(old, other, key):
             for i in range(size):
                 if other[first + i] != old[start + i]:
                     lines[start + i] = other[first + i]

@@ -46,14 +46,25 @@ class Proof:
         return said + (f"; {len(self.left)} left with what was removed" if self.left else "")
 
 
-def prove(mine: Tree, old: Tree, result: Result, found: Tree, renaming: Renaming) -> Proof:
-    """Look for the lines of `mine` in `found`, which is the package as it is on the disk."""
+def prove(
+    mine: Tree,
+    old: Tree,
+    result: Result,
+    found: Tree,
+    renaming: Renaming,
+    of_people: bool = False,
+) -> Proof:
+    """Look for the lines of `mine` in `found`, which is the package as it is on the disk.
+
+    `of_people`: another developer may have put a block around theirs.
+    """
     proof = Proof()
     origins = {renaming.path(path): path for path in old}
     for path, file in mine.items():
         target = renaming.path(path)
         origin = result.origins.get(target) or origins.get(target, path)
-        _prove_file(proof, (path, origin, target), file, old.get(origin), result, found, renaming)
+        paths = (path, origin, target)
+        _prove_file(proof, paths, file, old.get(origin), result, found, renaming, of_people)
     return proof
 
 
@@ -65,6 +76,7 @@ def _prove_file(
     result: Result,
     tree: Tree,
     renaming: Renaming,
+    of_people: bool,
 ) -> None:
     path, origin, target = paths
     found = tree.get(target)
@@ -101,7 +113,8 @@ def _prove_file(
         rename(there, there, renaming.keys.get(origin, {}))  # whose text has the names of before
     match(there, before, after)
     there = unsplit(there, before, after)
-    _read_back(proof, (path, target), known, lines, there, result.removed.get(path, []))
+    removed = result.removed.get(path, [])
+    _read_back(proof, (path, target), known, lines, there, removed, of_people)
     changed = found is not None and target not in result.conflicts and text != ours
     if changed and _parses(known, ours) and not _parses(known, text):
         proof.lost.append((target, "cannot be read any more"))
@@ -130,11 +143,16 @@ def _read_back(
     lines: list[tuple[str, str, int]],
     found: list[Block],
     removed: list[str],
+    of_people: bool,
 ) -> None:
-    scopes = _scopes(found).items()
-    counts = {scope: Counter(map(known.key, inside)) for scope, inside in scopes}
+    def place(scope: str) -> str:
+        return scope.rpartition(" > ")[2] if of_people else scope
+
+    counts: dict[str, Counter[str]] = {}
+    for scope, inside in _scopes(found).items():
+        counts.setdefault(place(scope), Counter()).update(map(known.key, inside))
     for scope, line, number in lines:
-        have = counts.get(scope, Counter())
+        have = counts.get(place(scope), Counter())
         if have[known.key(line)]:
             have[known.key(line)] -= 1
             proof.in_place += 1

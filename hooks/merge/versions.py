@@ -81,37 +81,17 @@ class Versions:
         if not self.of_people:
             return [*proof.lost, *found]
         theirs = replace(self, mine=self.new, new=self.mine).proof(result, result.tree)
-        for side, lost in ((self.mine, proof.lost), (self.new, theirs.lost)):
-            found += [each for each in lost if _is_lost(*each, side, result)]
-        return found
+        lost = [each for each in (*proof.lost, *theirs.lost) if each[0] not in result.conflicts]
+        return lost + found
 
     def proof(self, result: Result, found: Tree) -> Proof:
         """Look for the developer's lines in a merged package."""
-        return prove(self.mine, self.old, result, found, self.renaming)
+        return prove(self.mine, self.old, result, found, self.renaming, self.of_people)
 
     def wrong(self, result: Result, found: Tree, proof: Proof) -> Places:
         """Count all lines of a merged package."""
         trees = (self.mine, self.old, self.new, self.renaming, self.is_kept)
         return recount(*trees, result, found, proof.left)
-
-
-def _is_lost(path: str, line: str, side: Tree, result: Result) -> bool:
-    """Say whether a line has left, or has other lines above and below than a side gives it.
-
-    A block that the other developer has put around it is no other place.
-    """
-    if path in result.conflicts:
-        return False
-    before, after = (_neighbours(tree, path, line) for tree in (side, result.tree))
-    return len(after) < len(before) or not {*before} & {*after}
-
-
-def _neighbours(tree: Tree, path: str, line: str) -> list[tuple[str, str]]:
-    """Return each line that stands above or below a line, with what it is."""
-    text = (tree[path].text or "") if path in tree else ""
-    lines = ["", *filter(None, map(str.strip, text.split("\n"))), ""]
-    places = [at for at, found in enumerate(lines) if found == line]
-    return [pair for at in places for pair in (("above", lines[at - 1]), ("below", lines[at + 1]))]
 
 
 def versions(

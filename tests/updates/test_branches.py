@@ -13,6 +13,8 @@ import pytest
 from copier import VcsRef
 from copier.errors import UserMessageError
 
+from hooks.merge.tree import File
+from hooks.merge.versions import Versions
 from support.arm import SPEC
 from support.documentation import blocks
 from support.laboratory.trials import second_version
@@ -497,3 +499,40 @@ def test_page_of_two_branches(make_team):
     subprocess.run(["sh", "-c", told], cwd=team.package, env=environment, check=True)
     assert len(team.git("rev-parse", "HEAD^@").split()) == 2
     team.has(**TOGETHER)
+
+
+EMPTY = "void Arm::cleanup()\n{\n}\n"
+HELPER = "\nstatic int %s()\n{\n  return 1;\n}\n"
+SCOPE = "  {\n    int %s = 2;\n  }\n"
+
+
+def joined_texts(ours, theirs, base=EMPTY):
+    """Join the two texts of a source file that two developers have made of one."""
+    sides = ({"src/arm_impl.cpp": File(text.encode())} for text in (ours, base, theirs))
+    versions = Versions(*sides, of_people=True)
+    result, wrong = versions.merged()
+    assert not wrong
+    return versions, result, result.tree["src/arm_impl.cpp"].text
+
+
+@pytest.mark.parametrize(
+    "ends", [("", ""), (HELPER % "lift", HELPER % "sink"), (HELPER % "lift", "")]
+)
+def test_both_write_blocks_with_braces_in_one_empty_function(ends):
+    """The brace of the function is not one of a block in it."""
+    written = EMPTY.replace("{\n", "{\n%s")
+    ours, theirs = (written % (SCOPE % name) + end for name, end in zip("ab", ends, strict=True))
+    _, result, text = joined_texts(ours, theirs, EMPTY + "\n")
+    assert not result.conflicts
+    assert written % (SCOPE % "b" + SCOPE % "a") in text
+    assert all(end in text for end in ends)
+
+
+def test_line_of_a_join_in_another_function_is_seen():
+    """Even between the lines that it was between."""
+    ours, helper = EMPTY.replace("{\n", "{\n" + SCOPE % "a"), HELPER % "lift"
+    versions, result, text = joined_texts(ours, EMPTY + helper)
+    assert versions.doubts(result) == []
+    wrong = text.replace(SCOPE % "a", "").replace("  return 1;\n", SCOPE % "a" + "  return 1;\n")
+    result.tree["src/arm_impl.cpp"] = File(wrong.encode())
+    assert ("src/arm_impl.cpp", "int a = 2;") in versions.doubts(result)

@@ -224,10 +224,10 @@ def pair_of_branches(random, laboratory, model, distro, counts, mutate=None, **o
     if mutate:
         counts.spoiled += mutate(joined)
     fresh = {path: file.text for path, file in renders.fresh(new).tree.items()}
-    return judged(sides, joined, new_spec, fresh | _texts(now), counts)
+    return judged(sides, joined, new_spec, fresh | _texts(now), {*together.lines}, counts)
 
 
-def judged(sides, joined, new_spec, fresh, counts):
+def judged(sides, joined, new_spec, fresh, together, counts):
     """Judge each side, brought to the new spec, and then both as one."""
     complaints, parts, said = [], [], set()
     for branch, side in zip(sides, joined.sides, strict=True):
@@ -256,7 +256,7 @@ def judged(sides, joined, new_spec, fresh, counts):
         edited.follow(texts, places, names)
         edited.texts = texts
         parts.append(edited)
-    both, result = union(*parts), joined.result
+    both, result = union(*parts, together), joined.result
     tree = result.tree
     conflicts = {*result.conflicts} | {p for p, text in _texts(tree).items() if CONFLICT in text}
     gone = {f"{p[0]}: {p[1]}" if isinstance(p, tuple) else p for p in both.deleted}
@@ -295,12 +295,17 @@ def seen_from(spec, new_spec):
     return new_spec
 
 
-def union(ours, theirs):
-    """Return the edits of two developers as those of one."""
+def union(ours, theirs, together):
+    """Return the edits of two developers as those of one; `together` are marks both began with."""
     both = copy.deepcopy(ours)
     both.texts = {**theirs.texts, **ours.texts}
     for name in ("lines", "moved", "links", "around", "exact"):
         setattr(both, name, {**getattr(theirs, name), **getattr(ours, name)})
+    both.lines = {
+        mark: place
+        for mark, place in both.lines.items()
+        if mark not in together or (mark in ours.lines and mark in theirs.lines)
+    }  # what one of them has deleted is not there
     for name in ("deleted", "crlf", "foreign", "formatted", "ahead"):
         setattr(both, name, getattr(ours, name) | getattr(theirs, name))
     for path, lines in theirs.replaced.items():
