@@ -256,6 +256,8 @@ def judged(sides, joined, new_spec, fresh, together, counts):
         edited.follow(texts, places, names)
         edited.texts = texts
         parts.append(edited)
+    for part, other in zip(parts, reversed(parts), strict=True):
+        _take_over_moves(part, other)
     both, result = union(*parts, together), joined.result
     tree = result.tree
     conflicts = {*result.conflicts} | {p for p, text in _texts(tree).items() if CONFLICT in text}
@@ -293,6 +295,19 @@ def seen_from(spec, new_spec):
             if item.get("was") and have.get(item["name"], {}).get("was") == item["was"]:
                 item["was"] = None
     return new_spec
+
+
+def _take_over_moves(part, other):
+    """Put what a developer has done in the files that the other one has moved."""
+    moves = {
+        origin: path
+        for path, origin in other.moved.items()
+        if path not in part.texts and origin in part.texts
+    }
+    texts = {moves.get(path, path): text for path, text in part.texts.items()}
+    moved = part.moved
+    part.follow(texts, moves, {})
+    part.texts, part.moved = texts, moved
 
 
 def union(ours, theirs, together):
