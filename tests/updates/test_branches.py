@@ -13,7 +13,7 @@ import pytest
 from copier import VcsRef
 from copier.errors import UserMessageError
 
-from hooks.merge.tree import File
+from hooks.merge.tree import LINK, File
 from hooks.merge.versions import Versions
 from support.arm import SPEC
 from support.documentation import blocks
@@ -536,3 +536,14 @@ def test_line_of_a_join_in_another_function_is_seen():
     wrong = text.replace(SCOPE % "a", "").replace("  return 1;\n", SCOPE % "a" + "  return 1;\n")
     result.tree["src/arm_impl.cpp"] = File(wrong.encode())
     assert ("src/arm_impl.cpp", "int a = 2;") in versions.doubts(result)
+
+
+def test_one_moves_a_file_that_the_other_edits_and_leaves_a_link():
+    page = "# Arm\n\nWhat it is.\n\n## Use\n\nHow to.\n"
+    ours = {"docs/README.md": File(page.encode()), "README.md": File(b"docs/README.md", LINK)}
+    theirs = {"README.md": File(page.replace("How to.", "How to.\n\n## Help\n\nAsk.").encode())}
+    versions = Versions(ours, {"README.md": File(page.encode())}, theirs, of_people=True)
+    result, wrong = versions.merged()
+    assert not wrong
+    assert result.tree["README.md"] == ours["README.md"]
+    assert result.tree["docs/README.md"] == theirs["README.md"]
