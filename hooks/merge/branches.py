@@ -18,7 +18,7 @@ from .lines import plain, split
 from .package import ALIKE, Result, likeness
 from .proof import Proof
 from .render import Renderer
-from .tree import File, Tree, encode
+from .tree import LINK, File, Tree, encode
 from .versions import Answers, Versions, versions
 
 _UNDER_WAY = {
@@ -170,13 +170,13 @@ class Joiner:
         """
         sides = (self.side(branches.ours), self.side(branches.theirs))
         base = self.base(branches.bases)
-        made = _people(sides[0].tree, base, sides[1].tree)
+        made = people(sides[0].tree, base, sides[1].tree)
         result = settle(made)
         for side in sides:
             _keep_conflicts(result, side)
         own = self.files(branches.merge) if branches.merge else now
         if own != now:  # what came after the merge
-            later = settle(_people(result.tree, own, now))
+            later = settle(people(result.tree, own, now))
             later.conflicts |= {p: c for p, c in result.conflicts.items() if p in later.tree}
             later.settled = {**result.settled, **later.settled}
             result = later
@@ -191,7 +191,7 @@ class Joiner:
         tree = self.side(known[0]).tree
         for commit in known[1:]:
             before = self.base(git.merge_bases(self.package, known[0], commit))
-            tree = _people(tree, before, self.side(commit).tree).merged()[0].tree
+            tree = people(tree, before, self.side(commit).tree).merged()[0].tree
         return tree
 
     def own_lines(self, joined: Joined) -> Iterator[tuple[str, int, str]]:
@@ -230,7 +230,7 @@ def settle(made: Versions) -> Result:
     return result
 
 
-def _people(mine: Tree, old: Tree, new: Tree) -> Versions:
+def people(mine: Tree, old: Tree, new: Tree) -> Versions:
     """Return three versions of which two are developers'; files they moved have one path.
 
     The spec is not among them: the developers have resolved it.
@@ -247,8 +247,10 @@ def _people(mine: Tree, old: Tree, new: Tree) -> Versions:
 
 
 def _moves(old: Tree, side: Tree) -> dict[str, str]:
-    """Return the files that a developer has given another name."""
-    away, own = ([p for p in one if p not in other] for one, other in ((old, side), (side, old)))
+    """Return the files that a developer has given another name; a link may lead there."""
+    is_link = {path for path, file in side.items() if file.mode == LINK}
+    away = [path for path in old if path not in side or path in is_link]
+    own = [path for path in side if path not in old]
     likely = [
         (alike, path, target)
         for path in away

@@ -80,9 +80,7 @@ class Versions:
         found = self.wrong(result, result.tree, proof)
         if not self.of_people:
             return [*proof.lost, *found]
-        moved = {origin: path for path, origin in result.origins.items()}
-        new = {moved.get(path, path): file for path, file in self.new.items()}
-        theirs = replace(self, mine=new, new=self.mine).proof(result, result.tree)
+        theirs = replace(self, mine=self.new, new=self.mine).proof(result, result.tree)
         lost = [each for each in (*proof.lost, *theirs.lost) if each[0] not in result.conflicts]
         return lost + found
 

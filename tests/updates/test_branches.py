@@ -13,6 +13,7 @@ import pytest
 from copier import VcsRef
 from copier.errors import UserMessageError
 
+from hooks.merge.branches import people
 from hooks.merge.tree import LINK, File
 from hooks.merge.versions import Versions
 from support.arm import SPEC
@@ -538,12 +539,12 @@ def test_line_of_a_join_in_another_function_is_seen():
     assert ("src/arm_impl.cpp", "int a = 2;") in versions.doubts(result)
 
 
-def test_one_moves_a_file_that_the_other_edits_and_leaves_a_link():
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_one_moves_a_file_that_the_other_edits_and_leaves_a_link(is_ours):
     page = "# Arm\n\nWhat it is.\n\n## Use\n\nHow to.\n"
-    ours = {"docs/README.md": File(page.encode()), "README.md": File(b"docs/README.md", LINK)}
-    theirs = {"README.md": File(page.replace("How to.", "How to.\n\n## Help\n\nAsk.").encode())}
-    versions = Versions(ours, {"README.md": File(page.encode())}, theirs, of_people=True)
-    result, wrong = versions.merged()
-    assert not wrong
-    assert result.tree["README.md"] == ours["README.md"]
-    assert result.tree["docs/README.md"] == theirs["README.md"]
+    moved = {"docs/README.md": File(page.encode()), "README.md": File(b"docs/README.md", LINK)}
+    edited = {"README.md": File(page.replace("How to.", "How to.\n\n## Help\n\nAsk.").encode())}
+    sides = (moved, edited) if is_ours else (edited, moved)
+    result, wrong = people(sides[0], {"README.md": File(page.encode())}, sides[1]).merged()
+    assert (wrong, result.conflicts) == ([], {})
+    assert result.tree == {**moved, "docs/README.md": edited["README.md"]}

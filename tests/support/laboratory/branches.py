@@ -321,6 +321,7 @@ def union(ours, theirs, together):
         for mark, place in both.lines.items()
         if mark not in together or (mark in ours.lines and mark in theirs.lines)
     }  # what one of them has deleted is not there
+    both.around = {mark: what for mark, what in both.around.items() if mark in both.lines}
     for name in ("deleted", "crlf", "foreign", "formatted", "ahead"):
         setattr(both, name, getattr(ours, name) | getattr(theirs, name))
     for path, lines in theirs.replaced.items():
