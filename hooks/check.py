@@ -149,11 +149,13 @@ class _Checker:
             inner = kind.interfaces[child.tag]
             scope = (element, inner.kind)
             found = self.values(child, inner.attributes, scope, has_name=not inner.once)
-            needed = inner.requires
-            if needed and needed not in element.attributes and given.get(needed) is None:
+            if inner.requires and not any(
+                _is_said(name, element, given) for name in inner.requires
+            ):
                 what = f"its <{element.tag}> at line {element.line} must have the attribute"
+                needed = (f'"{name}"{_doc(kind.attributes[name])}' for name in inner.requires)
                 instead = _instead(inner, kind.interfaces)
-                self.fault(child, f'{what} "{needed}"{_doc(kind.attributes[needed])}{instead}')
+                self.fault(child, f"{what} {' or '.join(needed)}{instead}")
             item = self.checked(inner.kind, child, {**found}, *owners)
             found |= self.interfaces(child, inner, found, (*owners, item))
             if not inner.once:
@@ -304,6 +306,11 @@ def _reached(parts: Mapping[str, set[str]], start: str) -> set[str]:
         found |= new
         left += new
     return found
+
+
+def _is_said(name: str, element: Element, given: Values) -> bool:
+    """Tell whether an attribute is given, and not false; a wrong one is told of elsewhere."""
+    return (name in element.attributes or given[name] is not None) and given[name] is not False
 
 
 def _instead(kind: Interface, kinds: Mapping[str, Interface]) -> str:

@@ -77,7 +77,8 @@ class Interface:
     kind: str
     attributes: Mapping[str, Attribute]
     doc: str = ""
-    requires: str | None = None
+    requires: list[str] = field(default_factory=list)
+    """Attributes of its owner, of which one must be given."""
     once: bool = False
     interfaces: Mapping[str, Interface] = field(default_factory=dict)
 
@@ -358,6 +359,8 @@ class _Reader:
         inside = self.interfaces(kind, item.get("interface"))
         attributes = self.attributes(kind, item.get("attributes", []))
         options = {key: item[key] for key in ("doc", "requires", "once") if key in item}
+        if isinstance(options.get("requires"), str):
+            options["requires"] = [options["requires"]]
         for key, value in options.items():
             self.check_shape(kind, f"{kind}: {key}", value, typing.get_type_hints(Interface)[key])
         return Interface(str(kind), attributes, interfaces=inside, **plain(options))
@@ -402,9 +405,9 @@ class _Reader:
         inside = kind.interfaces.values()
         self.check_hidden(owner, kind.attributes, {each.key for each in inside} | keys)
         for each in inside:
-            if each.requires and each.requires not in kind.attributes:
-                hint = f"<{owner}>; {allowed(each.requires, kind.attributes)}"
-                what = f'requires "{each.requires}", which is no attribute of {hint}'
+            for name in set(each.requires) - set(kind.attributes):
+                hint = f"<{owner}>; {allowed(name, kind.attributes)}"
+                what = f'requires "{name}", which is no attribute of {hint}'
                 raise self.fault("", each.kind, what)
             if not each.attributes and not each.once:
                 what = "has no attributes to tell one from another; it needs once"

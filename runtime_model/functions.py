@@ -26,6 +26,7 @@ _NODE = {
     "frequency": 1.0,
     "diagnostics": True,
     "client_library": True,
+    "reconfigure": True,
     "parameters": [_PARAMETER, _REQUIRED],
     "dynParameters": [_PARAMETER],
 }

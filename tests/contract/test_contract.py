@@ -975,6 +975,61 @@ def test_parameter_set_while_configuring(stage):
     assert node.wait("update")["value"]["gain"] == 2.0
 
 
+def set_pace(stage, value):
+    return stage.peer.set_parameter(node=stage.name("clerk"), name="pace", value=value)
+
+
+def test_logic_gets_changed_parameters(stage):
+    """Before they are so, and as it likes them; it may refuse them."""
+    node = stage.start("clerk")
+    node.wait("activate", "end")
+    assert set_pace(stage, 2.0)
+    node.tell("reconfigure: refuse")
+    assert not set_pace(stage, 3.0)
+    node.tell()
+    assert set_pace(stage, 4.0)
+    seen = [event["value"] for event in node.events("reconfigure", "begin")]
+    assert seen == [2.0, 3.0, 4.0]
+    assert node.stop() == 0
+
+
+def test_no_reconfigure_without_a_configured_logic(stage):
+    only_ros2(stage)
+    node = stage.start("clerk", autostart=False)
+    assert set_pace(stage, 2.0)
+    assert stage.transition("configure", "activate", "deactivate", node="clerk")
+    assert set_pace(stage, 3.0)
+    assert stage.transition("cleanup", node="clerk")
+    assert set_pace(stage, 4.0)
+    assert [event["value"] for event in node.events("reconfigure", "begin")] == [3.0]
+    assert node.stop() == 0
+
+
+def test_exception_in_reconfigure(stage):
+    """The change is refused, and the node ends as after any other exception."""
+    node = stage.start("clerk", "reconfigure: throw")
+    node.wait("activate", "end")
+    with contextlib.suppress(Exception):  # the node may end before it answers
+        assert not set_pace(stage, 2.0)
+    assert node.exit() == 1, node.story()
+    assert node.methods()[-2:] == ["deactivate", "cleanup"]
+    node.expect("[ERROR]", "[FATAL]", "Traceback", "Exception")
+
+
+def test_reconfigure_that_does_not_return(stage):
+    """The change is refused in time, but by roscpp, and the node ends."""
+    node = stage.start("clerk", "reconfigure: block 60", stop_timeout=0.5)
+    node.wait("activate", "end")
+    if stage.variant.is_ros2:
+        assert not set_pace(stage, 2.0)
+    else:
+        name = stage.name("clerk")
+        stage.peer.set_parameter(node=name, name="pace", value=2.0, waits=False)
+        node.wait("reconfigure")
+    assert node.stop() == 1
+    node.expect("[ERROR]", "[FATAL]", "reconfigure")
+
+
 def test_refusals_in_a_row(stage):
     """What a refused configuration leaves to clean up blocks nothing, however often.
 

@@ -165,13 +165,24 @@ def test_fault_in_a_node(model, inside, message):
             (
                 NODE.replace(' frequency="1"', "").format(text),
                 f'<{kind} name="x">: its <node> at line 1 must have the attribute "frequency" (how'
-                f" often update runs, in Hz; a node without it has no update), or use <{other}>",
+                f" often update runs, in Hz; a node without it has no update){other}>",
             )
             for text, kind, other in [
-                ('<publisher name="x" type="a::B"/>', "publisher", "directPublisher"),
-                ('<subscriber name="x" type="a::B"/>', "subscriber", "directSubscriber"),
-                ('<dynParameter name="x" type="int" value="1"/>', "dynParameter", "parameter"),
+                ('<publisher name="x" type="a::B"/>', "publisher", ", or use <directPublisher"),
+                ('<subscriber name="x" type="a::B"/>', "subscriber", ", or use <directSubscriber"),
+                (
+                    '<dynParameter name="x" type="int" value="1"/>',
+                    "dynParameter",
+                    ' or "reconfigure" (whether the logic gets changed parameters by its method'
+                    " reconfigure, which may refuse them), or use <parameter",
+                ),
             ]
+        ),
+        (
+            NODE.replace('frequency="1"', 'reconfigure="false"').format(
+                '<dynParameter name="x" type="int" value="1"/>'
+            ),
+            'must have the attribute "frequency"',
         ),
         (NODE.replace('name="n"', 'name="for"'), "keyword of Python and C++"),
         (NODE.replace('name="n"', 'name="a-b"'), "is not a valid name"),

@@ -20,7 +20,7 @@ def held(renderers, model, distro):
     """Return the runtime of a package that uses all of it, as it is in its own folders."""
     spec = context(model, all_kinds().replace("all_kinds", NAME), distro)
     spec |= {"copyright": "2026 Ada Lovelace", "license": "Apache-2.0"}
-    spec["nodes"][0] |= {"diagnostics": True, "client_library": True}
+    spec["nodes"][0] |= {"diagnostics": True, "client_library": True, "reconfigure": True}
     every = {"name": "a.b", "type": "int[]", "value": None, "min": 1, "max": 2, "choices": [1]}
     spec["nodes"][0]["parameters"][0] |= every
     files = renderers[model].render(spec, distro)

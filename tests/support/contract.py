@@ -331,7 +331,9 @@ def check_order(events, story):
     for event in events:
         method, what = event["method"], event["event"]
         failed = what == "raised" or event["value"] is False
-        if method in METHODS and what == "begin":
+        if method == "reconfigure":
+            assert state not in ("new", "configure", "over"), where()
+        elif method in METHODS and what == "begin":
             allowed = {
                 "configure": ("new",),
                 "activate": ("inactive",),
@@ -366,7 +368,7 @@ def check_thread(events, story):
     assert len(threads) <= 1, f"{threads}: {story()}"
     assert {name for name, _ in threads} <= {"logic"}, f"{threads}: {story()}"
     for event in events:
-        if event["method"] in CALLBACKS:
+        if event["method"] in (*CALLBACKS, "reconfigure"):
             assert (event["thread"], event["id"]) not in threads, f"{event}: {story()}"
 
 

@@ -260,7 +260,7 @@ class Author(Random):
             kinds, inside = self.inside(component)
             attributes = component.attributes
             if not self.seldom(10):  # what the interfaces require
-                required = {kind.requires for kind in kinds}
+                required = {name for kind in kinds for name in kind.requires}
                 attributes = {
                     name: replace(given, optional=given.optional and name not in required)
                     for name, given in attributes.items()

@@ -153,7 +153,8 @@ class Model:
         kinds = self.hook.dictionary.components
         for tag in owner.path:
             kinds = kinds[tag].interfaces
-        return {kind.requires for kind in kinds.values()} if owner.path else set()
+        found = (kind.requires[:1] for kind in kinds.values())
+        return {name for names in found for name in names} if owner.path else set()
 
     def variants(self, owner):
         """Yield each attribute with the values of two elements that differ in it alone."""

@@ -46,6 +46,11 @@ bool ClerkImpl::configure(const ClerkConfig &)
   return behaviour_.run("configure");
 }
 
+std::string ClerkImpl::reconfigure(const ClerkConfig & config)
+{
+  return behaviour_.run("reconfigure", json(config.pace)) ? "" : "told to refuse";
+}
+
 bool ClerkImpl::activate()
 {
   return behaviour_.run("activate");

@@ -15,6 +15,7 @@ class ClerkImpl
 public:
   explicit ClerkImpl(const ClerkPassthrough & passthrough);
   bool configure(const ClerkConfig & config);
+  std::string reconfigure(const ClerkConfig & config);
   bool activate();
   void serve_greet(
     const clerk_types::GreetService::Request & request,

@@ -29,6 +29,9 @@ class ClerkImpl:
     def configure(self, config):
         return self.run("configure")
 
+    def reconfigure(self, config):
+        return "" if self.run("reconfigure", config.pace) else "told to refuse"
+
     def activate(self):
         return self.run("activate")
 

@@ -192,10 +192,11 @@ class Peer:
         with contextlib.suppress(OSError):  # it may end before it answers
             ServerProxy(address).shutdown("/peer", "killed")
 
-    def set_parameter(self, node, name, value):
+    def set_parameter(self, node, name, value, waits=True):
+        if not waits:
+            return threading.Thread(target=self.set_parameter, args=(node, name, value)).start()
         client = dynamic_reconfigure.client.Client(node, timeout=TIMEOUT)
-        client.update_configuration({name: value})
-        return True
+        return client.update_configuration({name: value})[name] == value
 
     def set_global(self, name, value):
         rospy.set_param(name, value)
