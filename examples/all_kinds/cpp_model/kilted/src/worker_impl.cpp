@@ -31,6 +31,12 @@ void WorkerImpl::update(
 {
 }
 
+std::string WorkerImpl::reconfigure(
+  [[maybe_unused]] const WorkerConfig & config)
+{
+  return "";
+}
+
 // Topic say
 void WorkerImpl::receive_say(
   [[maybe_unused]] const worker_types::SayMessage & message)

@@ -5,6 +5,7 @@
 // Generated from all_kinds.ros_package.
 // The logic is in worker_impl.cpp.
 
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "all_kinds/worker_impl.hpp"
 #include "all_kinds/worker_interface.hpp"
 #include "rcl_interfaces/msg/parameter_descriptor.hpp"
+#include "rcl_interfaces/msg/set_parameters_result.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_components/register_node_macro.hpp"
 #include "ros/action_server.hpp"
@@ -96,10 +98,23 @@ public:
     impl_ = std::make_shared<WorkerImpl>(passthrough);
   }
 
-  bool configure() override {return impl_->configure(*std::atomic_load(config_.get()));}
+  bool configure() override
+  {
+    is_configured_ = impl_->configure(*std::atomic_load(config_.get()));
+    return is_configured_;
+  }
+
+  /// Return whether the logic gets changed parameters: from configure to cleanup.
+  bool is_configured() const {return is_configured_;}
+
+  std::string reconfigure(const WorkerConfig & config) {return impl_->reconfigure(config);}
   bool activate() override {return impl_->activate();}
   void deactivate() override {impl_->deactivate();}
-  void cleanup() override {impl_->cleanup();}
+  void cleanup() override
+  {
+    is_configured_ = false;
+    impl_->cleanup();
+  }
 
   /// Run the update loop until the node stops.
   void work() override {loop_->run([this] {update();});}
@@ -205,6 +220,7 @@ private:
   SharedConfig config_;
   std::shared_ptr<Calls> calls_;
   Sleeper sleeper_;
+  std::atomic<bool> is_configured_{false};
   std::shared_ptr<Loop> loop_;
   WorkerData data_;
   Inbox<worker_types::InSpeed> in_speed_;
@@ -233,6 +249,10 @@ public:
       [this](const std::vector<rclcpp::Parameter> &) {
         std::atomic_store(config_.get(), read_config());
       });
+    reconfigure_callback_ = add_on_set_parameters_callback(
+      [this](const std::vector<rclcpp::Parameter> & parameters) {
+        return reconfigure(parameters);
+      });
     fixed_ = {
       "prefix",
       "weights",
@@ -244,7 +264,10 @@ public:
 private:
   std::shared_ptr<Session> make_session() override
   {
-    return std::make_shared<WorkerSession>(*this, config_, loop_);
+    const auto session =
+      std::make_shared<WorkerSession>(*this, config_, loop_);
+    logic_ = session;
+    return session;
   }
 
   void declare_parameters()
@@ -296,10 +319,45 @@ private:
     return config;
   }
 
+  /// Let the logic take the parameters about to be set, unless they are refused before.
+  rcl_interfaces::msg::SetParametersResult reconfigure(
+    const std::vector<rclcpp::Parameter> & parameters)
+  {
+    auto result = check(parameters);  // rclcpp calls this callback before that of the base
+    const auto logic = logic_.lock();
+    if (result.successful && logic && logic->is_configured()) {
+      result.reason = call_reconfigure(
+        [logic, config = config_with(parameters)] {return logic->reconfigure(config);});
+      result.successful = result.reason.empty();
+    }
+    return result;
+  }
+
+  /// Return the configuration with some parameters changed.
+  WorkerConfig config_with(const std::vector<rclcpp::Parameter> & parameters) const
+  {
+    auto config = *std::atomic_load(config_.get());
+    for (const auto & parameter : parameters) {
+      const auto & name = parameter.get_name();
+      if (name == "gain") {
+        config.gain = parameter.get_value<double>();
+      } else if (name == "step") {
+        config.step = parameter.get_value<std::int64_t>();
+      } else if (name == "verbose") {
+        config.verbose = parameter.get_value<bool>();
+      } else if (name == "label") {
+        config.label = parameter.get_value<std::string>();
+      }
+    }
+    return config;
+  }
+
   WorkerSession::SharedConfig config_ =
     std::make_shared<std::shared_ptr<const WorkerConfig>>(
     std::make_shared<const WorkerConfig>());
   std::shared_ptr<void> parameters_callback_;
+  std::shared_ptr<void> reconfigure_callback_;
+  std::weak_ptr<WorkerSession> logic_;
   std::shared_ptr<Loop> loop_ =
     std::make_shared<Loop>(
     Sleeper(get_clock(), stop()),

@@ -22,6 +22,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     recorder = [os.environ.get('RECORDER')]
     logic = [os.environ.get('NODE')]
     frequency = 20  # Hz
+    reconfigures = True
     interfaces = {
         'out_counter': ('counter', std_msgs.msg.Int64, 'publisher', 'reliable', 'volatile', 10),
         'out_status': ('/status', std_msgs.msg.String, 'publisher', 'reliable', 'volatile', 10),

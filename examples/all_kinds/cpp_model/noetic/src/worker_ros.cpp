@@ -5,6 +5,7 @@
 // Generated from all_kinds.ros_package.
 // The logic is in worker_impl.cpp.
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -65,6 +66,7 @@ public:
       supervisor_.refuse("The logic refused to configure.");
       return;
     }
+    is_configured_ = true;
     const auto activate = [this] {return impl_->activate();};
     if (!supervisor_.stopping() && supervisor_.step("activate", activate)) {
       work();
@@ -74,6 +76,7 @@ public:
       supervisor_.refuse("The logic refused to activate.");
     }
     action_delegate_->cancel();
+    is_configured_ = false;
     supervisor_.waits().clear();
     supervisor_.step("cleanup", [this] {impl_->cleanup(); return true;});
   }
@@ -153,7 +156,7 @@ private:
     reconfigure_server_ =
       std::make_unique<dynamic_reconfigure::Server<WorkerDynamicConfig>>(private_);
     reconfigure_server_->setCallback(
-      [this](const WorkerDynamicConfig & values, std::uint32_t) {
+      [this](WorkerDynamicConfig & values, std::uint32_t) {
         reconfigure(values);
       });
     timer_ = watch_.node().createWallTimer(
@@ -250,13 +253,25 @@ private:
   }
 
   /// Update the configuration with the changed parameters.
-  void reconfigure(const WorkerDynamicConfig & values)
+  void reconfigure(WorkerDynamicConfig & values)
   {
     const auto config = std::make_shared<WorkerConfig>(*current_config());
     config->gain = values.gain;
     config->step = values.step;
     config->verbose = values.verbose;
     config->label = values.label;
+    std::string refusal = "reconfigure has failed";
+    if (is_configured_) {
+      supervisor_.guard("reconfigure", [&] {refusal = impl_->reconfigure(*config);});
+    }
+    if (is_configured_ && !refusal.empty()) {
+      ROS_WARN("Parameters refused: %s", refusal.c_str());
+      values.gain = current_config()->gain;
+      values.step = static_cast<int>(current_config()->step);
+      values.verbose = current_config()->verbose;
+      values.label = current_config()->label;
+      return;
+    }
     const std::lock_guard<std::mutex> lock(config_mutex_);
     config_ = config;
   }
@@ -398,6 +413,7 @@ private:
   ros::NodeHandle private_{"~"};
   Clock clock_{node_, supervisor_.waits()};
   std::shared_ptr<const WorkerConfig> config_;
+  std::atomic<bool> is_configured_{false};
   std::mutex config_mutex_;
   std::unique_ptr<dynamic_reconfigure::Server<WorkerDynamicConfig>> reconfigure_server_;
   Loop loop_{clock_, read_frequency()};

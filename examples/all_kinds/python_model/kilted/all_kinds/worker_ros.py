@@ -46,6 +46,8 @@ class WorkerNode(ManagedNode):
         'weights',
     ]
 
+    reconfigures = True
+
     def __init__(self, **options: Any) -> None:
         """Declare the parameters and create what lives as long as the node."""
         super().__init__('worker', **options)
@@ -105,6 +107,7 @@ class WorkerNode(ManagedNode):
                 description='Name in the status',
             ),
         )
+        self.add_on_set_parameters_callback(self._reconfigure)
         self.add_post_set_parameters_callback(self._apply_parameters)
         self._action_client_delegate = self._action_client(
             test_msgs.action.Fibonacci,

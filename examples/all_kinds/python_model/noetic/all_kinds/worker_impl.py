@@ -42,6 +42,10 @@ class WorkerImpl:
     ) -> None:
         """Compute the outputs of one cycle from the latest inputs."""
 
+    def reconfigure(self, config: WorkerConfig) -> str:
+        """Take changed parameters and return '', or return why they are refused."""
+        return ''
+
     # Topic say
     def receive_say(
         self,

@@ -176,13 +176,20 @@ class WorkerNode(ManagedNode):
 
     def _reconfigure(self, values: Any, _level: int) -> Any:
         """Update the configuration with the changed parameters."""
-        self._config = replace(
+        config = replace(
             self._config,
             gain=values['gain'],
             step=values['step'],
             verbose=values['verbose'],
             label=values['label'],
         )
+        reason = self._refusal(config)
+        if reason:
+            self._log.warning(f'Parameters refused: {reason}')
+            current = vars(self._config)
+            values.update({name: current[name] for name in current.keys() & values.keys()})
+        else:
+            self._config = config
         return values
 
 

@@ -111,6 +111,7 @@ public:
     context_->remove_pre_shutdown_callback(pre_shutdown_);
     end();
     logic_.end_by(Stop::deadline(timeouts::RETURN));
+    changes_.end_by(Stop::deadline(timeouts::RETURN));
   }
 
   /// Shut the context down after a failure.
@@ -243,6 +244,23 @@ protected:
     descriptor.floating_point_range[0].to_value = 100000.0;
     declare("frequency", frequency, descriptor);
     return get_parameter("frequency").as_double();
+  }
+
+  /// Call reconfigure in a thread of its own; return why the logic refuses, or "".
+  std::string call_reconfigure(const std::function<std::string()> & reconfigure)
+  {
+    const auto reason = std::make_shared<std::promise<std::string>>();
+    auto answer = reason->get_future();
+    calls_->enter("reconfigure");
+    changes_.post(
+      [calls = calls_, reconfigure, reason] {
+        std::string refusal = "reconfigure has failed";
+        calls->call("reconfigure", [&] {refusal = reconfigure();});
+        reason->set_value(refusal);
+      });
+    const bool has_returned =
+      answer.wait_for(timeouts::RECONFIGURE) == std::future_status::ready;
+    return has_returned ? answer.get() : "reconfigure has not returned";
   }
 
   /// Refuse NaN and infinity, which pass every range of rclcpp 29.3; and changes of what is fixed.
@@ -501,6 +519,7 @@ private:
   std::mutex transition_mutex_;
   JobThread logic_{"logic"};
   JobThread life_cycle_{"life_cycle"};
+  JobThread changes_{"reconfigure"};
 };
 
 /// Return a logger that writes to the node's log, with the place of each line.

@@ -26,6 +26,7 @@ namespace timeouts
 using std::chrono::milliseconds;
 
 constexpr milliseconds RETURN{100};  // for a method to return, once its waits have been ended
+constexpr milliseconds RECONFIGURE{2000};  // for reconfigure to return: the executor waits for it
 // For subscribers and clients to receive what was sent last. Fast DDS 3.2 acknowledges every 3 s.
 constexpr milliseconds RECEIVE{500};
 constexpr milliseconds SETTLE{1};  // between two looks whether a transition or a callback is over

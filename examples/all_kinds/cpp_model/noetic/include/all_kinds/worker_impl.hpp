@@ -4,6 +4,8 @@
 #ifndef ALL_KINDS__WORKER_IMPL_HPP_
 #define ALL_KINDS__WORKER_IMPL_HPP_
 
+#include <string>
+
 #include "all_kinds/worker_interface.hpp"
 
 namespace all_kinds
@@ -29,6 +31,10 @@ public:
   /// Compute the outputs of one cycle from the latest inputs.
   void update(
     WorkerData & data,
+    const WorkerConfig & config);
+
+  /// Take changed parameters and return "", or return why they are refused.
+  std::string reconfigure(
     const WorkerConfig & config);
 
   // Topic say

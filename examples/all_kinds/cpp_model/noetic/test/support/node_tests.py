@@ -24,6 +24,7 @@ class NodeTests:
     transforms = ()
     parameters = {}
     dynamic_parameters = {}
+    reconfigures = False
 
     @classmethod
     def setUpClass(cls):
@@ -357,6 +358,18 @@ class NodeTests:
         node = self.start(**dict([case]))
         self.assertEqual((node.exit_code(), node.life()), (1, []), (case, node.log))
         self.assertIn(case[0], node.log)
+
+    def test_reconfigure(self):
+        """The logic can refuse changed parameters, which then stay as they are."""
+        node = self.start()
+        self.assertTrue(eventually(lambda: node.got('activate')), node.log)
+        for name, (_, others, _) in self.dynamic_parameters.items() if self.reconfigures else ():
+            before = node.got('config')[-1]
+            node.order('reconfigure', 'refuse')
+            self.assertFalse(self.peer.set_parameter(node, name, others[0]), name)
+            self.assertEqual(node.got('config')[-1], before)
+            self.assertTrue(self.peer.set_parameter(node, name, others[0]), name)
+            self.assertTrue(eventually(lambda: node.got('config')[-1] != before), name)
 
     def refuses(self, node, name, *values):
         """See that a parameter cannot have some values, nor one that is out of bounds."""

@@ -36,6 +36,7 @@ class LogicThread:
         self._fail = fail
         self._end_requested: Future[None] = Future()
         self._worker = Worker('logic')
+        self._changes = Worker('reconfigure')
 
     @property
     def is_ending(self) -> bool:
@@ -68,6 +69,13 @@ class LogicThread:
             self._stop.request()
             self.have_returned({call: name}, timeouts.RETURN_TIMEOUT)
 
+    def reconfigure(self, method: Callable[[], str]) -> str:
+        """Call reconfigure in a thread of its own; return why the logic refuses, or ''."""
+        call = self._changes.submit(self._call, method, name='reconfigure')
+        wait([call], timeouts.RECONFIGURE_TIMEOUT)
+        reason = call.result() if call.done() else 'reconfigure has not returned'
+        return reason if isinstance(reason, str) else 'reconfigure has failed'
+
     def end(self) -> None:
         """Let configure and activate take no longer than stop_timeout from now on."""
         self._stop.finish()
@@ -77,10 +85,11 @@ class LogicThread:
     def close(self) -> None:
         """End the thread after the calls submitted so far."""
         self._worker.close()
+        self._changes.close()
 
     def running(self) -> dict[Future[Any], str]:
         """Return the calls that have not returned, with the names of the methods."""
-        return self._worker.pending()
+        return {**self._worker.pending(), **self._changes.pending()}
 
     def have_returned(
         self,

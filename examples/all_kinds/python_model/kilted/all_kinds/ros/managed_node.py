@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from concurrent.futures import wait
 from contextlib import ExitStack
+from dataclasses import replace
 from math import isfinite
 from time import monotonic
 import traceback
@@ -48,12 +49,15 @@ class ManagedNode(LifecycleNode):
 
     fixed_parameters: parameters that only change while the node is unconfigured.
     loop: calls update while the node is active, if there is one.
+    reconfigures: whether the logic gets changed parameters, which it may refuse.
     failed: whether the logic raised an exception or refused to autostart.
     has_error: whether the logic has raised an exception since it was configured.
     on_failure: called when the node has failed and deactivated.
     """
 
     fixed_parameters: Sequence[str] = ()
+
+    reconfigures = False
 
     def __init__(self, name: str, **options: Any) -> None:
         """Declare the parameters that every node has."""
@@ -248,6 +252,27 @@ class ManagedNode(LifecycleNode):
                 reason = f'{name} can be changed only while the node is unconfigured.'
                 return SetParametersResult(successful=False, reason=reason)
         return SetParametersResult(successful=True)
+
+    def _reconfigure(self, parameters: list[Parameter[Any]]) -> SetParametersResult:
+        """Let the logic take the parameters about to be set, unless they are refused before."""
+        result = self._check_parameters(parameters)  # rclpy calls this one first
+        impl, is_configured = self._impl, self._is_configured
+        if not (result.successful and self.reconfigures and impl and is_configured):
+            return result
+        config = self._config_with(parameters)
+        reason = self._logic.reconfigure(lambda: impl.reconfigure(config))
+        return SetParametersResult(successful=not reason, reason=reason)
+
+    def _config_with(self, parameters: list[Parameter[Any]]) -> Any:
+        """Return the configuration with some parameters changed."""
+        changed = {
+            parameter.name: tuple(parameter.value)
+            if parameter.type_.value > 4
+            else parameter.value
+            for parameter in parameters
+            if hasattr(self._config, parameter.name)
+        }
+        return replace(self._config, **changed)
 
     def _apply_parameters(self, _parameters: list[Parameter[Any]]) -> None:
         """Update the configuration with the changed parameters."""

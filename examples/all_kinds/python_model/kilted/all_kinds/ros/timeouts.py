@@ -6,6 +6,7 @@
 # For subscribers to receive what was published last. Fast DDS 3.2 acknowledges every 3 s.
 ACKNOWLEDGE_TIMEOUT = 0.5
 DISCOVERY_PERIOD = 0.02  # between two checks whether the server of a call is available
+RECONFIGURE_TIMEOUT = 2.0  # for reconfigure to return, as the executor waits for it
 RETURN_TIMEOUT = 0.2  # for deactivate and cleanup to return once their waits have ended
 SERVER_CHECK_PERIOD = 0.5  # between two checks whether the servers of all clients are available
 SERVER_LOST_TIMEOUT = 2.0  # for an action server to come back before its goals are lost

@@ -87,6 +87,12 @@ class _Recorder:
         self.config = config
         report('config', vars(config))
 
+    def reconfigure(self, config):
+        if not self.obey('reconfigure'):
+            return 'told to refuse'
+        self.record(config)
+        return ''
+
     def activate(self):
         return self.called('activate')
 

@@ -102,6 +102,12 @@ class ManagedNode:
         """Call a method of the logic."""
         return getattr(self._impl, method)(*arguments)
 
+    def _refusal(self, config: Any) -> str:
+        """Let the logic take changed parameters; return why it refuses, or ''."""
+        if self.state not in ('inactive', 'active'):
+            return ''
+        return self._logic.reconfigure(lambda: str(self._impl.reconfigure(config)))
+
     def _running(self) -> dict[Future[Any], str]:
         """Return the calls of the logic that have not returned, with their names."""
         running = self._logic.running()

@@ -59,9 +59,14 @@ std::string to_json(const Value & value)
 
 inline std::string to_json(const std::string & value)
 {
-  std::ostringstream text;
-  text << std::quoted(value);
-  return text.str();
+  std::string text = "\"";
+  for (const char letter : value) {
+    if (letter == '"' || letter == '\\') {
+      text += '\\';
+    }
+    text += letter == '\n' ? "\\n" : std::string(1, letter);
+  }
+  return text + '"';
 }
 
 inline std::string to_json(const char * value) {return to_json(std::string(value));}

@@ -43,6 +43,15 @@ public:
     return recorder_.called("configure");
   }
 
+  std::string reconfigure(const WorkerConfig & config)
+  {
+    if (!recorder_.run(recorder_.next("reconfigure"))) {
+      return "told to refuse";
+    }
+    record(config);
+    return "";
+  }
+
   bool activate() {return recorder_.called("activate");}
   void deactivate() {recorder_.called("deactivate");}
   void cleanup() {recorder_.called("cleanup");}
@@ -112,6 +121,7 @@ private:
       ", \"verbose\": " + to_json(config.verbose) +
       ", \"label\": " + to_json(config.label) +
       "}";
+    const std::lock_guard<std::mutex> lock(config_mutex_);
     if (text != config_) {
       config_ = text;
       report("config", text);
@@ -122,6 +132,7 @@ private:
   std::mutex mutex_;
   std::string cycles_ = "[0, 0, 0]";
   int count_ = 0;
+  std::mutex config_mutex_;
   std::string config_;
   Recorder recorder_;
 };
