@@ -50,6 +50,7 @@ class SpecExtension(Extension):
         self.contexts: dict[tuple[Path, bytes, str], dict[str, Any]] = {}
         self.update: Any = None
         self.joining: Any = None
+        self.theirs = ""
         self.report: Any = None
         for function in (
             self.ros_distros,
@@ -66,7 +67,7 @@ class SpecExtension(Extension):
             self.template_notes,
             self.begin_update,
             self.finish_update,
-            self.is_joining,
+            self.joined,
             self.finish_join,
             self.update_report,
         ):
@@ -193,12 +194,12 @@ class SpecExtension(Extension):
             self.report = self._finish(self.update, context, spec)
         return False
 
-    def is_joining(self, _context: Context) -> bool:
-        """Say whether two branches are joined, which git has begun to."""
-        return self.joining is not None
+    def joined(self, _context: Context) -> str:
+        """Return whose files a copy merges into the package, if it does."""
+        return self.theirs
 
     def finish_join(self, context: Context, spec: dict[str, Any]) -> bool:
-        """Join two branches, in place of what Copier has written. Always false, as above."""
+        """Join two branches, or move to another model, in place of a copy. Always false, too."""
         if self.joining:
             self.report = self._finish(self.joining, context, spec)
         return False
@@ -255,7 +256,7 @@ class SpecExtension(Extension):
                 renderer = self._renderer(context)
                 self._merge("preflight").refuse_questions(package.folder, given, renderer)
         elif answers.exists() and self._joins(package):
-            self.joining = self._new_update(context, package)
+            self.joining, self.theirs = self._new_update(context, package), "the other branch's"
             given = {**context["_copier_answers"], "spec": values}
             self._merge("preflight").refuse_join(package.folder, given, self._renderer(context))
         elif answers.exists():
@@ -268,6 +269,13 @@ class SpecExtension(Extension):
                 self._renderer(context),
                 self._moved_files(context, values),
             )
+            if self._is_other_model(package, context):
+                self.joining, self.theirs = self._new_update(context, package), "the model's"
+
+    def _is_other_model(self, package: Any, context: Context) -> bool:
+        """Say whether a copy is to move a package to another template (decision 110)."""
+        recorded = self._merge("render").recorded_answers(package.folder, package.answers_file)
+        return bool(recorded.get("_src_path") != context["_copier_answers"].get("_src_path"))
 
     def _joins(self, package: Any) -> bool:
         return bool(self._merge("preflight").is_joining(package.folder, package.answers_file))

@@ -77,6 +77,7 @@ def check(
     checker.check_package(root)
     if not checker.faults:
         checker.check_own_types()
+        checker.check_references()
         for element, fault in collisions(checker.spec.elements, dictionary.scopes, filters, ros):
             checker.fault(element, fault)
         for element, fault in clashes(checker.spec.interfaces, dictionary):
@@ -194,6 +195,38 @@ class _Checker:
                 )
                 fault = f"{quoted(word)} is not declared in this package"
                 self.fault(element, f"{name}: {fault}; {allowed(word, known)}")
+
+    def check_references(self) -> None:
+        """Insist that what refers to an element names one (decision 113)."""
+        for item in self.spec.elements:
+            kinds = self.kinds(item)
+            known = kinds[-1].attributes if kinds else self.dictionary.package
+            for name, attribute in known.items():
+                tag, value = attribute.refers_to, item.values.get(name)
+                if not tag or value in (None, ""):
+                    continue
+                package, *around = item.owners.values() or [item]
+                holders = [
+                    owner
+                    for owner, kind in zip(around, kinds, strict=False)
+                    if tag in [each.kind for each in nested(kind.interfaces)]
+                ]
+                home = [package, *holders][-1]
+                names = [
+                    str(each.values[str(self.kinds(each)[-1].naming)])
+                    for each in self.spec.elements
+                    if each.tag == tag and any(owner is home for owner in each.owners.values())
+                ]
+                if value not in names:
+                    fault = f"{quoted(str(value))} is no <{tag}> of this <{home.tag}>"
+                    self.fault(item.element, f"{name}: {fault}; {allowed(str(value), names)}")
+
+    def kinds(self, item: Checked) -> list[Component | Interface]:
+        """Return what the dictionary says of an element, after what it stands in."""
+        found: list[Component | Interface] = []
+        for tag in [*item.owners, item.tag][1:]:
+            found.append(found[-1].interfaces[tag] if found else self.dictionary.components[tag])
+        return found
 
     def checked(self, tag: str, element: Element, values: Values, *owners: Checked) -> Checked:
         """Keep an element for the checks of the whole."""

@@ -50,6 +50,8 @@ class Attribute:
     """It may be a list without values."""
     among: str | None = None
     """The attribute that lists the values it may have."""
+    refers_to: str | None = None
+    """The tag of the elements one of which it names."""
     as_written: bool = False
     choices: Mapping[str, list[str]] = field(default_factory=dict)
     pattern: str | None = None
@@ -249,7 +251,21 @@ class _Reader:
         for component in components.values():
             keys = frozenset() if component.is_plain else COMPONENT_KEYS
             self.check_inside(component.tag, component, keys)
+        self.check_references(package, components)
         return Dictionary(package, components, plain(aliases), plain(skeleton), scopes, files)
+
+    def check_references(
+        self, package: Mapping[str, Attribute], components: Mapping[str, Component]
+    ) -> None:
+        """Insist that what an attribute refers to are elements with a name."""
+        kinds: list[tuple[str, Component | Interface]] = [*components.items()]
+        for component in components.values():
+            kinds += [(each.kind, each) for each in nested(component.interfaces)]
+        tags = list(dict.fromkeys(tag for tag, kind in kinds if kind.naming))
+        for owner, known in [(PACKAGE, package), *((tag, kind.attributes) for tag, kind in kinds)]:
+            for name, attribute in known.items():
+                if tag := attribute.refers_to:
+                    self.check_word("", f"{owner} {name}", "tag to refer to", tags, tag)
 
     def attributes(self, owner: str, items: Any) -> dict[str, Attribute]:
         if not isinstance(items, list):

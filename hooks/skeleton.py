@@ -123,6 +123,8 @@ def meaning(attribute: Attribute) -> str:
     words = [attribute.doc] if attribute.doc else []
     if attribute.choices:
         words.append("one of " + ", ".join(attribute.choices))
+    if attribute.refers_to:
+        words.append(f"the name of a {attribute.refers_to}")
     if attribute.same_as:
         words.append(f"default {attribute.same_as}")
     elif attribute.optional:

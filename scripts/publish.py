@@ -3,10 +3,10 @@
     python scripts/publish.py python_model git@github.com:org/python_model.git
 
 Every version tag of the collection that has the model becomes one commit there, with the same tag,
-message, author and date: the model's folder is its root, beside hooks, extensions, shared and the
-licence. A link out of the model's folder becomes the file or folder it leads to. `main` there is
-the highest version. The commits are the same whoever publishes them, so publishing again adds only
-what is new; and where one is refused, nothing is pushed.
+message, author and date: the model's folder is its root, beside hooks, extensions, shared, house
+(if there is one) and the licence. A link out of the model's folder becomes the file or folder it
+leads to. `main` there is the highest version. The commits are the same whoever publishes them, so
+publishing again adds only what is new; and where one is refused, nothing is pushed.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from pathlib import Path
 
 from packaging.version import InvalidVersion, Version
 
-SHARED = ("hooks", "extensions", "shared")
+SHARED = ("hooks", "extensions", "shared", "house")
 
 
 class PublishError(Exception):

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
+
+from packaging.version import InvalidVersion, Version
 
 from ..changes import check_names_before, marked
 from ..dictionary import Dictionary
@@ -41,6 +44,7 @@ def check(
     answers = recorded_answers(package, renderer.answers_file)
     recorded = answers.get("spec") or {}
     if answers:
+        refuse_version_of_others(answers, renderer)
         check_names_before(recorded, spec, dictionary, places)
     modes = tracked(package) if is_repository(package) else {}
     renamed = bool(moved) or any(
@@ -61,6 +65,23 @@ def check(
         moves = {path: renaming.path(path) for path in modes}
         moves = {path: after for path, after in moves.items() if after != path}
     refuse(package, touched | set(moves.values()), moves)
+
+
+def refuse_version_of_others(answers: Mapping[str, Any], renderer: Renderer) -> None:
+    """Insist that a version with a local part, as of a house, is followed by such a one.
+
+    Raises:
+        SpecError: it is not: a tag of upstream's has got where Copier looks (decision 112).
+
+    """
+    before, after = str(answers.get("_commit")), str(renderer.commit)
+    with contextlib.suppress(InvalidVersion):
+        is_other = Version(before).local and not Version(after).local
+        if is_other and answers.get("_src_path") == renderer.url:
+            raise SpecError(
+                f"{after} is a version without a house, and {before} made this package; delete the"
+                f" tag {after} from {renderer.url}, or give another one by --vcs-ref"
+            )
 
 
 def is_joining(package: Path, answers_file: str) -> bool:

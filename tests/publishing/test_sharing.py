@@ -4,6 +4,7 @@ What templates share is included by name, and published with each model (decisio
 """
 
 import re
+import shlex
 import subprocess
 
 import pytest
@@ -118,13 +119,28 @@ def test_links_lead_to_whoever_publishes(own_collection, render):
 def test_package_of_the_collection_follows_the_published_model(
     github, render, copier_command, tmp_path
 ):
-    """As docs/developers.md says of an adopted package."""
-    collection, _, environment = github
+    """By the line of docs/developers.md, and keeps what is written by hand, or deleted."""
+    collection, publish, environment = github
+    gitignore = collection / "shared/gitignore"
+    gitignore.write_text(gitignore.read_text() + "*.bag\n")
+    commit(collection, "Ignore bags", tag="1.1.0")
+    publish()
     package = render(template=collection, vcs_ref="1.0.0", name="mypkg")
-    recorded = package / ".copier-answers.yml"
-    text = re.sub(r"(?m)^_src_path: .*$", "_src_path: gh:org/python_model", recorded.read_text())
-    recorded.write_text(text)
-    commit(package, "Follow the published model")
-    result = copier_command("update", *QUIET, cwd=package, **environment)
+    logic = package / "mypkg/example_impl.py"
+    written = logic.read_text() + "\n\nGAIN = 2\n"
+    logic.write_text(written)
+    (package / "mypy.ini").unlink()
+    commit(package, "Write the logic")
+    (line,) = blocks("docs/developers.md", "Coming from the original generator")[-1:]
+    result = copier_command(*shlex.split(line)[1:], cwd=package, **environment)
     assert result.returncode == 0, result.stderr
-    assert answers(package)["_src_path"] == "gh:org/python_model"
+    assert (answers(package)["_src_path"], answers(package)["_commit"]) == (
+        "gh:org/python_model",
+        "1.1.0",
+    )
+    assert "*.bag" in (package / ".gitignore").read_text()
+    assert logic.read_text() == written
+    assert not (package / "mypy.ini").exists()
+    commit(package)
+    assert copier_command("update", *QUIET, cwd=package, **environment).returncode == 0
+    assert git(package, "status", "--short") == ""

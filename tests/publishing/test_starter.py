@@ -186,6 +186,18 @@ def test_pattern_of_an_attribute_is_no_fault(team):
     assert "1 passed" in run_tests(model, "-k", "used and timer")
 
 
+def test_attributes_that_refer_to_elements(team):
+    """The tests of the model give them the name of an element that is there."""
+    model, _ = team
+    refers = "- after: {refers_to: publisher, example: example}\n      - period:"
+    change(model / "dictionary.yaml", "- period:", refers)
+    added = "- last: {refers_to: node, default: example_node}\n\nnode_attributes:"
+    change(model / "dictionary.yaml", "\nnode_attributes:", f"  {added}")
+    change(model / "template/README.md.jinja", "`{{ timer.name }}`", "`{{ timer.after }}`")
+    result = run_tests(model, "-k", "timer or all_of or two_components or escaped or edits")
+    assert re.search(r"^\d+ passed, \d+ deselected in", result, re.MULTILINE), result
+
+
 def test_life_of_a_model(team, github, tmp_path):
     """Make it, add a tag and a function, publish it, use it, publish v2, update both."""
     model, run = team

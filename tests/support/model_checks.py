@@ -6,6 +6,7 @@ It serves the model in whose repository it stands, or each model of a collection
 import copy
 import importlib
 import importlib.util
+import os
 import shutil
 import subprocess
 import tempfile
@@ -13,6 +14,7 @@ import warnings
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 from pathlib import Path
 from unittest import mock
 
@@ -181,6 +183,9 @@ class Model:
         has_one = any(owner.component in made for owner, _ in own)
         holders |= {owner.path[:1] for owner, _ in own}
         holders |= set() if has_one else {(tag,) for tag in made}
+        holders |= self._referred(
+            [*elements, *(item for item in needed if item[0].path in holders)]
+        )
         placed = []
         for item in sorted(own + needed, key=lambda item: len(item[0].path)):
             path = item[0].path
@@ -190,8 +195,38 @@ class Model:
         for owner, values in own:
             if owner.kind and not any(item[1] is values for item in placed):
                 ET.SubElement(parents[owner.path[:-1]], owner.kind, values)
+        self._refer(root)
         ET.indent(root)
         return ET.tostring(root, encoding="unicode") + "\n"
+
+    def _referred(self, elements):
+        """Return the paths of what elements refer to, with all that this needs."""
+        found, left = set(), list(elements)
+        while left:
+            owner, values = left.pop()
+            refers = [a for name, a in owner.attributes.items() if a.refers_to and name in values]
+            for tag in (attribute.refers_to for attribute in refers):
+                named = [each for each in self.owners if each.path[-1:] == (tag,)]
+                home = max(
+                    named, key=lambda each: len(os.path.commonprefix([each.path, owner.path]))
+                )
+                paths = {home.path[:size] for size in range(1, len(home.path) + 1)} - found
+                left += [(each, self.base(each)) for each in self.owners if each.path in paths]
+                found |= paths
+        return found
+
+    def _refer(self, root):
+        """Let each value that refers to an element be the name of one that is there."""
+        around = {child: parent for parent in root.iter() for child in parent}
+        for owner in self.owners:
+            refers = [(name, a.refers_to) for name, a in owner.attributes.items() if a.refers_to]
+            found = root.findall("/".join(owner.path)) if owner.path else [root]
+            for element, (name, kind) in product(found, refers):
+                home, tag = around.get(element, root), f".//{kind}"
+                while home.find(tag) is None and home is not root:
+                    home = around[home]
+                if name in element.attrib and home.find(tag) is not None:
+                    element.set(name, next(iter(home.find(tag).attrib.values()), ""))
 
     def faulty(self, owner):
         """Yield specs with a fault that a schema can know: what is unknown, missing, no choice."""
@@ -232,6 +267,8 @@ class Model:
             if not attribute.unique or name not in element.attrib:
                 continue
             element.set(name, f"{element.get(name)}{number + 2}")
+        if root is not None:
+            self._refer(root)
         spec = "" if root is None else ET.tostring(root, encoding="unicode")
         return spec and all(self.context(spec, distro) for distro in self.distros)
 
@@ -247,6 +284,7 @@ class Model:
                 for name, attribute in [*owner.attributes.items()][1:]
                 if attribute.format in ("text", "raw") and not attribute.ignored
                 if not (attribute.choices or attribute.pattern or attribute.unique)
+                if not attribute.refers_to
             }
             found.append((owner, base | texts))
         return found
