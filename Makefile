@@ -1,6 +1,6 @@
 # `make demo` and `make test` are the commands of the README, the others serve development. Each
 # sets up what it needs, once.
-.PHONY: demo picture check test mutants bench lab fuzz accept debian clean
+.PHONY: demo picture check test mutants mutate bench lab fuzz accept debian clean
 
 PYTHON ?= python3
 TOOLS := .venv/tools
@@ -38,12 +38,18 @@ mutants: $(TOOLS)/ready $(ROS2)/ready debian
 accept: $(TOOLS)/ready
 	$(TOOLS)/bin/python scripts/accept.py
 
-bench: $(TOOLS)/ready $(ROS2)/ready
+# Copies and updates beside bare Copier's, and nodes beside some that are written by hand: docs/benchmarks.md.
+# NODES='--only "Python, ROS 2"' measures a part, NODES=--write writes that page.
+NODES ?=
+bench: $(TOOLS)/ready $(ROS2)/ready debian
 	$(TOOLS)/bin/python benchmarks/render.py
-	@rm -rf build/bench
-	@$(TOOLS)/bin/copier copy --trust --defaults --quiet --vcs-ref=HEAD -d model=python_model \
-	  -d spec_file=benchmarks/fast.ros_package -d ros_distro=kilted . build/bench/fast
-	PYTHONPATH=build/bench/fast $(ROS2)/bin/python benchmarks/loop.py
+	ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH=tests $(TOOLS)/bin/python benchmarks/compare.py $(NODES)
+
+# Faults in the hooks, of which the fast tests are to notice nearly all: FAULTS='--seed 7 --count 200'.
+FAULTS ?=
+mutate: $(TOOLS)/ready
+	$(TOOLS)/bin/pip install --quiet --disable-pip-version-check pytest-cov
+	PYTHONPATH= $(TOOLS)/bin/python scripts/mutate.py $(FAULTS)
 
 # The merge laboratory at length: LAB_TRIALS updates for each model and ROS, random ones each time.
 LAB_TRIALS ?= 2000

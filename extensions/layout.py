@@ -137,14 +137,15 @@ def _in_parentheses(code: str, indent: int, rest: deque[str]) -> list[str]:
         inside.append(" " * _STEP + row if row else row)
         if depth == 0:
             break
-    if not sign or any(line.endswith(_NO_LIMIT) for line in _code(inside)):
+    margin = " " * indent
+    begin = f"{margin}{target}{sign}("
+    if len(begin) > _WIDTH or not sign or any(line.endswith(_NO_LIMIT) for line in _code(inside)):
         return []
     for _ in inside[1:]:
         rest.popleft()
     comma = "," if inside[-1].endswith(",") else ""
     inside[-1] = inside[-1].removesuffix(",")
-    margin = " " * indent
-    return [f"{margin}{target}{sign}(", *inside, f"{margin}){comma}"]
+    return [begin, *inside, f"{margin}){comma}"]
 
 
 def _folded(code: str, indent: int, is_inside: bool) -> list[str]:

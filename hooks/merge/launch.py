@@ -267,8 +267,10 @@ def _attributes(text: str) -> dict[str, str]:
 
 
 def _with_attribute(text: str, name: str, value: str) -> str:
-    """Return an element with an attribute, in the place of the one it has."""
+    """Return an element, below its comments, with an attribute in the place of the one it has."""
+    *comments, text = re.split(r"(?<=-->)", text)
+    above = "".join(comments)
     form = rf"""(?<=\s){re.escape(name)}\s*=\s*("[^"]*"|'[^']*')"""
     if re.search(form, text):
-        return re.sub(form, lambda _: f"{name}={value}", text, count=1)
-    return re.sub(r"\s*(/?>)", lambda m: f" {name}={value}{m[1]}", text, count=1)
+        return above + re.sub(form, lambda _: f"{name}={value}", text, count=1)
+    return above + re.sub(r"\s*(/?>)", lambda m: f" {name}={value}{m[1]}", text, count=1)

@@ -125,3 +125,48 @@ def versions(collection, render, model, distro, cars, workspace):
         name = f"src/{spec.stem}"
         render(spec, name=name, model=model, runtime="node_runtime", **options)
     return tuple(names)
+
+
+SHORT_CALLBACKS = """
+from unittest.mock import Mock
+
+from ear.ros import callbacks
+from ear.ros.stop import Stop
+
+class Node:
+    stop = Stop()
+    executor = Mock()
+
+    def call(self, method, message):
+        pass
+
+async def first(node, calls):
+    global awaited
+    awaited += 1
+
+awaited = 0
+callbacks.first = first
+thread = callbacks.CallbackThread(Node(), 'say', 'receive_say')
+for message in range(500):
+    try:
+        thread.receive(message).send(None)
+    except StopIteration:
+        pass
+print(f'{awaited} of 500 awaited')
+"""
+
+
+@pytest.mark.ros2
+def test_short_callback_has_returned_when_the_executor_goes_on(ros2, make, tmp_path):
+    """Nearly each: the system may take the processor from the thread of the callback."""
+    spec = tmp_path / "ear.ros_package"
+    spec.write_text(
+        SPEC.format(name="ear")
+        .replace("publisher", "directSubscriber")
+        .replace(' frequency="50"', "")
+    )
+    make(tmp_path / "ear", spec, ros_distro=ros2.distro)
+    (tmp_path / "short.py").write_text(SHORT_CALLBACKS)
+    command = f"env PYTHONPATH={tmp_path}/ear:$PYTHONPATH {ros2.python} short.py"
+    printed = ros2.run(command, tmp_path).stdout
+    assert int(printed.split()[0]) < 100, printed

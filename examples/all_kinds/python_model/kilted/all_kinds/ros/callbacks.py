@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from concurrent.futures import Future
+from queue import SimpleQueue
 from typing import Any, Optional, TYPE_CHECKING
 
 from all_kinds.ros.awaiting import executor_of, first
@@ -20,16 +21,12 @@ class NoResponse(Exception):
 
 
 class CallbackThread:
-    """
-    A thread that runs one callback of the logic, one call at a time, while the executor goes on.
-
-    pending: futures of the calls not yet answered, with the name of the thread.
-    """
+    """A thread that runs one callback, one call at a time, while the executor goes on."""
 
     def __init__(self, node: ManagedNode, name: str, method: str) -> None:
         """Start the thread, named after a topic, service or action."""
-        self.pending: dict[Future[None], str] = {}
         self.name = name
+        self._unanswered: dict[Future[None], str] = {}
         self._node = node
         self._method = method
         self._worker = Worker(name)
@@ -37,11 +34,14 @@ class CallbackThread:
     async def run(self, *arguments: Any, until: Optional[Future[None]] = None) -> Any:
         """Run the callback; return None if it fails, the node stops or `until` comes first."""
         answered: Future[None] = Future()
-        call = self._node.stop.admit(lambda: self._submit(answered, *arguments))
+        self._unanswered[answered] = self.name
+        call = self._begin(*arguments)
         if call is None:
+            self._forget(answered)
             return None
         try:
-            await first(self._node, [call, until] if until else [call])
+            if not call.done():
+                await first(self._node, [call, until] if until else [call])
             return call.result() if call.done() else None
         finally:
             # In a task, which the executor runs after it has sent the response of a service.
@@ -49,7 +49,9 @@ class CallbackThread:
 
     async def receive(self, message: Any) -> None:
         """Run the callback of a subscription."""
-        await self.run(message)
+        call = self._begin(message)
+        if call and not call.done():
+            await first(self._node, [call])
 
     async def serve(self, request: Any, response: Any) -> Any:
         """Run the callback of a service."""
@@ -65,6 +67,10 @@ class CallbackThread:
         if not self._node.has_error:
             self._node.get_logger().warning(f'{self._method} {text}')
 
+    def under_way(self) -> dict[Future[Any], str]:
+        """Return the calls that have not returned or are not yet answered, with their name."""
+        return {**self._worker.pending(), **self._unanswered}
+
     def is_running(self) -> bool:
         """Return whether a call has not returned."""
         return bool(self._worker.pending())
@@ -73,9 +79,24 @@ class CallbackThread:
         """End the thread after the calls under way."""
         self._worker.close()
 
-    def _submit(self, answered: Future[None], *arguments: Any) -> Future[Any]:
-        self.pending[answered] = self.name
-        return self._worker.submit(self._call, *arguments)
+    def _begin(self, *arguments: Any) -> Optional[Future[Any]]:
+        """
+        Submit a call, unless the node stops; the thread begins it before this one goes on.
+
+        The executor would keep the interpreter until it waits again; so a short call has returned
+        by now. A thread that is not free has a call that was given up.
+        """
+        is_free = not self.is_running()
+        begun: SimpleQueue[None] = SimpleQueue()
+
+        def run() -> Any:
+            begun.put(None)
+            return self._call(*arguments)
+
+        call = self._node.stop.admit(lambda: self._worker.submit(run, name=self.name))
+        if call and is_free:
+            begun.get()
+        return call
 
     def _call(self, *arguments: Any) -> Any:
         try:
@@ -85,5 +106,5 @@ class CallbackThread:
             return None
 
     def _forget(self, answered: Future[None]) -> None:
-        del self.pending[answered]
+        del self._unanswered[answered]
         answered.set_result(None)

@@ -428,7 +428,7 @@ class ManagedNode(LifecycleNode):
             server.accept_goals(False)
         under_way = self._logic.running()
         for callback in self._threads.values():
-            under_way.update(callback.pending)
+            under_way.update(callback.under_way())
         self._logic.have_returned(under_way)
         for server in self._action_servers:
             server.give_up()

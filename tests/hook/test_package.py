@@ -1,0 +1,44 @@
+"""The spec of a package's folder."""
+
+import pytest
+
+from hooks.faults import SpecError
+from hooks.package import Package
+
+SPEC = "<package/>\n"
+
+
+@pytest.fixture
+def package(tmp_path):
+    return Package(tmp_path, ".copier-answers.yml")
+
+
+def test_new_package_has_no_spec(package):
+    assert package.spec_file("") is None
+    assert package.spec_file("other.xml").name == "other.xml"
+
+
+def test_package_has_one_spec(package):
+    for name in ("b", "a"):
+        (package.folder / f"{name}.ros_package").write_text(SPEC)
+        if name == "b":
+            assert package.spec_file("") == package.folder / "b.ros_package"
+    with pytest.raises(SpecError, match=r"one spec is allowed, found a\.ros_package, b\.ros_pack"):
+        package.spec_file("")
+
+
+def test_another_spec_is_given(package, tmp_path):
+    (package.folder / "a.ros_package").write_text(SPEC)
+    same, other = tmp_path / "same.xml", tmp_path / "other.xml"
+    same.write_bytes(b"\xef\xbb\xbf<package/>\r\n")
+    other.write_text("<package />\n")
+    assert package.spec_file(str(same)) == same
+    with pytest.raises(SpecError, match=r"a\.ros_package is the spec of this package; change"):
+        package.spec_file(str(other))
+
+
+def test_package_has_lost_its_spec(package):
+    (package.folder / package.answers_file).write_text("a: 1\n")
+    assert package.answers() == {"a": 1}
+    with pytest.raises(SpecError, match="lost its spec .*; git does not have it either"):
+        package.spec_file("")

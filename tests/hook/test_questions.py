@@ -1,0 +1,69 @@
+"""The options of a model, read from its copier.yml, and what is said of answers that changed."""
+
+import pytest
+
+from hooks.changes import changed_answers
+from hooks.faults import SpecError
+from hooks.questions import check_choices, check_options, questions
+
+COPIER_YML = """
+_subdirectory: template
+colour: {type: str, choices: [red, 2]}
+size: {type: str, choices: {Small: s, Large: l}}
+parts: {type: str, multiselect: true, choices: [wheel, arm]}
+nested: {type: str, choices: [[Red, r]]}
+count: 3
+hidden: {type: str, when: false}
+silent: {type: str, ask: false}
+---
+!include more.yml
+---
+"""
+
+
+@pytest.fixture
+def root(tmp_path):
+    (tmp_path / "copier.yml").write_text(COPIER_YML)
+    (tmp_path / "more.yml").write_text("late: {type: str}\n")
+    return tmp_path
+
+
+def test_questions(root):
+    names = ["colour", "size", "parts", "nested", "count", "hidden", "silent", "late"]
+    assert [*questions(root)] == names
+
+
+def test_options_that_are_asked(root):
+    check_options(["colour", "count", "late", "_own"], root)
+    for name in ("hidden", "silent", "color"):
+        with pytest.raises(SpecError, match=f"-d {name}: no such option; .*colour"):
+            check_options(["colour", name], root)
+
+
+@pytest.mark.parametrize(
+    "answers",
+    [
+        {"colour": 2},
+        {"size": "l"},
+        {"parts": ["wheel", "leg"]},
+        {"nested": "green"},
+        {"count": 7},
+        {"late": "any"},
+        {"kind": "b"},
+    ],
+)
+def test_answers_that_may_be(root, answers):
+    check_choices(answers, root, {"late": ["any", "one"]})
+
+
+@pytest.mark.parametrize("answers", [{"colour": "blue"}, {"size": "Large"}, {"late": "none"}])
+def test_answers_that_may_not_be(root, answers):
+    name, answer = next(iter(answers.items()))
+    with pytest.raises(SpecError, match=f'{name}: unknown "{answer}"'):
+        check_choices(answers, root, {"late": ["any", "one"]})
+
+
+def test_changed_answers():
+    old = {"spec": "a", "ros_distro": "humble", "_commit": "1", "same": 1}
+    new = {"spec": "b", "ros_distro": "kilted", "_commit": "2", "same": 1, "new": 2}
+    assert [*changed_answers(old, new)] == ["~ ros_distro: humble -> kilted"]

@@ -1,0 +1,371 @@
+"""Code that filters write, letter by letter: what is too long for its line is folded."""
+
+import pytest
+
+from extensions.cpp import cpp_comment, fit
+from extensions.layout import fold_python
+from extensions.python import (
+    cfg_value,
+    other_values,
+    python_text,
+    python_value,
+    refused_values,
+    sort_imports,
+)
+from extensions.qos import qos_words, rclcpp_qos, rclpy_qos, rclpy_qos_names
+
+LENGTHS = {"fifty": 50, "forty": 40, "thirty": 30}
+"""What stands for names of so many letters."""
+PYTHON = '''\
+"""Sum up fifty, forty and more: thirty."""
+
+from package.fifty import forty, thirty
+
+
+class Node:
+    """
+    Words fifty fifty: thirty.
+
+    One fifty two forty three.
+    """
+
+    # A comment fifty forty thirty.
+    # fiftyfiftyfifty
+    fifty_fifty = 1
+    empty = [
+    ]
+
+    def fifty(self, forty: int, thirty) -> None:
+        """Do it."""
+        self.fifty = fifty.thirty
+        self.fifty = forty.thirty(1)
+        self.fifty['forty'] = call('thirty', 1)
+        fifty = ['fifty', 'thirty', 3]
+        forty += fifty.call(thirty)
+        first(fifty, second(fifty), {'key': 'thirty'})
+        fifty == call(forty, [1], thirty, x)
+        nested(
+            name=fifty.fifty,
+            thirty=fifty.thirty,
+            other=call(fifty + forty + thirty),
+            text='(fifty' 'and) forty',
+        )
+        fifty.thirty.thirty = something(
+            forty,
+        )
+        keyword(name=fifty, other=forty, more={})
+        return fifty + 'fifty' + thirty
+'''
+FOLDED_PYTHON = '''\
+"""Sum up fifty."""
+
+from package.fifty import (
+    forty,
+    thirty,
+)
+
+
+class Node:
+    """
+    Words fifty fifty.
+
+    One fifty two
+    forty three.
+    """  # noqa: E501
+
+    # A comment fifty
+    # forty thirty.
+    # fiftyfiftyfifty
+    fifty_fifty = 1  # noqa: E501
+    empty = []
+
+    def fifty(
+        self, forty: int, thirty
+    ) -> None:
+        """Do it."""
+        self.fifty = (
+            fifty.thirty
+        )
+        self.fifty = (
+            forty.thirty(1)
+        )
+        self.fifty['forty'] = call(  # noqa: E501
+            'thirty', 1
+        )
+        fifty = [
+            'fifty',
+            'thirty',
+            3,
+        ]
+        forty += fifty.call(  # noqa: E501
+            thirty
+        )
+        first(
+            fifty,
+            second(fifty),
+            {'key': 'thirty'},
+        )
+        fifty == call(
+            forty, [1], thirty, x
+        )
+        nested(
+            name=fifty.fifty,  # noqa: E501
+            thirty=(
+                fifty.thirty
+            ),
+            other=call(
+                fifty
+                + forty
+                + thirty
+            ),
+            text='(fifty' 'and) forty',  # noqa: E501
+        )
+        fifty.thirty.thirty = something(  # noqa: E501
+            forty,
+        )
+        keyword(
+            name=fifty,
+            other=forty,
+            more={},
+        )
+        return fifty + 'fifty' + thirty  # noqa: E501
+'''
+CPP = """\
+#include "fifty/thirty_interface.hpp"
+#ifndef FIFTY__forty_forty_HPP_
+  // A comment fifty forty thirty and more words.
+  // https://fifty.example.org/fiftythirty
+  std::shared_ptr<Publisher<fifty::thirty>> fifty_member;
+  fifty::Type thirty_member = std::make_shared<fifty>();
+  const auto value = create_fifty<thirty>(first, "a, (b", second(forty, 2), 3);
+  call_fifty(forty, [this](int a, int b) {return a;}, {1, 2}, thirty_first);
+  if (fifty_first.thirty != fifty_second.forty) {
+  if (fifty_first.thirty(1) == fifty_second.forty(x, 2)) {
+  [[maybe_unused]] const fifty_types::forty & request_of_thirty)
+  const fifty_types::thirty_message & forty_function(
+void FiftyImpl::fifty_thirty::forty_callback_name_of(
+  return std::vector<std::shared_ptr<fifty_types::thirty_forty>>{};
+  using fifty_forty = thirty::fifty_type;
+"""
+FOLDED_CPP = """\
+// *INDENT-OFF*
+#include "fifty/thirty_interface.hpp"
+#ifndef FIFTY__forty_forty_HPP_
+// *INDENT-ON*
+  // A comment fifty
+  // forty thirty and more words.
+  // https://fifty.example.org/fiftythirty
+  std::shared_ptr<Publisher<
+      fifty::thirty>>
+  fifty_member;
+  fifty::Type
+    thirty_member =
+      std::make_shared<fifty>();
+  const auto value =
+    create_fifty<thirty>(
+    first,
+    "a, (b",
+    second(forty, 2),
+    3);
+  call_fifty(
+    forty,
+    [this](int a, int b) {return a;},
+    {1, 2},
+    thirty_first);
+  if (
+    fifty_first.thirty !=
+    fifty_second.forty)  // NOLINT(whitespace/line_length)
+  {
+  if (
+    fifty_first.thirty(1) ==
+    fifty_second.forty(  // NOLINT(whitespace/line_length)
+      x,
+      2))
+  {
+  [[maybe_unused]]
+  const fifty_types::
+  forty & request_of_thirty)
+  const fifty_types::
+  thirty_message &
+  forty_function(
+void FiftyImpl::fifty_thirty::
+forty_callback_name_of(
+  return std::vector<std::shared_ptr<
+      fifty_types::
+      thirty_forty>>{};
+  using fifty_forty =  // NOLINT(whitespace/line_length)
+    thirty::fifty_type;
+"""
+
+
+def long(text):
+    for name, length in LENGTHS.items():
+        text = text.replace(name, name[:2] * (length // 2))
+    return text
+
+
+@pytest.mark.parametrize(
+    ("fold", "text", "folded"), [(fold_python, PYTHON, FOLDED_PYTHON), (fit, CPP, FOLDED_CPP)]
+)
+def test_long_lines(fold, text, folded):
+    assert fold(long(text)) == long(folded)
+    assert fold(text.replace("[\n    ]", "[]")) == text.replace("[\n    ]", "[]")
+
+
+def test_comments_of_cpp():
+    assert cpp_comment("// TODO: a\\\nNOLINTNEXTLINE(x) ??/") == (
+        "// todo: a\\.\nnolintNEXTLINE(x) ??/."
+    )
+    assert cpp_comment("a // TODO, NOLINT\n") == "a // TODO, NOLINT\n"
+
+
+@pytest.mark.parametrize(
+    ("value", "indent", "used", "literal"),
+    [
+        ('it\'s "a"', 0, 0, "'it\\'s \"a\"'"),
+        ("it's", 0, 0, '"it\'s"'),
+        ("x" * 91, 4, 2, f"'{'x' * 91}'"),
+        ("x" * 92, 4, 2, f"(\n        '{'x' * 89}'\n        'xxx'\n    )"),
+        ("日" * 50, 4, 0, f"(\n        '{'日' * 44}'\n        '{'日' * 6}'\n    )"),
+        ("ab " * 33, 0, 0, f"(\n    '{'ab ' * 30}ab'\n    ' ab ab '\n)"),
+        ([1, 2.5e20], 4, 0, "(1, 2.5e20)"),
+        (["a"], 4, 0, "('a',)"),
+        ([], 4, 0, "()"),
+        (["a" * 50, "b" * 60], 4, 10, f"(\n        '{'a' * 50}',\n        '{'b' * 60}',\n    )"),
+        (["a" * 40, "b" * 40], 4, 6, f"('{'a' * 40}', '{'b' * 40}')"),
+        (["a" * 40, "b" * 40], 4, 8, f"(\n        '{'a' * 40}',\n        '{'b' * 40}',\n    )"),
+    ],
+)
+def test_literals_of_python(value, indent, used, literal):
+    assert python_value(value, indent, used) == literal
+    assert isinstance(value, list) or python_text(value, indent, used) == literal
+
+
+def test_literal_of_a_cfg_file():
+    assert cfg_value("x" * 92) == f"'{'x' * 92}'"
+    assert cfg_value("x" * 93) == f"(\n        '{'x' * 89}'\n        'xxxx'\n    )"
+
+
+@pytest.mark.parametrize(
+    ("given", "others"),
+    [
+        (("int", 3, 1, 10), [1, 10]),
+        (("int", 3), [0, 1, 3 - 10**6, 3 + 10**6]),
+        (("int",), [1, -(10**6), 10**6]),
+        (("double", 0.5, 0.0), [0.0, 1.0, 1000000.5]),
+        (("bool", True), [False]),
+        (("string", "a", None, None, ["a", "b", "c"]), ["b", "c"]),
+        (("string",), ["other", "another"]),
+        (("int[]", [1]), [[0]]),
+        (("int[]",), [[1]]),
+        (("int", 2**62), [0, 1]),
+        (("int", 10**18), [0, 1]),
+        (("int", None, 5, 5), [5]),
+        (("int", 5, 5, 5), []),
+        (("double", 0.0, -1.0, 1.0), [-1.0, 1.0]),
+    ],
+)
+def test_other_values(given, others):
+    assert other_values(*given) == others
+    assert [type(value) for value in other_values(*given)] == [type(value) for value in others]
+
+
+@pytest.mark.parametrize(
+    ("given", "refused"),
+    [
+        (("int", 1, 10), [True, 0, 11]),
+        (("bool",), ["wrong"]),
+        (("string", None, None, ["a"]), [True, "none of them"]),
+        (("double", 0.0, 1e6), [True, -1e-4, 1000100.0]),
+        (("int", -(2**63), 2**63 - 1), [True]),
+        (("int", 0, 2**63 - 2), [True, -1, 2**63 - 1]),
+        (("int", None, None, [1, 4]), [True, 5]),
+    ],
+)
+def test_refused_values(given, refused):
+    assert refused_values(*given) == refused
+
+
+def test_imports():
+    names = [f"name_{number}" for number in range(20)]
+    given = [
+        "import b.msg",
+        "from typing import Any",
+        "import abc",
+        "from B import x",
+        "import abc",
+    ]
+    given += ["from a import (\n    b,\n)", f"from x import {', '.join(names)}"]
+    given += ["import a", "import abc"]
+    folded = "".join(f"    {name},\n" for name in names)
+    assert sort_imports("\n".join(given)) == (
+        "import abc\nfrom typing import Any\n\n"
+        "import a\nfrom a import (\n    b,\n)\nfrom B import x\nimport b.msg\n"
+        f"from x import (\n{folded})\n"
+    )
+
+
+LATCHED = {"reliability": "best_effort", "durability": "transient_local", "depth": 1}
+SYSTEM = "durability system_default, history system_default"
+
+
+@pytest.mark.parametrize(
+    ("topic", "said", "latched", "queue", "python", "cpp"),
+    [
+        ({}, "", "", "", "", ""),
+        (
+            LATCHED,
+            "best_effort, transient_local, depth 1",
+            "latched, queue 1",
+            "queue 1, TCP_NODELAY",
+            "QoSProfile(\n        reliability=ReliabilityPolicy.BEST_EFFORT,\n"
+            "        durability=DurabilityPolicy.TRANSIENT_LOCAL,\n        depth=1,\n    )",
+            "rclcpp::QoS(1).best_effort().transient_local()",
+        ),
+        (
+            {"history": "keep_all"},
+            "keep_all",
+            "queue without limit",
+            "queue without limit",
+            "QoSProfile(history=HistoryPolicy.KEEP_ALL)",
+            "rclcpp::QoS(rclcpp::KeepAll())",
+        ),
+        (
+            {"qos": "sensor_data"},
+            "best_effort, depth 5",
+            "queue 5",
+            "queue 5, TCP_NODELAY",
+            "QoSProfile(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5)",
+            "rclcpp::SensorDataQoS()",
+        ),
+        (
+            {"qos": "system_default"},
+            f"reliability system_default, {SYSTEM}",
+            "",
+            "",
+            "QoSProfile(\n        reliability=ReliabilityPolicy.SYSTEM_DEFAULT,\n"
+            "        durability=DurabilityPolicy.SYSTEM_DEFAULT,\n"
+            "        history=HistoryPolicy.SYSTEM_DEFAULT,\n        depth=0,\n    )",
+            "rclcpp::SystemDefaultsQoS()",
+        ),
+    ],
+)
+def test_qos(topic, said, latched, queue, python, cpp):
+    assert qos_words(topic) == said
+    assert qos_words(topic, ros=1) == latched
+    assert qos_words(topic, ros=1, publishes=False) == queue
+    assert (rclpy_qos(topic, 4), rclcpp_qos(topic, 4)) == (python, cpp)
+
+
+def test_qos_that_is_too_long_for_its_line():
+    assert rclcpp_qos(LATCHED, 52).count("\n") == 0
+    assert rclcpp_qos(LATCHED, 54) == (
+        "rclcpp::QoS(1)"
+        + "".join(f"\n{' ' * 54}.{c}()" for c in ("best_effort", "transient_local"))
+    )
+    assert sorted(rclpy_qos_names([{}, LATCHED])) == [
+        "DurabilityPolicy",
+        "QoSProfile",
+        "ReliabilityPolicy",
+    ]
+    assert rclpy_qos_names([{}]) == []
