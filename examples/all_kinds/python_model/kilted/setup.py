@@ -1,6 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
+from glob import glob
 import os
 
 from setuptools import find_packages, setup
@@ -27,6 +28,8 @@ setup(
         ('share/' + package_name, ['package.xml']),
         *installed('config'),
         *installed('launch'),
+        *installed('nodl'),
+        ('share/ament_index/resource_index/nodl', glob('resource/nodl/*')),
     ],
     install_requires=['setuptools'],
     extras_require={'test': ['pytest']},
