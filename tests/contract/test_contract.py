@@ -624,6 +624,42 @@ def test_exception(stage, where):
     node.expect("Traceback", "[ERROR]", "[FATAL]", "Exception")
 
 
+FAILURES = [*LIFE, "receive", "serve", "work", "thread"]
+
+
+@pytest.mark.parametrize("where", FAILURES)
+def test_failure(stage, where):
+    """`passthrough.fail` ends the node as an exception does, from whichever thread."""
+    told = "activate: later 0.5 lost" if where == "thread" else f"{where}: fail lost"
+    node = stage.start("probe", told, "deactivate: publish STOP")
+    if where in ("deactivate", "cleanup"):
+        node.wait("update")
+        node.send_signal()
+    elif where == "receive":
+        node.wait("update")
+        stage.publish("hear", "fail")
+    elif where == "serve":
+        stage.call()
+    elif where == "work":
+        stage.goal("work", 5)
+    assert node.exit(SOON) == 1, node.story()
+    assert "The logic failed: lost" in node.log(), node.story()
+    assert len(re.findall("The logic failed", node.log())) == 1 or where == "update", node.story()
+    skipped = {"configure": LIFE[1:4], "activate": ["update"]}.get(where, [])
+    assert node.methods() == [name for name in LIFE if name not in skipped], node.story()
+    node.expect("[ERROR]")
+
+
+def test_failure_while_inactive(stage):
+    """The node cleans up, and ends with 1."""
+    only_ros2(stage)
+    node = stage.start("probe", "configure: later 0.5 lost", autostart=False)
+    assert stage.transition("configure")
+    assert node.exit(SOON) == 1, node.story()
+    assert node.methods() == ["configure", "cleanup"], node.story()
+    node.expect("[ERROR]")
+
+
 def test_exception_in_the_constructor(stage):
     """No method of the logic is called; the process ends with 1 and says why."""
     node = stage.start("probe", "constructor: throw")
@@ -899,6 +935,109 @@ def test_exception_with_a_frozen_master(stage):
         assert node.exit(60.0) == 1, node.story()
     node.expect("Traceback", "[ERROR]", "Exception")
     node.ended_well = False
+
+
+# Threads and timers
+
+WITHOUT_UPDATE = [name for name in LIFE if name != "update"]
+
+
+def test_thread_and_timer(stage):
+    """Between `activate` and `deactivate`; a thread on and on, a timer at its rate; both alone."""
+    node = stage.start("clerk", "serve: block 0.5")
+    stage.call("greet")
+    node.wait("read", count=10)
+    node.wait("poll", count=11)
+    threads = {name: node.wait(name) for name in ("read", "poll")}
+    assert all(event["thread"] == name for name, event in threads.items()), threads
+    times = [event["time"] for event in node.events("poll", "begin")]
+    periods = [end - begin for begin, end in itertools.pairwise(times)]
+    assert 0.17 < statistics.median(periods) < 0.23, periods
+    assert node.stop() == 0
+    assert node.methods() == WITHOUT_UPDATE
+    called = [event["method"] for event in node.events(event="begin")]
+    assert called.index("activate") < called.index("read"), node.story()
+    assert {"read", "poll"}.isdisjoint(called[called.index("deactivate") :]), node.story()
+
+
+@pytest.mark.parametrize("how", ["throw", "fail lost"])
+@pytest.mark.parametrize("where", ["read", "poll"])
+def test_failure_of_a_thread(stage, where, how):
+    """It goes the way of an exception; diagnostics say why, and never OK after it."""
+    stage.peer.hear(topic="/diagnostics", kind="diagnostic_msgs/msg/DiagnosticArray")
+    node = stage.start("clerk")
+    wait_for(lambda: statuses(stage, "clerk"), node.story)
+    node.tell(f"{where}: {how}")
+    assert node.exit(SOON) == 1, node.story()
+    word = how.replace("throw", "thrown on purpose").split()[-1]
+    assert word in node.log(), node.story()
+    assert node.methods() == WITHOUT_UPDATE, node.story()
+    wait_for(lambda: statuses(stage, "clerk")[-1][0] == 2, lambda: statuses(stage, "clerk"))
+    assert word in statuses(stage, "clerk")[-1][1]
+    node.expect("Traceback", "[ERROR]", "Exception")
+
+
+@pytest.mark.parametrize("where", ["read", "poll"])
+def test_stop_ends_wait_of_a_thread(stage, where):
+    node = stage.start("clerk", f"{where}: sleep 60")
+    node.wait(where)
+    assert node.stop(timeout=SOON) == 0, node.story()
+    assert node.value(where, "sleep") is False
+
+
+@pytest.mark.parametrize("where", ["read", "poll"])
+def test_stop_of_a_thread_that_blocks(stage, where):
+    """The node ends with 1, and its log names the method."""
+    node = stage.start("clerk", f"{where}: block 60", stop_timeout=0.5)
+    wait_for(lambda: _told(node, where), lambda: f"not blocked: {node.story()}")
+    node.send_signal()
+    assert node.exit(SOON) == 1, node.story()
+    assert re.search(rf"Still running when the node stops: .*{where}\b", node.log()), node.story()
+    assert node.methods() == WITHOUT_UPDATE, node.story()
+    node.ended_well = False
+
+
+@pytest.mark.parametrize("where", ["read", "poll"])
+def test_late_turn_of_a_thread_is_the_last(stage, where):
+    """One that returns while `deactivate` runs is followed by none; the node may start again."""
+    only_ros2(stage)
+    node = stage.start("clerk", stop_timeout=0.5)
+    node.wait("poll")
+    node.tell(f"{where}: hold", "deactivate: sleep 1")
+    wait_for(lambda: _told(node, where), lambda: f"not blocked: {node.story()}")
+    turns = len(node.events(where, "begin"))
+    change = stage.peer.begin("change_state", node=stage.name("clerk"), transition="deactivate")
+    node.wait("deactivate")
+    node.tell("deactivate: sleep 1")
+    assert change.result(30), node.story()
+    assert len(node.events(where, "begin")) == turns, node.story()
+    wait_for(lambda: stage.transition("activate", node="clerk"), node.story)
+    node.wait(where, count=turns + 3)
+    node.expect("[ERROR]")
+    node.ended_well = False
+
+
+def test_timer_that_takes_too_long(stage):
+    node = stage.start("clerk", "once poll: block 1")
+    line = node.wait_log("missed")
+    assert re.search(r"Missed \d cycles of 5 Hz: poll takes too long\.", line), line
+
+
+def test_timer_in_simulated_time(stage, simulated):
+    """It waits for the first /clock, and goes with it; a thread does not."""
+    node = start_simulated(stage, name="clerk")
+    node.wait("read", count=1)
+    time.sleep(0.5)
+    assert not node.events("poll"), node.story()
+    now = 10.0
+    while len(node.events("poll", "begin")) < 10:
+        assert now < 20.0, node.story()
+        now += 0.05
+        simulated(now)
+        time.sleep(0.02)
+    assert 11.0 < now < 13.5
+    time.sleep(0.5)
+    assert len(node.events("poll", "begin")) <= 11, node.story()
 
 
 # Refusals
@@ -1779,6 +1918,29 @@ def test_diagnostics(stage):
     assert values["state"] == "active"
 
 
+def statuses(stage, name):
+    """Return level and message of each status of a node so far."""
+    heard = stage.peer.heard(topic="/diagnostics")
+    found = [status for _, message in heard for status in message["status"]]
+    return [(each["level"], each["message"]) for each in found if each["name"] == stage.name(name)]
+
+
+@pytest.mark.parametrize("how", ["throw", "fail lost"])
+def test_diagnostics_of_a_failure(stage, how):
+    """A node whose logic has failed says why, and never OK after it."""
+    stage.peer.hear(topic="/diagnostics", kind="diagnostic_msgs/msg/DiagnosticArray")
+    node = stage.start("gauge")
+    wait_for(lambda: statuses(stage, "gauge"), node.story)
+    node.tell(f"update: {how}")
+    assert node.exit(SOON) == 1, node.story()
+    word = how.replace("throw", "thrown on purpose").split()[-1]
+    last = lambda: statuses(stage, "gauge")[-1]  # noqa: E731
+    wait_for(lambda: last()[0] == 2 and word in last()[1], lambda: statuses(stage, "gauge"))
+    is_ok = [level < 2 for level, _ in statuses(stage, "gauge")]
+    assert is_ok == sorted(is_ok, reverse=True), statuses(stage, "gauge")
+    node.expect("Traceback", "[ERROR]", "Exception")
+
+
 # Transforms
 
 
@@ -1859,6 +2021,25 @@ def test_signal_to_container(stage, way):
     assert stage.call("greet").result() == "greeted"
     assert container.stop(getattr(signal, way.upper())) == 0, container.story()
     wait_for(lambda: sorted(heard()) == ["OFF", "OFF", "STOP", "STOP"], lambda: f"{heard()}")
+
+
+@pytest.mark.parametrize("where", ["configure", "activate", "update", "thread"])
+def test_failure_in_container(stage, where):
+    """The node is unconfigured after it, may start again, and fail again."""
+    only_components(stage)
+    told = "activate: later 0.5 lost" if where == "thread" else f"{where}: fail lost"
+    container = stage.container(told)
+    fill(stage, container, "probe")
+    container.wait("cleanup", "end")
+    wait_for(lambda: stage.state() == "unconfigured", container.story)
+    container.tell()
+    assert stage.transition("configure", "activate"), container.story()
+    container.tell("update: fail again")
+    container.wait("cleanup", "end", count=2)
+    wait_for(lambda: stage.state() == "unconfigured", container.story)
+    assert "The logic failed: again" in container.log()
+    container.expect("[ERROR]")
+    container.ended_well = False
 
 
 @pytest.mark.parametrize("where", [*LIFE[:3], "receive", "serve", "work"])

@@ -163,6 +163,64 @@ def test_fake_of_the_client_library(request, render, version):
     assert re.search(r"Ran [2-9] tests", printed), printed
 
 
+SERIAL = """
+class SerialException(Exception):
+    pass
+
+class Serial:
+    lines = [b'1.5\\n', b'', None, b'2.5\\n']
+    opened = []
+
+    def __init__(self, *arguments, timeout):
+        if len(Serial.opened) == 1:
+            Serial.opened.append(None)
+            raise SerialException('unplugged')
+        Serial.opened.append((*arguments, timeout))
+
+    def readline(self):
+        line = Serial.lines.pop(0)
+        if line is None:
+            raise SerialException('unplugged')
+        return line
+
+    def close(self):
+        pass
+"""
+DRIVER = """
+    def test_page(self):
+        for turn in range(5):
+            self.impl.read()
+        readings = [message.data for message in self.ros.pub_reading.published]
+        self.assertEqual(readings, [1.5, 2.5])
+        device = ('/dev/ttyUSB0', 9600, 0.5)
+        self.assertEqual(serial.Serial.opened, [device, None, device])
+        self.assertEqual(self.ros.clock.time, 1.0)
+"""
+
+
+@pytest.mark.parametrize("version", [1, 2])
+def test_page_about_drivers(request, render, version):
+    """The logic of docs/driver.md reads its device, loses it, and opens it again."""
+    ros_ = request.getfixturevalue(f"ros{version}")
+    package = make(render, "python_model", ros_.distro)
+    page = (EXAMPLES.parent / "docs/driver.md").read_text()
+    methods = re.search(r"```python\n(.*?)```", page, re.DOTALL)[1]
+    logic = package / "driver/sensor_impl.py"
+    head, rest = logic.read_text().split("    def configure(")
+    head = head.replace("from driver", "import serial\nfrom driver", 1)
+    head = head.replace("    SensorPassthrough,\n", "    PubReading,\n    SensorPassthrough,\n")
+    rest = rest[rest.index("    def activate(") : rest.index("    # Thread read")]
+    last = "    def deactivate(self) -> None:\n        pass\n"
+    logic.write_text(f"{head}{rest}{methods}\n{last}")
+    (package / "serial.py").write_text(SERIAL)
+    test = package / "test/test_sensor_impl.py"
+    text = test.read_text().replace("import unittest", "import serial\nimport unittest", 1)
+    test.write_text(text + DRIVER)
+    python = f"PYTHONPATH={package}:{package}/test:$PYTHONPATH {ros_.python}"
+    printed = ros_.run(f"env {python} -m unittest test_sensor_impl -k page", package).stdout
+    assert re.search(r"Ran 1 test", printed), printed
+
+
 @pytest.mark.parametrize("model", MODELS[:2])
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
 def test_package_without_the_client_library_has_no_line_of_it(render, model, distro):

@@ -16,7 +16,8 @@ from support.packages import shared_runtime, without_tf
 
 CONTRACT = Path(__file__).parents[1] / "contract"
 METHODS = ("configure", "activate", "update", "deactivate", "cleanup")
-CALLBACKS = ("receive", "serve", "work", "line", "single")
+GOALS = ("work", "line", "single")
+CALLBACKS = ("receive", "serve", *GOALS, "read", "poll")
 NOISE = (
     "Traceback",
     "Exception",
@@ -357,7 +358,7 @@ def check_order(events, story):
         elif method in CALLBACKS and what == "begin":
             assert state in ("active", "update"), where()
             calls += 1
-        elif what == ("end" if method in ("receive", "serve") else "over") or what == "raised":
+        elif what == ("over" if method in GOALS else "end") or what == "raised":
             calls -= 1
     assert state in ("over", "new"), f"the life ended {state}: {story()}"
 

@@ -16,6 +16,10 @@ ClerkImpl::ClerkImpl(const ClerkPassthrough & passthrough)
           passthrough_.pub_say->publish(message);
           return std::string("null");
         }},
+      {"fail", [this](const auto & a) {
+          passthrough_.fail(a.at(0));
+          return std::string("null");
+        }},
       {"open", [this](const auto & a) {return open(a.at(0));}},
       {"sleep", [this](const auto & a) {return json(passthrough_.sleep(std::stod(a.at(0))));}},
     })
@@ -62,6 +66,17 @@ void ClerkImpl::serve_greet(
   behaviour_.run("serve");
   response.success = true;
   response.message = "greeted";
+}
+
+void ClerkImpl::read()
+{
+  behaviour_.run("read");
+  passthrough_.sleep(0.02);
+}
+
+void ClerkImpl::poll()
+{
+  behaviour_.run("poll");
 }
 
 void ClerkImpl::deactivate()

@@ -20,6 +20,8 @@ public:
   void serve_greet(
     const clerk_types::GreetService::Request & request,
     clerk_types::GreetService::Response & response);
+  void read();
+  void poll();
   void deactivate();
   void cleanup();
 

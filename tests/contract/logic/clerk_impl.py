@@ -7,6 +7,7 @@ from std_msgs.msg import String
 class ClerkImpl:
     def __init__(self, passthrough):
         self.say = passthrough.pub_say
+        self.sleep = passthrough.sleep
         self.node = passthrough.node
         self.door = None
         self.run = Behaviour(
@@ -14,6 +15,7 @@ class ClerkImpl:
             {
                 "publish": lambda text: self.say.publish(String(data=text)),
                 "open": self.open,
+                "fail": passthrough.fail,
                 "sleep": lambda seconds: passthrough.sleep(float(seconds)),
             },
         ).run
@@ -40,6 +42,13 @@ class ClerkImpl:
         response.success = True
         response.message = "greeted"
         return response
+
+    def read(self):
+        self.run("read")
+        self.sleep(0.02)
+
+    def poll(self):
+        self.run("poll")
 
     def deactivate(self):
         self.run("deactivate")

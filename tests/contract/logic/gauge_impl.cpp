@@ -5,8 +5,13 @@
 namespace contract
 {
 
-GaugeImpl::GaugeImpl(const GaugePassthrough &)
-: behaviour_("gauge", {})
+GaugeImpl::GaugeImpl(const GaugePassthrough & passthrough)
+: behaviour_("gauge", {
+      {"fail", [passthrough](const auto & a) {
+          passthrough.fail(a.at(0));
+          return std::string("null");
+        }},
+    })
 {
 }
 

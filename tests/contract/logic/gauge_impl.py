@@ -5,7 +5,7 @@ from contract.behaviour import Behaviour
 
 class GaugeImpl:
     def __init__(self, passthrough):
-        self.run = Behaviour("gauge", {}).run
+        self.run = Behaviour("gauge", {"fail": passthrough.fail}).run
 
     def configure(self, config):
         return self.run("configure")

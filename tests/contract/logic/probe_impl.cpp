@@ -86,6 +86,19 @@ ProbeImpl::ProbeImpl(const ProbePassthrough & passthrough)
       {"sleep", [this](const auto & a) {return json(passthrough_.sleep(std::stod(a.at(0))));}},
       {"lookup", [this](const auto & a) {return lookup(a.at(0), a.at(1), std::stod(a.at(2)));}},
       {"rounds", [this](const auto & a) {return rounds(std::stoi(a.at(0)));}},
+      {"fail", [this](const auto & a) {
+          passthrough_.fail(a.at(0));
+          return std::string("null");
+        }},
+      {"later", [this](const auto & a) {
+          const auto fail = passthrough_.fail;
+          std::thread(
+            [fail, pause = duration(std::stod(a.at(0))), reason = a.at(1)] {
+              std::this_thread::sleep_for(pause);
+              fail(reason);
+            }).detach();
+          return std::string("null");
+        }},
       {"mute", [this](const auto &) {
           is_muted_ = true;
           return std::string("null");

@@ -1,5 +1,6 @@
 """The logic of probe: it does what the test tells it."""
 
+import threading
 import time
 
 import contract.places  # noqa: F401
@@ -30,6 +31,8 @@ class ProbeImpl:
                 "lookup": self.lookup,
                 "rounds": self.rounds,
                 "spoil": self.spoil,
+                "fail": self.passthrough.fail,
+                "later": self.later,
             },
         )
         self.run = self.behaviour.run
@@ -83,6 +86,12 @@ class ProbeImpl:
     def spoil(self):
         """Have the results of goals be of a wrong type from now on, and services without any."""
         self.is_spoilt = True
+
+    def later(self, seconds, reason):
+        """Fail in another thread."""
+        timer = threading.Timer(float(seconds), self.passthrough.fail, [reason])
+        timer.daemon = True
+        timer.start()
 
     def configure(self, config):
         if not config.accept:

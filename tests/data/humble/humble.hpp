@@ -72,7 +72,7 @@ namespace diagnostic_msgs::msg
 struct KeyValue {std::string key, value;};
 struct DiagnosticStatus
 {
-  enum : std::uint8_t {OK, WARN};
+  enum : std::uint8_t {OK, WARN, ERROR};
   std::uint8_t level;
   std::string name, message, hardware_id;
   std::vector<KeyValue> values;
@@ -255,6 +255,7 @@ public:
   const State & configure();
   const State & activate();
   const State & deactivate();
+  const State & cleanup();
   const State & shutdown();
 
   const char * get_name() const;

@@ -6,6 +6,7 @@
 // The logic is in observer_impl.cpp.
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "all_kinds/observer_impl.hpp"
@@ -47,6 +48,9 @@ public:
     passthrough.log = make_logger(node.get_logger());
     passthrough.now = [clock = node.get_clock()] {return Time(clock->now().nanoseconds());};
     passthrough.sleep = [sleeper = sleeper_](double seconds) {return sleeper.sleep_for(seconds);};
+    passthrough.fail = [calls = calls_](const std::string & reason) {
+        calls->fail("The logic failed: " + reason);
+      };
     impl_ = std::make_shared<ObserverImpl>(passthrough);
   }
 
@@ -56,7 +60,7 @@ public:
   void cleanup() override {impl_->cleanup();}
 
   /// Run the update loop until the node stops.
-  void work() override {loop_->run([this] {update();});}
+  void work() override {loop_->run([this] {update(); return true;});}
 
   /// Create subscriptions and servers.
   void connect([[maybe_unused]] ManagedNode & node) override

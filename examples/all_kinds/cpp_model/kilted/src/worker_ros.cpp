@@ -63,6 +63,9 @@ public:
     passthrough.log = make_logger(node.get_logger());
     passthrough.now = [clock = node.get_clock()] {return Time(clock->now().nanoseconds());};
     passthrough.sleep = [sleeper = sleeper_](double seconds) {return sleeper.sleep_for(seconds);};
+    passthrough.fail = [calls = calls_](const std::string & reason) {
+        calls->fail("The logic failed: " + reason);
+      };
     out_counter_ = topics_.advertise<worker_types::OutCounter>(
       node,
       "counter");
@@ -117,9 +120,9 @@ public:
   }
 
   /// Run the update loop until the node stops.
-  void work() override {loop_->run([this] {update();});}
+  void work() override {loop_->run([this] {update(); return true;});}
 
-  /// Create subscriptions and servers.
+  /// Create subscriptions and servers, and start threads.
   void connect([[maybe_unused]] ManagedNode & node) override
   {
     topics_.subscribe(
@@ -160,6 +163,8 @@ public:
       server->start();
     }
     servers_.start(node);
+    node.repeat("read", [impl = impl_] {impl->read();});
+    node.call_at(4.0, "poll", [impl = impl_] {impl->poll();});
   }
 
   /// Ask goals that are executed to end.

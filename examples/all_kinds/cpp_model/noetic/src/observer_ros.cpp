@@ -97,6 +97,9 @@ private:
         return Time(static_cast<std::int64_t>(ros::Time::now().toNSec()));
       };
     passthrough.sleep = [this](double seconds) {return clock_.sleep(seconds);};
+    passthrough.fail = [this](const std::string & reason) {
+        supervisor_.fail("The logic failed: " + reason);
+      };
     impl_ = std::make_unique<ObserverImpl>(passthrough);
   }
 

@@ -64,6 +64,17 @@ void WorkerImpl::execute_compute(
   goal.succeed();
 }
 
+// Thread read
+void WorkerImpl::read()
+{
+  passthrough_.sleep(1.0);
+}
+
+// Timer poll
+void WorkerImpl::poll()
+{
+}
+
 void WorkerImpl::deactivate()
 {
 }

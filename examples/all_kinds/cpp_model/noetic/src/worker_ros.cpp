@@ -24,6 +24,7 @@
 #include "ros/parameters.hpp"
 #include "ros/process.hpp"
 #include "ros/receiver.hpp"
+#include "ros/repeater.hpp"
 #include "ros/ros.h"
 #include "ros/ros_action_client.hpp"
 #include "ros/ros_log.hpp"
@@ -124,6 +125,9 @@ private:
         return Time(static_cast<std::int64_t>(ros::Time::now().toNSec()));
       };
     passthrough.sleep = [this](double seconds) {return clock_.sleep(seconds);};
+    passthrough.fail = [this](const std::string & reason) {
+        supervisor_.fail("The logic failed: " + reason);
+      };
     out_counter_ = node_.advertise<worker_types::OutCounter>(
       "counter",
       10);
@@ -177,7 +181,8 @@ private:
     stop_receivers();
   }
 
-  /// Create subscriptions and servers; callbacks that may block get their own thread.
+  /// Create subscriptions and servers, and start threads; callbacks that may block get their own
+  /// thread.
   void connect_receivers()
   {
     subscribe(
@@ -209,6 +214,18 @@ private:
       "execute_compute",
       GoalPolicy::replace,
       &WorkerImpl::execute_compute);
+    run_beside(
+      "read",
+      [this] {
+        while (!supervisor_.stopping()) {
+          impl_->read();
+        }
+      });
+    run_beside(
+      "poll",
+      [this] {
+        timer_poll_.run(supervisor_, log_, [this] {impl_->poll();});
+      });
   }
 
   /// Wait for the callbacks to return. Subscriptions and servers last as long as the node: it takes
@@ -407,6 +424,16 @@ private:
         }));
   }
 
+  /// Run what the logic does again and again in a thread of its own.
+  void run_beside(const std::string & name, const std::function<void()> & work)
+  {
+    receivers_.push_back(
+      std::make_shared<Repeater>(
+        name, [this, name, work] {
+          supervisor_.guard(name, work);
+        }));
+  }
+
   Supervisor & supervisor_;
   Logger log_{write_log};
   ros::NodeHandle node_;
@@ -418,6 +445,7 @@ private:
   std::unique_ptr<dynamic_reconfigure::Server<WorkerDynamicConfig>> reconfigure_server_;
   Loop loop_{clock_, read_frequency()};
   WorkerData data_;
+  Loop timer_poll_{clock_, 4.0, "poll"};
   Inbox<worker_types::InSpeed> in_speed_;
   Inbox<worker_types::InCounter> in_counter_;
   ros::Publisher out_counter_;

@@ -37,6 +37,8 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'execute_compute': ('compute', test_msgs.msg.FibonacciAction, 'replace'),
         'action_delegate': ('delegate', test_msgs.msg.FibonacciAction),
     }
+    threads = ('read',)
+    timers = {'poll': 4}  # Hz
     transforms = ['publisher', 'subscription']  # of /tf
     parameters = {  # default, other values, refused ones
         'prefix': ('it\'s "said" <so> & für immer', ['other', 'another'], [True]),

@@ -68,6 +68,7 @@ class ObserverNode(ManagedNode):
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
+                fail=self.fail_because,
             ),
         )
 

@@ -79,6 +79,15 @@ class WorkerImpl:
         """Execute a goal and set its outcome, in a thread of its own; this stub only succeeds."""
         goal.succeed()
 
+    # Thread read
+    def read(self) -> None:
+        """Do one piece of work in a thread of its own; called again, this stub once a second."""
+        self.passthrough.sleep(1.0)
+
+    # Timer poll
+    def poll(self) -> None:
+        """Do what is due, in a thread of its own."""
+
     def deactivate(self) -> None:
         """Stop everything that moves; publishers, service calls and goals still work here."""
 

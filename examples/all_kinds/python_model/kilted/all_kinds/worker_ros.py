@@ -157,6 +157,7 @@ class WorkerNode(ManagedNode):
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
+                fail=self.fail_because,
                 pub_echo=self._advertise(
                     std_msgs.msg.String,
                     'echo',
@@ -176,7 +177,7 @@ class WorkerNode(ManagedNode):
         )
 
     def _connect_receivers(self) -> None:
-        """Create subscriptions and servers."""
+        """Create subscriptions and servers, and start threads."""
         self._received = {}
         self._subscribe(
             geometry_msgs.msg.Twist,
@@ -207,6 +208,8 @@ class WorkerNode(ManagedNode):
             'serve_enable',
         )
         self._action_server_compute.accept_goals(True)
+        self._logic.repeat('read', self._impl.read)
+        self._call_at(4, 'poll')
 
     def _update(self) -> None:
         """Run one cycle: take the latest messages, call update, publish the active outputs."""

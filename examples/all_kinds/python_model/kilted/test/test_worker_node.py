@@ -46,6 +46,8 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'execute_compute': ('compute', test_msgs.action.Fibonacci, 'replace'),
         'action_delegate': ('delegate', test_msgs.action.Fibonacci),
     }
+    threads = ('read',)
+    timers = {'poll': 4}  # Hz
     transforms = ['publisher', 'subscription']  # of /tf
     parameters = {  # default, other values, refused ones
         'prefix': ('it\'s "said" <so> & für immer', ['other', 'another'], [True]),

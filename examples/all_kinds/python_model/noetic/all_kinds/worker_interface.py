@@ -115,6 +115,9 @@ class WorkerPassthrough:
     # Waits that many seconds of ROS time; returns False at once when the node stops.
     sleep: Callable[[float], bool]
 
+    # Has the node stop as an exception does, from any thread; the reason goes to the log.
+    fail: Callable[[str], None]
+
     # What was said, said again
     pub_echo: Publisher[PubEcho]
 

@@ -77,6 +77,7 @@ class WorkerNode(ManagedNode):
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
+                fail=self.fail_because,
                 pub_echo=rospy.Publisher(
                     'echo',
                     std_msgs.msg.String,
@@ -108,7 +109,7 @@ class WorkerNode(ManagedNode):
         )
 
     def _connect_receivers(self) -> None:
-        """Create subscriptions and servers."""
+        """Create subscriptions and servers, and start threads."""
         rospy.Subscriber(
             'speed',
             geometry_msgs.msg.Twist,
@@ -146,6 +147,8 @@ class WorkerNode(ManagedNode):
             'execute_compute',
             new_goal='replace',
         )
+        self._logic.repeat('read', self._impl.read)
+        self._call_at(4, 'poll')
 
     def _update(self) -> None:
         """Run one cycle: take the latest messages, call update, publish the active outputs."""

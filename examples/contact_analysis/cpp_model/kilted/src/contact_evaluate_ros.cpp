@@ -53,6 +53,9 @@ public:
     passthrough.log = make_logger(node.get_logger());
     passthrough.now = [clock = node.get_clock()] {return Time(clock->now().nanoseconds());};
     passthrough.sleep = [sleeper = sleeper_](double seconds) {return sleeper.sleep_for(seconds);};
+    passthrough.fail = [calls = calls_](const std::string & reason) {
+        calls->fail("The logic failed: " + reason);
+      };
     passthrough.pub_plot_learn_cop =
       std::make_shared<RosPublisher<contact_evaluate_types::PubPlotLearnCop>>(
       topics_.advertise<contact_evaluate_types::PubPlotLearnCop>(

@@ -93,6 +93,7 @@ class ContactEvaluateNode(ManagedNode):
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
+                fail=self.fail_because,
                 pub_plot_learn_cop=self._advertise(
                     contact_msgs.msg.PointArray,
                     'plot_learn_cop',

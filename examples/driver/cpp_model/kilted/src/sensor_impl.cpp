@@ -25,6 +25,12 @@ bool SensorImpl::activate()
   return true;
 }
 
+// Thread read
+void SensorImpl::read()
+{
+  passthrough_.sleep(1.0);
+}
+
 void SensorImpl::deactivate()
 {
 }

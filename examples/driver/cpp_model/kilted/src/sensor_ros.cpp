@@ -6,6 +6,7 @@
 // The logic is in sensor_impl.cpp.
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "driver/sensor_impl.hpp"
@@ -45,6 +46,9 @@ public:
     passthrough.log = make_logger(node.get_logger());
     passthrough.now = [clock = node.get_clock()] {return Time(clock->now().nanoseconds());};
     passthrough.sleep = [sleeper = sleeper_](double seconds) {return sleeper.sleep_for(seconds);};
+    passthrough.fail = [calls = calls_](const std::string & reason) {
+        calls->fail("The logic failed: " + reason);
+      };
     passthrough.node = &node;
     passthrough.pub_reading =
       std::make_shared<RosPublisher<sensor_types::PubReading>>(
@@ -60,9 +64,10 @@ public:
   void deactivate() override {impl_->deactivate();}
   void cleanup() override {impl_->cleanup();}
 
-  /// Create subscriptions and servers.
+  /// Create subscriptions and servers, and start threads.
   void connect([[maybe_unused]] ManagedNode & node) override
   {
+    node.repeat("read", [impl = impl_] {impl->read();});
   }
 
   /// Wait until the last messages have been received.

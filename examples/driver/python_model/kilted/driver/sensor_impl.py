@@ -28,6 +28,11 @@ class SensorImpl:
         """Start operating; return False to refuse activation."""
         return True
 
+    # Thread read
+    def read(self) -> None:
+        """Do one piece of work in a thread of its own; called again, this stub once a second."""
+        self.passthrough.sleep(1.0)
+
     def deactivate(self) -> None:
         """Stop everything that moves; publishers, service calls and goals still work here."""
 

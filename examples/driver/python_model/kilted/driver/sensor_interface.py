@@ -52,6 +52,9 @@ class SensorPassthrough:
     # Waits that many seconds of ROS time; returns False at once when the node stops.
     sleep: Callable[[float], bool]
 
+    # Has the node stop as an exception does, from any thread; the reason goes to the log.
+    fail: Callable[[str], None]
+
     # The node of rclpy, for what the spec cannot say: the logic looks after what it makes of it.
     node: Node
 

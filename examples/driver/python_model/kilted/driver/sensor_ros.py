@@ -84,6 +84,7 @@ class SensorNode(ManagedNode):
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
+                fail=self.fail_because,
                 node=self,
                 pub_reading=self._advertise(
                     std_msgs.msg.Float64,
@@ -94,8 +95,8 @@ class SensorNode(ManagedNode):
         )
 
     def _connect_receivers(self) -> None:
-        """Create subscriptions and servers."""
-        # This node has none.
+        """Create subscriptions and servers, and start threads."""
+        self._logic.repeat('read', self._impl.read)
 
 
 def main(args: Optional[list[str]] = None) -> int:

@@ -72,6 +72,7 @@ class PlannerNode(ManagedNode):
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
+                fail=self.fail_because,
             ),
         )
 

@@ -51,6 +51,9 @@ public:
     passthrough.log = make_logger(node.get_logger());
     passthrough.now = [clock = node.get_clock()] {return Time(clock->now().nanoseconds());};
     passthrough.sleep = [sleeper = sleeper_](double seconds) {return sleeper.sleep_for(seconds);};
+    passthrough.fail = [calls = calls_](const std::string & reason) {
+        calls->fail("The logic failed: " + reason);
+      };
     out_speed_ = topics_.advertise<controller_types::OutSpeed>(
       node,
       "speed");

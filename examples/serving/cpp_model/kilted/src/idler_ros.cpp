@@ -6,6 +6,7 @@
 // The logic is in idler_impl.cpp.
 
 #include <memory>
+#include <string>
 
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_components/register_node_macro.hpp"
@@ -37,6 +38,9 @@ public:
     passthrough.log = make_logger(node.get_logger());
     passthrough.now = [clock = node.get_clock()] {return Time(clock->now().nanoseconds());};
     passthrough.sleep = [sleeper = sleeper_](double seconds) {return sleeper.sleep_for(seconds);};
+    passthrough.fail = [calls = calls_](const std::string & reason) {
+        calls->fail("The logic failed: " + reason);
+      };
     impl_ = std::make_shared<IdlerImpl>(passthrough);
   }
 

@@ -75,6 +75,7 @@ class ClerkNode(ManagedNode):
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
+                fail=self.fail_because,
             ),
         )
 

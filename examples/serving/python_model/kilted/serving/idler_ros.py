@@ -39,6 +39,7 @@ class IdlerNode(ManagedNode):
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
+                fail=self.fail_because,
             ),
         )
 

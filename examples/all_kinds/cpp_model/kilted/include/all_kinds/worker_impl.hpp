@@ -59,6 +59,14 @@ public:
   void execute_compute(
     Goal<worker_types::ComputeAction> & goal);
 
+  // Thread read
+  /// Do one piece of work in a thread of its own; called again, the stub once a second.
+  void read();
+
+  // Timer poll
+  /// Do what is due, in a thread of its own.
+  void poll();
+
   /// Stop everything that moves; publishers, service calls and goals still work here.
   void deactivate();
 

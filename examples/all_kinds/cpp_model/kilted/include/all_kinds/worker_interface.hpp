@@ -111,6 +111,9 @@ struct WorkerPassthrough
   /// Waits that many seconds of ROS time; returns false at once when the node stops.
   std::function<bool(double)> sleep = [](double) {return true;};
 
+  /// Has the node stop as an exception does, from any thread; the reason goes to the log.
+  std::function<void(const std::string &)> fail = [](const std::string &) {};
+
   /// What was said, said again
   std::shared_ptr<Publisher<worker_types::PubEcho>> pub_echo =
     std::make_shared<Publisher<worker_types::PubEcho>>();

@@ -28,19 +28,25 @@ namespace all_kinds
 class Calls
 {
 public:
-  using Report = std::function<void (const std::string & method, const std::string & error)>;
+  using Report = std::function<void (const std::string & failure)>;
 
-  /// Report every exception of the logic.
+  /// Report every failure of the logic.
   explicit Calls(Report report)
   : report_(std::move(report))
   {
   }
 
-  /// Let callbacks in, when the node is active; report the first exception to `on_failure`.
-  void open(const std::function<void()> & on_failure)
+  /// Call `on_failure` at the next failure, until it is replaced.
+  void watch(const std::function<void()> & on_failure)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     on_failure_ = on_failure;
+  }
+
+  /// Let callbacks in, when the node is active.
+  void open()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
     is_open_ = true;
     ++opening_;
   }
@@ -48,7 +54,6 @@ public:
   void close()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    on_failure_ = nullptr;
     is_open_ = false;
   }
 
@@ -93,9 +98,9 @@ public:
       body();
       has_returned = true;
     } catch (const std::exception & error) {
-      fail(method, error.what());
+      fail("The logic failed in " + method + ": " + error.what());
     } catch (...) {
-      fail(method, "unknown exception");
+      fail("The logic failed in " + method + ": unknown exception");
     }
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -105,7 +110,19 @@ public:
     return has_returned;
   }
 
-  /// Return how often the logic has thrown.
+  /// Count a failure of the logic.
+  void fail(const std::string & failure)
+  {
+    report_(failure);
+    ++failures_;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    // With the lock held: `on_failure` is not called any more once it has been replaced.
+    if (const auto on_failure = std::exchange(on_failure_, nullptr)) {
+      on_failure();
+    }
+  }
+
+  /// Return how often the logic has failed.
   std::uint64_t failures() const {return failures_;}
 
   /// Wait until nothing is running; return false if that takes too long.
@@ -127,17 +144,6 @@ public:
   }
 
 private:
-  void fail(const std::string & method, const std::string & error)
-  {
-    report_(method, error);
-    ++failures_;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    // With the lock held: `on_failure` is not called any more once `close` has returned.
-    if (const auto on_failure = std::exchange(on_failure_, nullptr)) {
-      on_failure();
-    }
-  }
-
   Report report_;
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -83,16 +83,21 @@ private:
 class Loop
 {
 public:
-  Loop(const Sleeper & sleeper, double frequency, const rclcpp::Logger & logger)
+  Loop(
+    const Sleeper & sleeper,
+    double frequency,
+    const rclcpp::Logger & logger,
+    const std::string & name = "update")
   : sleeper_(sleeper),
+    name_(name),
     frequency_(frequency),
     period_(rclcpp::Duration::from_seconds(1.0 / frequency)),
     logger_(logger)
   {
   }
 
-  /// Run cycles until the node stops.
-  void run(const std::function<void()> & cycle)
+  /// Run cycles until the node stops, or until one returns false.
+  void run(const std::function<bool()> & cycle)
   {
     if (!sleeper_.wait_for_start()) {
       return;
@@ -103,7 +108,9 @@ public:
         skip(due);  // the cycles between two samples of /clock
       }
       const auto begin = std::chrono::steady_clock::now();
-      cycle();
+      if (!cycle()) {
+        return;
+      }
       // The clock may have been set back.
       due = std::min(due, sleeper_.now()) + period_;
       // Missed are those that the cycle took, not those that a step of the clock skips.
@@ -129,13 +136,15 @@ private:
     if (unreported_ > 0 && now >= next_report_) {
       const auto count = std::to_string(unreported_);
       RCLCPP_WARN(
-        logger_, "Missed %s cycles of %g Hz: update takes too long.", count.c_str(), frequency_);
+        logger_, "Missed %s cycles of %g Hz: %s takes too long.",
+        count.c_str(), frequency_, name_.c_str());
       unreported_ = 0;
       next_report_ = now + timeouts::QUIET;
     }
   }
 
   Sleeper sleeper_;
+  std::string name_;
   double frequency_;
   rclcpp::Duration period_;
   rclcpp::Logger logger_;

@@ -25,6 +25,8 @@ class NodeTests:
     interfaces = {}
     can_refuse = ()
     transforms = ()
+    threads = ()
+    timers = {}
     parameters = {}
     dynamic_parameters = {}
     reconfigures = False
@@ -152,6 +154,16 @@ class NodeTests:
             first, *rest = (sample(type_, number) for number in (1, 2, 3))
             self.assertEqual(*([each for each in all_ if each != first] for all_ in (got, rest)))
 
+    def release(self, count=1):
+        """Let callbacks go on that block, or are about to."""
+        count += len(self.node.got('block'))
+
+        def are_released():
+            self.node.order('now', 'release')
+            return len(self.node.got('block')) >= count
+
+        self.assertTrue(eventually(are_released))
+
     def trigger(self, node, member):
         """Have the node call a callback."""
         count = len(node.got(member))
@@ -168,16 +180,6 @@ class NodeTests:
             if member.startswith('execute_'):
                 self.peer.goal(node, type_, name, type_.Goal())
         self.assertTrue(eventually(is_called), member)
-
-    def release(self, count=1):
-        """Let callbacks go on that block, or are about to."""
-        count += len(self.node.got('block'))
-
-        def are_released():
-            self.node.order('now', 'release')
-            return len(self.node.got('block')) >= count
-
-        self.assertTrue(eventually(are_released))
 
     def test_callbacks(self):
         """Callbacks that block do not delay each other, nor the loop."""
@@ -335,6 +337,46 @@ class NodeTests:
         self.assertTrue(eventually(lambda: not self.frequency or count()[0] >= first + more))
         return count()
 
+    def test_threads(self):
+        """Each thread and timer is called on and on, in a thread of its own, whatever blocks."""
+        methods = [*self.threads, *self.timers]
+        for method in methods:
+            self.turns(method, more=2)
+            self.node.order(method, 'block')
+            self.assertTrue(eventually(lambda: self.node.got(method)), method)
+            self.assertEqual(self.node.got(method)[-1], method[:15])
+        self.cycles(more=3)
+        if methods:
+            self.release(len(methods))
+        for method in methods:
+            self.turns(method, more=2)
+
+    def turns(self, method, more=0, node=None):
+        """Return how often a thread or timer was called, `more` later, and at which times."""
+
+        def count():
+            return (node or self.node).order('now', f'turns={method}')
+
+        first = count()[0]
+        self.assertTrue(eventually(lambda: count()[0] >= first + more), method)
+        return count()
+
+    def test_timers(self):
+        """Each timer is called at its frequency, of ROS time where that is simulated."""
+        for timer, frequency in self.timers.items():
+            count = 3 + int(frequency / 5)
+
+            def rate():
+                (before, begin, _), (after, end, _) = [
+                    self.turns(timer, more) for more in (1, count)
+                ]
+                return (after - before) / (end - begin) / frequency
+
+            self.assertTrue(eventually(lambda: 0.8 < rate() < 1.2), timer)
+            before = self.turns(timer, node=self.given)[0]
+            self.turns(timer, more=2)
+            self.assertLessEqual(self.turns(timer, node=self.given)[0], before + 1)
+
     def test_parameters(self):
         """Parameters have their defaults, or what is given; their types and ranges are kept."""
         every = {**self.parameters, **self.dynamic_parameters}
@@ -414,6 +456,8 @@ class NodeTests:
             ('activate refuse', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'refuse'),
             ('activate raise', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'told to raise'),
             ('deactivate raise', 2.0, [INT], 1, LIFE, 'told to raise'),
+            ('configure fail=lost', 2.0, [], 1, [LIFE[0], 'cleanup'], 'The logic failed: lost'),
+            ('activate fail=lost', 2.0, [], 1, LIFE, 'The logic failed: lost'),
             ('cleanup raise', 2.0, [TERM], 1, LIFE, 'told to raise'),
             ('deactivate block', 0.1, [TERM], 1, LIFE[:3], 'till running'),
             ('deactivate block', 1e3, [INT, INT], -INT, LIFE[:3], ''),
@@ -430,6 +474,10 @@ class NodeTests:
         for member, _, type_ in self.each('client_') if self.frequency else ():
             order = f'update {member}={encode(type_.Request())},1000'
             ends.append((order, 2.0, [INT], 0, LIFE, f'["{member}", null]'))
+        for method in [*self.threads, *self.timers]:
+            ends.append((f'{method} raise', 2.0, [], 1, LIFE, 'told to raise'))
+            ends.append((f'{method} sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
+            ends.append((f'{method} block', 0.1, [TERM], 1, LIFE, 'till running'))
         with ThreadPoolExecutor(4) as pool:
             list(pool.map(self.end, ends))
 
@@ -440,12 +488,21 @@ class NodeTests:
         if order.startswith(('receive_', 'serve_', 'execute_')):
             self.assertTrue(eventually(lambda: self.peer.state(node) == 'active'))
             self.trigger(node, order.split()[0])
-        events = ('begun' if 'update' in order else 'activate', 'deactivate')
+        method = order.split()[0]
+        events = ('activate' if method in LIFE else 'begun', 'deactivate')
         for number, event in zip(signals, events):
             self.assertTrue(eventually(lambda: node.got(event)), node.log)
             node.signal(number)
         self.assertEqual((node.exit_code(), node.life()), (code, calls), (order, node.log))
         self.assertIn(text, node.log, order)
+
+    def test_failure(self):
+        """A thread of the logic says that it fails: the node ends in order, with exit code 1."""
+        node = self.start()
+        self.assertTrue(eventually(lambda: node.got('activate')), node.log)
+        node.order('now', 'fail=lost')
+        self.assertEqual((node.exit_code(), node.life()), (1, LIFE), node.log)
+        self.assertIn('The logic failed: lost', node.log)
 
     def test_own_logic(self):
         """The node runs with its own logic, and ends with exit code 0 at SIGTERM."""

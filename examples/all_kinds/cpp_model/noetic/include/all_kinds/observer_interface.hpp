@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "all_kinds/ros/logger.hpp"
 #include "all_kinds/ros/time.hpp"
@@ -55,6 +56,9 @@ struct ObserverPassthrough
 
   /// Waits that many seconds of ROS time; returns false at once when the node stops.
   std::function<bool(double)> sleep = [](double) {return true;};
+
+  /// Has the node stop as an exception does, from any thread; the reason goes to the log.
+  std::function<void(const std::string &)> fail = [](const std::string &) {};
 };
 
 }  // namespace all_kinds

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdint>
 #include <sstream>
+#include <string>
 
 #include "ros/node_handle.h"
 #include "rosgraph_msgs/Clock.h"
@@ -96,8 +97,9 @@ private:
 class Loop
 {
 public:
-  Loop(Clock & clock, double frequency)
+  Loop(Clock & clock, double frequency, const std::string & name = "update")
   : clock_(clock),
+    name_(name),
     frequency_(frequency),
     period_(std::chrono::duration_cast<Clock::Nanoseconds>(Stop::Seconds(1.0 / frequency)))
   {
@@ -144,7 +146,7 @@ private:
     if (unreported_ > 0 && Stop::Clock::now() >= next_report_) {
       std::ostringstream text;
       text << "Missed " << unreported_ << " cycles of " << frequency_ <<
-        " Hz: update takes too long.";
+        " Hz: " << name_ << " takes too long.";
       log.warning(text.str());
       unreported_ = 0;
       next_report_ = Stop::deadline(timeouts::QUIET);
@@ -152,6 +154,7 @@ private:
   }
 
   Clock & clock_;
+  std::string name_;
   double frequency_;
   Clock::Nanoseconds period_;
   std::int64_t unreported_ = 0;

@@ -41,6 +41,7 @@ struct ObserverHarness
   Time time;
   bool stopped = false;
   std::vector<std::string> log;
+  std::vector<std::string> failures;
   ObserverConfig config;
   ObserverData data;
   ObserverPassthrough passthrough = connected();
@@ -59,6 +60,7 @@ private:
         }
         return !stopped;
       };
+    passthrough.fail = [this](const std::string & reason) {failures.push_back(reason);};
     return passthrough;
   }
 };

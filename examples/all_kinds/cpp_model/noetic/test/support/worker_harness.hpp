@@ -55,6 +55,7 @@ struct WorkerHarness
   Time time;
   bool stopped = false;
   std::vector<std::string> log;
+  std::vector<std::string> failures;
   WorkerConfig config;
   WorkerData data;
   WorkerPassthrough passthrough = connected();
@@ -85,6 +86,7 @@ private:
         }
         return !stopped;
       };
+    passthrough.fail = [this](const std::string & reason) {failures.push_back(reason);};
     return passthrough;
   }
 };

@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""The loop that calls update."""
+"""The loop that calls a method at a rate."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from all_kinds.ros.stop import Stop
 
 class Loop:
     """
-    Calls update at a fixed frequency; skips the cycles that begin while update still runs.
+    Calls a method at a fixed frequency; skips the cycles that begin while it still runs.
 
     cycles: how many were run; missed: how many were skipped.
     """
@@ -26,6 +26,7 @@ class Loop:
         frequency: float,
         time: RosTime,
         warn: Callable[[str], object],
+        name: str = 'update',
     ) -> None:
         """Prepare a loop of `frequency` Hz."""
         self.cycles = 0
@@ -34,6 +35,7 @@ class Loop:
         self._frequency = frequency
         self._time = time
         self._warn = warn
+        self._name = name
         self._reported = 0
         self._report_due = monotonic()
 
@@ -67,6 +69,7 @@ class Loop:
         self.missed += missed
         if monotonic() >= self._report_due:
             count = self.missed - self._reported
-            self._warn(f'Missed {count} cycles of {self._frequency:g} Hz: update takes too long.')
+            cycles = f'{count} cycles of {self._frequency:g} Hz'
+            self._warn(f'Missed {cycles}: {self._name} takes too long.')
             self._reported = self.missed
             self._report_due = monotonic() + timeouts.WARNING_PERIOD

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from concurrent.futures import Future, wait
+from functools import partial
 import logging
 from math import isfinite
 from time import monotonic, sleep
@@ -30,8 +31,8 @@ class ManagedNode:
 
     state: as in the lifecycle of ROS 2.
     loop: calls update while the node is active, if there is one.
-    failed: whether the logic refused to start or raised an exception.
-    has_error: whether the logic has raised an exception.
+    failed: whether the logic refused to start or failed.
+    has_error: whether the logic has failed.
     on_failure: called when the node has failed and is to end.
     """
 
@@ -43,6 +44,7 @@ class ManagedNode:
         self.stop = Stop()
         self._time = RosTime(self.stop)
         self.loop: Optional[Loop] = None
+        self._loops: dict[str, Loop] = {}
         self._config: Any = None
         self._impl: Any = None
         self._log = logging.getLogger('rosout')
@@ -91,12 +93,12 @@ class ManagedNode:
 
     def fail(self, error: BaseException) -> None:
         """Log an exception of the logic and end the node."""
-        self.has_error = True
-        self.failed = True
-        self._transitions.submit(self._leave)
-        self.on_failure()
         lines = traceback.format_exception(type(error), error, error.__traceback__)
-        self._log.error(''.join(lines))  # last, as rospy may wait for the master
+        self._give_up(''.join(lines))
+
+    def fail_because(self, reason: str) -> None:
+        """Log why the logic cannot go on, and end the node."""
+        self._give_up(f'The logic failed: {reason}')
 
     def call(self, method: str, *arguments: Any) -> Any:
         """Call a method of the logic."""
@@ -141,9 +143,11 @@ class ManagedNode:
         if not self._begin('configure', self._connect_and_configure):
             return
         self.state = 'inactive'
-        if not self._begin('activate', self._impl.activate):
+        if self.has_error or not self._begin('activate', self._impl.activate):
             return
         self.state = 'active'
+        if self.has_error:
+            return
         try:
             self._connect_receivers()
         except BaseException as error:
@@ -152,17 +156,31 @@ class ManagedNode:
         if self.loop and not self._logic.is_ending:  # otherwise the logic may be cleaned up
             self._logic.loop('update', self.loop.run, self.stop)
 
+    def _call_at(self, frequency: float, method: str) -> None:
+        """Call a method of the logic at a frequency, in a thread of its own."""
+        if method not in self._loops:
+            call = partial(self.call, method)
+            self._loops[method] = Loop(call, frequency, self._time, self._log.warning, method)
+        self._logic.beside(method, self._loops[method].run, self.stop)
+
     def _begin(self, name: str, method: Callable[[], bool]) -> bool:
         """Call configure or activate; leave if the logic refuses."""
         accepted = self._logic.begin(name, method)
         if not accepted and not self.has_error and not self._logic.is_ending:
             self._log.fatal(f'The logic refused to {name}.')
             self._leave()
-        return bool(accepted) and not self.has_error
+        return bool(accepted)
 
     def _connect_and_configure(self) -> bool:
         self._connect_senders()
         return not self._logic.is_ending and bool(self._impl.configure(self._config))
+
+    def _give_up(self, text: str) -> None:
+        self.has_error = True
+        self.failed = True
+        self._transitions.submit(self._leave)
+        self.on_failure()
+        self._log.error(text)  # last, as rospy may wait for the master
 
     def _leave(self) -> None:
         self._shut_down()

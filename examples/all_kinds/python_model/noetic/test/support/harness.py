@@ -228,14 +228,16 @@ FAKES = {
 
 
 def fake(passthrough_type):
-    """Return a passthrough of fakes; its `clock` gives the time."""
-    clock = Clock()
+    """Return a passthrough of fakes; `clock` gives the time, `failures` has those reported."""
+    clock, failures = Clock(), []
     members = {'now': clock.now, 'stamp': clock.stamp, 'sleep': clock.sleep}
+    members['fail'] = failures.append
     for name, type_ in get_type_hints(passthrough_type).items():
         if name not in members:
             members[name] = FAKES[get_origin(type_) or type_]()
     passthrough = passthrough_type(**members)
     passthrough.clock = clock
+    passthrough.failures = failures
     return passthrough
 
 

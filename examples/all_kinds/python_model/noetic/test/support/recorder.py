@@ -9,7 +9,7 @@ once. Calls and the results of steps are reported to stdout: name and value, in 
 serialized, in hexadecimal. What is not ordered is not done: no output is active.
 """
 
-from collections import defaultdict, deque
+from collections import Counter, defaultdict, deque
 from functools import partial
 from importlib import import_module
 from io import BytesIO
@@ -24,6 +24,8 @@ from rospy.msg import serialize_message
 
 LINES = open(0)  # not sys.stdin, which Python closes at its end while a thread reads it
 ORDERS = defaultdict(deque)
+TURNS = Counter()  # of threads and timers
+THREADS = ('read',)
 
 
 def report(name, value=None):
@@ -47,49 +49,49 @@ def decode(text, message_type):
 
 
 class _Recorder:
-    current = None
+    _current = None
 
     def __init__(self, passthrough):
         self.passthrough = passthrough
-        self.config = None
-        self.released = Event()
-        self.cycles = 0, 0.0, 0.0
-        is_first = not _Recorder.current
-        _Recorder.current = self
+        self._config = None
+        self._released = Event()
+        self._cycles = 0, 0.0, 0.0
+        is_first = not _Recorder._current
+        _Recorder._current = self
         if is_first:
-            _Recorder.listen(until='\n')
-            Thread(target=self.listen, daemon=True).start()
+            _Recorder._listen(until='\n')
+            Thread(target=self._listen, daemon=True).start()
 
     @staticmethod
-    def listen(until=''):
+    def _listen(until=''):
         for method, *steps in map(str.split, iter(LINES.readline, until)):
             if method == 'now':
-                _Recorder.current.do(steps)
+                _Recorder._current._do(steps)
             else:
                 ORDERS[method].append(steps)
                 report('order')
 
-    def called(self, method):
+    def _called(self, method):
         report(method, Path('/proc/thread-self/comm').read_text().strip())
-        return self.obey(method)
+        return self._obey(method)
 
-    def obey(self, method, item=None):
-        return self.do(ORDERS[method].popleft() if ORDERS[method] else (), item)
+    def _obey(self, method, item=None):
+        return self._do(ORDERS[method].popleft() if ORDERS[method] else (), item)
 
-    def do(self, steps, item=None):
+    def _do(self, steps, item=None):
         for name, _, value in (step.partition('=') for step in steps):
             if name == 'refuse':
                 return False
             report('begun', name)
-            report(name, getattr(self, 'do_' + name.partition('_')[0])(name, value, item))
+            report(name, getattr(self, '_do_' + name.partition('_')[0])(name, value, item))
         return True
 
     def configure(self, config):
-        self.record(config)
-        return self.called('configure')
+        self._record(config)
+        return self._called('configure')
 
-    def record(self, config):
-        self.config = config
+    def _record(self, config):
+        self._config = config
         report('config', vars(config))
 
     def reconfigure(self, config):
@@ -99,18 +101,18 @@ class _Recorder:
         return ''
 
     def activate(self):
-        return self.called('activate')
+        return self._called('activate')
 
     def deactivate(self):
-        self.called('deactivate')
+        self._called('deactivate')
 
     def cleanup(self):
-        self.called('cleanup')
+        self._called('cleanup')
 
     def update(self, data, config):
-        self.cycles = self.cycles[0] + 1, monotonic(), self.passthrough.now()
-        if config != self.config:
-            self.record(config)
+        self._cycles = self._cycles[0] + 1, monotonic(), self.passthrough.now()
+        if config != self._config:
+            self._record(config)
         steps = ORDERS['update'].popleft() if ORDERS['update'] else []
         for name, value in list(vars(data).items()):
             member, _, kind = name.rpartition('_')
@@ -118,75 +120,89 @@ class _Recorder:
                 report(member, encode(getattr(data, member)))
             if kind == 'active' and member not in ' '.join(steps) and isinstance(value, bool):
                 setattr(data, name, False)
-        self.do(steps, data)
+        self._do(steps, data)
 
     def __getattr__(self, method):
-        return partial(self.call_back, method)
+        is_called = method.startswith(('receive_', 'serve_', 'execute_'))
+        return partial(self._call_back if is_called else self._take_turn, method)
 
-    def call_back(self, method, item, *response):
+    def _take_turn(self, method):
+        TURNS[method] += 1
+        if ORDERS[method]:
+            self._called(method)
+        if method in THREADS:
+            self.passthrough.sleep(0.01)
+
+    def _do_turns(self, _, method, *__):
+        return TURNS[method], monotonic(), self.passthrough.now()
+
+    def _call_back(self, method, item, *response):
         report(method, encode(item.request if method.startswith('execute_') else item))
         responses = list(response)
-        is_accepted = self.obey(method, responses or item)
+        is_accepted = self._obey(method, responses or item)
         return responses[0] if responses and is_accepted else None
 
-    def do_raise(self, *_):
+    def _do_raise(self, *_):
         raise RuntimeError('told to raise')
 
-    def do_block(self, *_):
-        self.released.wait()
+    def _do_block(self, *_):
+        self._released.wait()
 
-    def do_release(self, *_):
-        self.released.set()
-        self.released = Event()
+    def _do_release(self, *_):
+        self._released.set()
+        self._released = Event()
 
-    def do_wait(self, _, seconds, *__):
+    def _do_wait(self, _, seconds, *__):
         sleep(float(seconds))
 
-    def do_sleep(self, _, seconds, *__):
+    def _do_sleep(self, _, seconds, *__):
         return self.passthrough.sleep(float(seconds))
 
-    def do_cycles(self, *_):
-        return self.cycles
+    def _do_fail(self, _, reason, *__):
+        self.passthrough.fail(reason)
 
-    def do_out(self, name, message, data):
+    def _do_cycles(self, *_):
+        return self._cycles
+
+    def _do_out(self, name, message, data):
         setattr(data, name, decode(message, type(getattr(data, name))))
 
-    def member(self, name):
+    def _member(self, name):
         hint = get_type_hints(type(self.passthrough))[name]
         return getattr(self.passthrough, name), get_args(hint)[0]
 
-    def do_pub(self, name, message, _):
-        publisher, type_ = self.member(name)
+    def _do_pub(self, name, message, _):
+        publisher, type_ = self._member(name)
         publisher.publish(decode(message, type_))
 
-    def do_response(self, _, message, responses):
+    def _do_response(self, _, message, responses):
         responses[0] = decode(message, type(responses[0]))
 
-    def do_client(self, name, value, _):
-        client, type_ = self.member(name)
+    def _do_client(self, name, value, _):
+        client, type_ = self._member(name)
         request, timeout = value.split(',')
         return encode(client.call(decode(request, type_), float(timeout)))
 
-    def do_feedback(self, _, message, goal):
+    def _do_feedback(self, _, message, goal):
         goal.feedback = decode(message, type(goal.feedback))
         goal.publish_feedback()
 
-    def do_result(self, _, message, goal):
+    def _do_result(self, _, message, goal):
         goal.result = decode(message, type(goal.result))
 
-    def do_end(self, _, outcome, goal):
+    def _do_end(self, _, outcome, goal):
         getattr(goal, outcome)()
 
-    def do_await(self, _, __, goal):
+    def _do_await(self, _, __, goal):
         while not goal.cancel_requested:
             sleep(0.01)
 
-    def do_action(self, name, goal, _):
-        client, type_ = self.member(name)
+    def _do_action(self, name, goal, _):
+        client, type_ = self._member(name)
         return client.send_goal(decode(goal, type_)) if goal else client.cancel()
 
-    def do_state(self, name, *_):
-        client, _ = self.member(name.partition('_')[2])
+    def _do_state(self, name, *_):
+        client, _ = self._member(name.partition('_')[2])
         return client.state, encode(client.feedback), encode(client.result)
 
 

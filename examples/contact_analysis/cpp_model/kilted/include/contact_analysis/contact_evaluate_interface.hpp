@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "contact_analysis/ros/goal.hpp"
 #include "contact_analysis/ros/logger.hpp"
@@ -70,6 +71,9 @@ struct ContactEvaluatePassthrough
 
   /// Waits that many seconds of ROS time; returns false at once when the node stops.
   std::function<bool(double)> sleep = [](double) {return true;};
+
+  /// Has the node stop as an exception does, from any thread; the reason goes to the log.
+  std::function<void(const std::string &)> fail = [](const std::string &) {};
 
   /// Cops defining the latest contact
   std::shared_ptr<Publisher<contact_evaluate_types::PubPlotLearnCop>> pub_plot_learn_cop =

@@ -26,6 +26,10 @@ public:
   /// Start operating; return false to refuse activation.
   bool activate();
 
+  // Thread read
+  /// Do one piece of work in a thread of its own; called again, the stub once a second.
+  void read();
+
   /// Stop everything that moves; publishers, service calls and goals still work here.
   void deactivate();
 

@@ -55,6 +55,9 @@ struct SensorPassthrough
   /// Waits that many seconds of ROS time; returns false at once when the node stops.
   std::function<bool(double)> sleep = [](double) {return true;};
 
+  /// Has the node stop as an exception does, from any thread; the reason goes to the log.
+  std::function<void(const std::string &)> fail = [](const std::string &) {};
+
   /// The node of rclcpp, which outlives the logic, for what the spec cannot say: the logic looks
   /// after what it
   /// makes of it.

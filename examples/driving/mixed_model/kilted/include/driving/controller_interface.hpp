@@ -8,6 +8,7 @@
 #define DRIVING__CONTROLLER_INTERFACE_HPP_
 
 #include <functional>
+#include <string>
 
 #include "driving/ros/logger.hpp"
 #include "driving/ros/time.hpp"
@@ -61,6 +62,9 @@ struct ControllerPassthrough
 
   /// Waits that many seconds of ROS time; returns false at once when the node stops.
   std::function<bool(double)> sleep = [](double) {return true;};
+
+  /// Has the node stop as an exception does, from any thread; the reason goes to the log.
+  std::function<void(const std::string &)> fail = [](const std::string &) {};
 };
 
 }  // namespace driving

@@ -8,6 +8,7 @@
 #define SERVING__IDLER_INTERFACE_HPP_
 
 #include <functional>
+#include <string>
 
 #include "serving/ros/logger.hpp"
 #include "serving/ros/time.hpp"
@@ -32,6 +33,9 @@ struct IdlerPassthrough
 
   /// Waits that many seconds of ROS time; returns false at once when the node stops.
   std::function<bool(double)> sleep = [](double) {return true;};
+
+  /// Has the node stop as an exception does, from any thread; the reason goes to the log.
+  std::function<void(const std::string &)> fail = [](const std::string &) {};
 };
 
 }  // namespace serving

@@ -163,6 +163,25 @@ public:
     return run(next(method));
   }
 
+  /// Count a call of a thread or timer; report it and obey, if something was ordered.
+  void take_turn(const std::string & method)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(shared().mutex);
+      ++shared().turns[method];
+      if (shared().orders[method].empty()) {
+        return;
+      }
+    }
+    called(method);
+  }
+
+  static int turns(const std::string & method)
+  {
+    const std::lock_guard<std::mutex> lock(shared().mutex);
+    return shared().turns[method];
+  }
+
   /// Return what was ordered for a call of a method.
   Words next(const std::string & method)
   {
@@ -185,6 +204,7 @@ private:
     std::ifstream input{"/dev/stdin"};  // not std::cin, whose lock a process needs that ends
     std::mutex mutex;
     std::map<std::string, std::deque<Words>> orders;
+    std::map<std::string, int> turns;
     std::weak_ptr<Steps> steps;  // they keep publishers and clients
     bool is_listening = false;
     std::condition_variable released;

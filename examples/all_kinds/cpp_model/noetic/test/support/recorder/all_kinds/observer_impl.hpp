@@ -24,6 +24,10 @@ public:
       {"sleep", [this](const std::string & seconds) {
           return to_json(passthrough_.sleep(std::stod(seconds)));
         }},
+      {"fail", [this](const std::string & reason) {
+          passthrough_.fail(reason);
+          return "null";
+        }},
       {"cycles", [this](const std::string &) {
           const std::lock_guard<std::mutex> lock(mutex_);
           return cycles_;

@@ -24,6 +24,17 @@ public:
       {"sleep", [this](const std::string & seconds) {
           return to_json(passthrough_.sleep(std::stod(seconds)));
         }},
+      {"fail", [this](const std::string & reason) {
+          passthrough_.fail(reason);
+          return "null";
+        }},
+      {"turns", [this](const std::string & method) {
+          const auto wall = std::chrono::steady_clock::now().time_since_epoch();
+          const std::chrono::duration<double> seconds = wall;
+          const auto now = to_json(passthrough_.now().seconds());
+          const auto times = to_json(seconds.count()) + ", " + now;
+          return "[" + to_json(Recorder::turns(method)) + ", " + times + "]";
+        }},
       {"cycles", [this](const std::string &) {
           const std::lock_guard<std::mutex> lock(mutex_);
           return cycles_;
@@ -107,6 +118,17 @@ public:
   {
     report("execute_compute", encode(goal.request));
     recorder_.run(recorder_.next("execute_compute"), executes(goal));
+  }
+
+  void read()
+  {
+    recorder_.take_turn("read");
+    passthrough_.sleep(0.01);
+  }
+
+  void poll()
+  {
+    recorder_.take_turn("poll");
   }
 
 private:
