@@ -35,6 +35,7 @@
 #include "callback_thread.hpp"
 #include "calls.hpp"
 #include "stop.hpp"
+#include "timing.hpp"
 #include "all_kinds/ros/logger.hpp"
 
 namespace all_kinds
@@ -112,6 +113,9 @@ public:
     end();
     logic_.end_by(Stop::deadline(timeouts::RETURN));
     changes_.end_by(Stop::deadline(timeouts::RETURN));
+    for (const auto & [name, thread] : beside_) {
+      thread->end_by(Stop::deadline(timeouts::RETURN));
+    }
   }
 
   /// Shut the context down after a failure.
@@ -125,6 +129,43 @@ public:
 
   const std::shared_ptr<Stop> & stop() const {return stop_;}
   const std::shared_ptr<Calls> & calls() const {return calls_;}
+
+  /// Run a method in a thread of its own, the same in every activation, until the node stops.
+  void run_beside(const std::string & name, const std::function<void()> & method)
+  {
+    auto & thread = beside_[name];
+    if (!thread) {
+      thread = std::make_unique<JobThread>(name);
+    }
+    calls_->enter(name);
+    thread->post([calls = calls_, name, method] {calls->call(name, method);});
+  }
+
+  /// Call a method again and again, in a thread of its own, until the node stops.
+  void repeat(const std::string & name, const std::function<void()> & method)
+  {
+    run_beside(
+      name, [calls = calls_, method] {
+        while (calls->is_open()) {
+          method();
+        }
+      });
+  }
+
+  /// Call a method at a frequency, in a thread of its own, until the node stops.
+  void call_at(
+    double frequency, const std::string & name, const std::function<void()> & method)
+  {
+    auto & timer = timers_[name];
+    if (!timer) {
+      const Sleeper sleeper(get_clock(), stop_);
+      timer = std::make_shared<Loop>(sleeper, frequency, get_logger(), name);
+    }
+    run_beside(
+      name, [timer, calls = calls_, method] {
+        timer->run([&] {method(); return calls->is_open();});
+      });
+  }
 
   /// Return a callback group that is spun by a thread of its own, named after what it serves.
   rclcpp::CallbackGroup::SharedPtr callback_group(
@@ -143,6 +184,8 @@ public:
     if (!may_start("configure")) {
       return CallbackReturn::FAILURE;
     }
+    known_failures_ = calls_->failures();
+    calls_->watch([this] {fail();});
     session_ = make_session();
     const auto result = start_logic(
       "configure", &Session::configure, "cleanup", &Session::cleanup);
@@ -150,7 +193,7 @@ public:
     if (result == CallbackReturn::FAILURE) {
       clean_up();
     }
-    return result;
+    return has_thrown() ? CallbackReturn::ERROR : result;
   }
 
   CallbackReturn on_activate(const rclcpp_lifecycle::State &) override
@@ -161,12 +204,12 @@ public:
     const auto result = start_logic(
       "activate", &Session::activate, "deactivate", &Session::deactivate);
     is_activated_ = result == CallbackReturn::SUCCESS;
-    if (is_activated_ && !is_ending_) {
-      calls_->open([this] {fail();});
+    if (is_activated_ && !is_ending_ && !has_thrown()) {
+      calls_->open();
       session_->connect(*this);
       post("update", [session = session_] {session->work(); return true;});
     }
-    return result;
+    return has_thrown() ? CallbackReturn::ERROR : result;
   }
 
   CallbackReturn on_deactivate(const rclcpp_lifecycle::State &) override
@@ -338,7 +381,7 @@ private:
     leave_alone();
   }
 
-  /// Deactivate after an exception, which cleans up.
+  /// Deactivate or clean up after a failure, which goes through error processing.
   void recover()
   {
     {
@@ -346,6 +389,8 @@ private:
       settle();
       if (has_thrown() && state() == State::PRIMARY_STATE_ACTIVE) {
         deactivate();
+      } else if (has_thrown() && state() == State::PRIMARY_STATE_INACTIVE) {
+        cleanup();
       }
     }
     leave_alone();
@@ -359,7 +404,7 @@ private:
     }
   }
 
-  /// Return whether the logic has thrown since its last start.
+  /// Return whether the logic has thrown, or said that it fails, since it was configured.
   bool has_thrown() const {return calls_->failures() != known_failures_;}
 
   /// Recover in a thread of the node, as the transition waits for the calling thread.
@@ -377,7 +422,6 @@ private:
       RCLCPP_ERROR(get_logger(), "Cannot %s: %s has not returned.", method, names.c_str());
       return false;
     }
-    known_failures_ = calls_->failures();
     stop_->clear();
     if (is_ending_) {
       stop_->request();
@@ -487,6 +531,7 @@ private:
   /// Clean the logic up and drop it.
   void clean_up()
   {
+    calls_->watch(nullptr);
     if (!session_) {
       return;
     }
@@ -505,8 +550,8 @@ private:
   std::set<std::string> ranged_;  // parameters
   std::shared_ptr<Stop> stop_ = std::make_shared<Stop>();
   std::shared_ptr<Calls> calls_ = std::make_shared<Calls>(
-    [logger = get_logger()](const std::string & method, const std::string & error) {
-      RCLCPP_ERROR(logger, "The logic failed in %s: %s", method.c_str(), error.c_str());
+    [logger = get_logger()](const std::string & failure) {
+      RCLCPP_ERROR(logger, "%s", failure.c_str());
     });
   std::map<std::string, std::unique_ptr<CallbackThread>> callback_threads_;
   std::shared_ptr<Session> session_;
@@ -517,6 +562,8 @@ private:
   std::atomic<bool> is_ending_{false};
   std::atomic<bool> is_alone_{false};
   std::mutex transition_mutex_;
+  std::map<std::string, std::shared_ptr<Loop>> timers_;
+  std::map<std::string, std::unique_ptr<JobThread>> beside_;
   JobThread logic_{"logic"};
   JobThread life_cycle_{"life_cycle"};
   JobThread changes_{"reconfigure"};

@@ -8,6 +8,7 @@ from __future__ import annotations
 from concurrent.futures import wait
 from contextlib import ExitStack
 from dataclasses import replace
+from functools import partial
 from math import isfinite
 from time import monotonic
 import traceback
@@ -50,8 +51,8 @@ class ManagedNode(LifecycleNode):
     fixed_parameters: parameters that only change while the node is unconfigured.
     loop: calls update while the node is active, if there is one.
     reconfigures: whether the logic gets changed parameters, which it may refuse.
-    failed: whether the logic raised an exception or refused to autostart.
-    has_error: whether the logic has raised an exception since it was configured.
+    failed: whether the logic failed or refused to autostart.
+    has_error: whether the logic has failed since it was configured.
     on_failure: called when the node has failed and deactivated.
     """
 
@@ -86,6 +87,7 @@ class ManagedNode(LifecycleNode):
         self.stop = Stop()
         self._time = RosTime(self, self.stop)
         self.loop: Optional[Loop] = None
+        self._loops: dict[str, Loop] = {}
         self._config: Any = None
         self._impl: Any = None
         self._is_configured = False
@@ -155,29 +157,33 @@ class ManagedNode(LifecycleNode):
     def fail(self, error: BaseException) -> None:
         """Log an exception of the logic and take the node through error processing."""
         lines = traceback.format_exception(type(error), error, error.__traceback__)
-        self.get_logger().error(''.join(lines))
-        self.has_error = True
-        self._transitions.submit(self._leave)
+        self._give_up(''.join(lines))
+
+    def fail_because(self, reason: str) -> None:
+        """Log why the logic cannot go on, and take the node through error processing."""
+        self._give_up(f'The logic failed: {reason}')
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Create publishers and clients, then configure the logic."""
         result = self._begin('configure', self._connect_and_configure)
         if result == TransitionCallbackReturn.FAILURE:
             self._clean_up()
-        return result
+        return self._result() if result == TransitionCallbackReturn.SUCCESS else result
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Activate the logic, create subscriptions and servers, and start the loop."""
         result = self._begin('activate', self._impl.activate)
-        if result == TransitionCallbackReturn.SUCCESS:
-            try:
-                self._connect_receivers()
-            except Exception as error:  # such as an invalid QoS override
-                self.fail(error)
-                self._deactivate()
-                return self._result()
-            if self.loop:
-                self._logic.loop('update', self.loop.run, self.stop)
+        if result != TransitionCallbackReturn.SUCCESS:
+            return result
+        try:
+            self._connect_receivers()
+        except Exception as error:  # such as an invalid QoS override
+            self.fail(error)
+        if self.has_error:
+            self._deactivate()
+            return self._result()
+        if self.loop:
+            self._logic.loop('update', self.loop.run, self.stop)
         return result
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -198,7 +204,7 @@ class ManagedNode(LifecycleNode):
         return TransitionCallbackReturn.SUCCESS if self._logic.is_ending else self._result()
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Clean up after an exception of the logic."""
+        """Clean up after a failure of the logic."""
         self._clean_up()
         return TransitionCallbackReturn.SUCCESS
 
@@ -371,6 +377,15 @@ class ManagedNode(LifecycleNode):
         """Call a method of the logic."""
         return getattr(self._impl, method)(*arguments)
 
+    def _call_at(self, frequency: float, method: str) -> None:
+        """Call a method of the logic at a frequency, in a thread of its own."""
+        if method not in self._loops:
+            call = partial(self.call, method)
+            self._loops[method] = Loop(
+                call, frequency, self._time, self.get_logger().warning, method
+            )
+        self._logic.beside(method, self._loops[method].run, self.stop)
+
     async def _change_state_in_thread(self, request: Any, response: Any) -> Any:
         call = self._transitions.submit(self._change_state, request, response)
         await first(self, [call])
@@ -387,10 +402,17 @@ class ManagedNode(LifecycleNode):
         if self.state != 'finalized':
             self.trigger_shutdown()
 
+    def _give_up(self, text: str) -> None:
+        self.get_logger().error(text)
+        self.has_error = True
+        self._transitions.submit(self._leave)
+
     def _leave(self) -> None:
         """Go to error processing, unless a transition has done so, and report the failure."""
         if self.state == 'active':
             self.trigger_deactivate()
+        elif self.state == 'inactive' and self.has_error:
+            self.trigger_cleanup()
         self.failed = True
         self.on_failure()
 
@@ -405,17 +427,16 @@ class ManagedNode(LifecycleNode):
         if running:
             self.get_logger().error(f'Cannot {name}: {running} has not returned.')
             return TransitionCallbackReturn.FAILURE
-        self.has_error = False
-        accepted = self._logic.begin(name, method)
+        if self._logic.begin(name, method):
+            return TransitionCallbackReturn.SUCCESS
         if self.has_error:
             return TransitionCallbackReturn.ERROR
-        if not accepted:
-            if not self._logic.is_ending:
-                self.get_logger().error(f'The logic refused to {name}.')
-            return TransitionCallbackReturn.FAILURE
-        return TransitionCallbackReturn.SUCCESS
+        if not self._logic.is_ending:
+            self.get_logger().error(f'The logic refused to {name}.')
+        return TransitionCallbackReturn.FAILURE
 
     def _connect_and_configure(self) -> bool:
+        self.has_error = False
         self._connect_senders()
         self._config = self._read_config()
         if not self._logic.is_ending:

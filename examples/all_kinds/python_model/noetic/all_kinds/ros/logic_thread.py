@@ -36,7 +36,7 @@ class LogicThread:
         self._fail = fail
         self._end_requested: Future[None] = Future()
         self._worker = Worker('logic')
-        self._changes = Worker('reconfigure')
+        self._others: dict[str, Worker] = {}
 
     @property
     def is_ending(self) -> bool:
@@ -60,6 +60,21 @@ class LogicThread:
         """Start a method that runs until the node stops."""
         self._worker.submit(self._call, method, *arguments, name=name)
 
+    def beside(self, name: str, method: Callable[..., Any], *arguments: Any) -> Future[Any]:
+        """Call a method in a thread of its own, mostly one that runs until the node stops."""
+        if name not in self._others:
+            self._others[name] = Worker(name)
+        return self._others[name].submit(self._call, method, *arguments, name=name)
+
+    def repeat(self, name: str, method: Callable[[], object]) -> None:
+        """Call a method again and again, in a thread of its own, until the node stops."""
+
+        def run() -> None:
+            while not self._stop.requested:
+                method()
+
+        self.beside(name, run)
+
     def finish(self, name: str, method: Callable[[], Any]) -> None:
         """Call deactivate or cleanup, whose own waits work until stop_timeout is over."""
         is_free = not self._worker.pending()
@@ -71,7 +86,7 @@ class LogicThread:
 
     def reconfigure(self, method: Callable[[], str]) -> str:
         """Call reconfigure in a thread of its own; return why the logic refuses, or ''."""
-        call = self._changes.submit(self._call, method, name='reconfigure')
+        call = self.beside('reconfigure', method)
         wait([call], timeouts.RECONFIGURE_TIMEOUT)
         reason = call.result() if call.done() else 'reconfigure has not returned'
         return reason if isinstance(reason, str) else 'reconfigure has failed'
@@ -83,13 +98,17 @@ class LogicThread:
             self._end_requested.set_result(None)
 
     def close(self) -> None:
-        """End the thread after the calls submitted so far."""
+        """End the threads after the calls submitted so far."""
         self._worker.close()
-        self._changes.close()
+        for worker in self._others.values():
+            worker.close()
 
     def running(self) -> dict[Future[Any], str]:
         """Return the calls that have not returned, with the names of the methods."""
-        return {**self._worker.pending(), **self._changes.pending()}
+        running = self._worker.pending()
+        for worker in list(self._others.values()):
+            running.update(worker.pending())
+        return running
 
     def have_returned(
         self,
