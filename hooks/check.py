@@ -271,7 +271,7 @@ class _Checker:
             values[name] = default if given is None else None
             if given is None and not attribute.optional:
                 self.fault(element, f'attribute "{name}" is missing{_doc(attribute)}')
-            elif given is not None:
+            elif given is not None and not self.is_misplaced(element, attribute, values):
                 try:
                     values[name] = value = _value(attribute, given, values, self.formats)
                     if attribute.format in TYPES and (parts := split_type(value)):
@@ -290,6 +290,13 @@ class _Checker:
                     for fault in rule(attribute, values):
                         self.fault(element, fault)
         return values
+
+    def is_misplaced(self, element: Element, attribute: Attribute, values: Values) -> bool:
+        """Report an attribute that has no meaning beside those before it; its text may be any."""
+        faults = [*_misplaced(attribute, values)]
+        for fault in faults:
+            self.fault(element, fault)
+        return bool(faults)
 
     def check_unique(
         self, element: Element, attribute: Attribute, value: str, scope: tuple[Any, ...]

@@ -131,6 +131,9 @@ def test_component_and_template_are_understood(model):
         ('<dynParameter name="p" type="bool" max="1" value="1"/>', '"max" has no meaning'),
         ('<parameter name="p" type="double" max="2" value="3"/>', "value: 3.0 must be at most 2"),
         ('<parameter name="p" type="int[]" max="[2]"/>', "has no meaning where type is"),
+        ('<parameter name="p" type="int[]" max="2"/>', '"max" has no meaning where type is'),
+        ('<parameter name="p" type="int[]" value="[1]" choices="[1]"/>', "has no meaning where"),
+        ('<parameter name="p" type="int[]" value="[1]" min="[3]"/>', "has no meaning where"),
         ('<parameter name="p" type="int" choices="[]"/>', "choices: a list must not be empty"),
         ('<parameter name="p" type="int" choices="[1, x]"/>', 'choices: "x" is not an int'),
         (
