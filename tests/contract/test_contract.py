@@ -630,13 +630,13 @@ FAILURES = [*LIFE, "receive", "serve", "work", "thread"]
 @pytest.mark.parametrize("where", FAILURES)
 def test_failure(stage, where):
     """`passthrough.fail` ends the node as an exception does, from whichever thread."""
-    told = "activate: later 0.5 lost" if where == "thread" else f"{where}: fail lost"
+    told = "activate: later 1.0 lost" if where == "thread" else f"{where}: fail lost"
     node = stage.start("probe", told, "deactivate: publish STOP")
-    if where in ("deactivate", "cleanup"):
+    if where not in ("configure", "activate"):
         node.wait("update")
+    if where in ("deactivate", "cleanup"):
         node.send_signal()
     elif where == "receive":
-        node.wait("update")
         stage.publish("hear", "fail")
     elif where == "serve":
         stage.call()
