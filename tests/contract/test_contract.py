@@ -1123,6 +1123,8 @@ def test_logic_gets_changed_parameters(stage):
     assert not set_pace(stage, 3.0)
     node.tell()
     assert set_pace(stage, 4.0)
+    if stage.variant.is_ros2:
+        stage.peer.set_parameter(node=stage.name("clerk"), name="stop_timeout", value=3.0)
     seen = [event["value"] for event in node.events("reconfigure", "begin")]
     assert seen == [2.0, 3.0, 4.0]
     assert node.stop() == 0
