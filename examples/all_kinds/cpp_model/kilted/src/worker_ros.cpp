@@ -5,10 +5,12 @@
 // Generated from all_kinds.ros_package.
 // The logic is in worker_impl.cpp.
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -330,7 +332,17 @@ private:
   {
     auto result = check(parameters);  // rclcpp calls this callback before that of the base
     const auto logic = logic_.lock();
-    if (result.successful && logic && logic->is_configured()) {
+    const std::set<std::string> names{
+      "gain",
+      "step",
+      "verbose",
+      "label",
+    };
+    const bool is_ours = std::any_of(
+      parameters.begin(), parameters.end(), [&names](const auto & parameter) {
+        return names.count(parameter.get_name()) > 0;
+      });
+    if (result.successful && is_ours && logic && logic->is_configured()) {
       result.reason = call_reconfigure(
         [logic, config = config_with(parameters)] {return logic->reconfigure(config);});
       result.successful = result.reason.empty();

@@ -266,6 +266,8 @@ class ManagedNode(LifecycleNode):
         if not (result.successful and self.reconfigures and impl and is_configured):
             return result
         config = self._config_with(parameters)
+        if config == self._config:  # such as QoS, which is declared when a topic is made
+            return result
         reason = self._logic.reconfigure(lambda: impl.reconfigure(config))
         return SetParametersResult(successful=not reason, reason=reason)
 

@@ -90,9 +90,9 @@ class _Recorder:
         report('config', vars(config))
 
     def reconfigure(self, config):
-        if not self.obey('reconfigure'):
+        if not self._obey('reconfigure'):
             return 'told to refuse'
-        self.record(config)
+        self._record(config)
         return ''
 
     def activate(self):
