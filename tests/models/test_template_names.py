@@ -159,7 +159,7 @@ def test_update_from_a_version_without_the_table(own_collection, render, update)
 
 
 OWN = (
-    r"(README|AGENTS)\.md|CMakeLists\.txt|package\.xml|setup\.(py|cfg)|mypy\.ini|ruff\.toml|resource/[^/]*"
+    r"(README|AGENTS)\.md|CMakeLists\.txt|package\.xml|setup\.(py|cfg)|mypy\.ini|ruff\.toml|resource/.*"
     r"|\.git.*|(config|launch)/.*|.*\.ros_package|.*_impl\.(py|[ch]pp)|.*\.test"
     r"|.*/(__init__\.py|py\.typed)|test/test_(flake8|pep257)\.py"
 )

@@ -1,7 +1,6 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-from glob import glob
 import os
 
 from setuptools import find_packages, setup
@@ -28,8 +27,6 @@ setup(
         ('share/' + package_name, ['package.xml']),
         *installed('config'),
         *installed('launch'),
-        *installed('nodl'),
-        ('share/ament_index/resource_index/nodl', glob('resource/nodl/*')),
     ],
     install_requires=['setuptools'],
     extras_require={'test': ['pytest']},
