@@ -160,7 +160,7 @@ def test_cpp_compiles(renderers, tmp_path, ros1):
     """The interface and the logic of some packages, and their nodes that need no other header."""
     done = itertools.count(1)
 
-    @many(COMPILED * 8)
+    @many(COMPILED * 20)
     @given(specs(DICTIONARY))
     def run(xml):
         there = re.sub(rb'"(test|control)_msgs[^"]*"', b'"actionlib/TwoInts"', xml)
