@@ -6,8 +6,7 @@ import shutil
 import pytest
 
 from support import ros
-from support.packages import LOGIC, add_volume, fill_in, use_volume
-from support.repository import EXAMPLES
+from support.packages import DATA, LOGIC, add_volume, fill_in, use_volume
 from support.ros import PEERS, nodes
 
 pytestmark = pytest.mark.ros2
@@ -75,6 +74,6 @@ def test_node_that_is_destroyed_twice(ros2, ros2_untouched, model):
 
 def test_messages_are_not_copied(ros2, render, tmp_path):
     """python_model hands on the message that came; C++ moves what it owns."""
-    render(EXAMPLES / "../benchmarks/fast.ros_package", ros_distro=ros2.distro, name="src/fast")
+    render(DATA / "fast.ros_package", ros_distro=ros2.distro, name="src/fast")
     ros2.build(tmp_path)
     ros2.run(f"python3 {PEERS}/same_message.py", tmp_path, tmp_path)
