@@ -36,7 +36,9 @@ def test_every_part_is_included():
     texts = "".join((ROOT / name).read_text() for name in PARTS)
     texts += (ROOT / "copier.yml").read_text()
     texts = "".join(texts.replace('" ~ spec.ros ~ "', ros) for ros in "12")
-    included = set(re.findall(r"""(?:include|from|extends) (?:\[.*, )?["'](shared/[^"']+)["']""", texts))
+    included = set(
+        re.findall(r"""(?:include|from|extends) (?:\[.*, )?["'](shared/[^"']+)["']""", texts)
+    )
     parts = {name for name in PARTS if name.startswith("shared/")}
     assert included >= parts
     assert all((ROOT / name).exists() for name in included)

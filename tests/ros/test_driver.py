@@ -198,7 +198,7 @@ def test_page_about_drivers(request, render, version):
     ros_ = request.getfixturevalue(f"ros{version}")
     package = make(render, "python_model", ros_.distro)
     page = (EXAMPLES.parent / "docs/driver.md").read_text()
-    methods = re.search(r"```python\n(.*?)```", page, re.DOTALL)[1]
+    methods = re.search(r"as generated\n\n(.*?)```", page, re.DOTALL)[1]
     logic = package / "driver/sensor_impl.py"
     head, rest = logic.read_text().split("    def configure(")
     head = head.replace("from driver", "import serial\nfrom driver", 1)

@@ -24,6 +24,7 @@ from support.packages import DATA, all_kinds, without_tf
 from support.repository import ROOT
 
 PATIENT = f"TEST_TIMEOUT={ros.PATIENCE}"
+IMPATIENT = "TEST_TIMEOUT=20"
 
 
 @dataclass(frozen=True)
@@ -79,7 +80,7 @@ class Python:
 
     def unittest(self, package, tests, passes):
         """Run tests, patiently if they are to pass, as they share the machine with others."""
-        start = f"env {PATIENT if passes else ''} PYTHONPATH={package}:$PYTHONPATH"
+        start = f"env {PATIENT if passes else IMPATIENT} PYTHONPATH={package}:$PYTHONPATH"
         command = f"{start} {self.ros.python} -m unittest {tests}"
         return self.ros.run(command, package / "test", self.workspace, check=False).stdout
 
@@ -125,7 +126,7 @@ class Cpp:
         """Run the test that is to notice a mutant, or all tests; return what they print."""
         settings = shlex.join(f"{key}={value}" for key, value in environment.items())
         chosen = f"-k {mutant.test}" if mutant else ""
-        patience = "" if mutant else PATIENT
+        patience = IMPATIENT if mutant else PATIENT
         start = f"env {patience} MUTANT={shlex.quote(name)} {settings} {ros.python} -m unittest"
         folder = self.package / "test"
         return ros.run(f"{start} test_worker_node {chosen}", folder, workspace, check=False).stdout

@@ -5,6 +5,7 @@ import sys
 
 import rclpy
 from bench.record import Record
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action import ActionServer
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
@@ -58,6 +59,7 @@ class Server(Node):
 
 rclpy.init()
 node = {"relay": Relay, "server": Server}[sys.argv[1]]()
-with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
+# rclpy 9.1 raises RCLError where the signal comes between two waits.
+with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException, RCLError):
     rclpy.spin(node)
 node.record.save()

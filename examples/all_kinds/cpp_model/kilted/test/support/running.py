@@ -10,7 +10,7 @@ from threading import Thread
 from time import monotonic, sleep
 
 LIFE = ['configure', 'activate', 'deactivate', 'cleanup']
-TIMEOUT = float(os.environ.get('TEST_TIMEOUT', 20.0))  # seconds; long, for busy machines
+TIMEOUT = float(os.environ.get('TEST_TIMEOUT', 60.0))  # seconds; long, for busy machines
 
 
 class RunningNode:
