@@ -29,9 +29,9 @@ ROOM = 8e9  # bytes
 NEEDS = {"ros1": "ros1", "ros2": "ros2", "network": "installers"}
 """Marks, and the fixtures whose tests have them."""
 LONGEST = """
-  test_contract test_ros1 test_models test_mutants test_ros2 test_lab test_mixed test_cpp_model
-  test_fuzz test_linters test_other_ros test_launch test_install test_figure test_configuration
-  test_interfaces
+  test_contract test_mutants test_ros1 test_lab test_ros2 test_runtime test_models test_cpp_model
+  test_readme test_mixed test_fuzz test_benchmarks test_driver test_linters test_other_ros
+  test_launch test_install test_figure test_configuration test_interfaces
 """.split()
 
 

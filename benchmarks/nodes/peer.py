@@ -7,6 +7,8 @@ import sys
 import threading
 import time
 
+LIMIT = 60  # seconds
+
 
 class Ros1:
     def __init__(self):
@@ -21,7 +23,8 @@ class Ros1:
         self.publisher = rospy.Publisher("values", Float64MultiArray, queue_size=10)
         self.message = Float64MultiArray()
         self.set = rospy.ServiceProxy("set", SetBool)
-        self.action = actionlib.SimpleActionClient("compute", FibonacciAction)
+        self.action = actionlib.ActionClient("compute", FibonacciAction)
+        self.done = actionlib.CommState.DONE
         self.goal = FibonacciGoal(order=1)
 
     def hear(self, callback):
@@ -44,7 +47,12 @@ class Ros1:
         self.set(True)
 
     def send_goal(self):
-        self.action.send_goal_and_wait(self.goal)
+        # actionlib 1.14's SimpleActionClient waits forever for a result that comes at once.
+        done = threading.Event()
+        goal = self.action.send_goal(
+            self.goal, lambda sent: done.set() if sent.get_comm_state() == self.done else None
+        )
+        assert done.wait(LIMIT), goal
 
 
 class Ros2:
