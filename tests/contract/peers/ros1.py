@@ -41,10 +41,18 @@ class Peer:
         return True
 
     def leave(self, namespace):
-        """End what is still served there."""
+        """End what is still served there, and have the master forget the nodes, which have ended.
+
+        Of a killed one it would keep the port, and rosout go on to call it; when rospy 1.15 has
+        that port for topics in another test, the call, which is none, keeps all others out.
+        """
         for name, served in self.served.items():
             if name.startswith(namespace + "/"):
                 served.ended.set()
+        master = rosgraph.Master("/peer")
+        known = {node for kind in master.getSystemState() for _, each in kind for node in each}
+        own = [node for node in known if node.startswith(namespace + "/")]
+        rosnode.cleanup_master_blacklist(master, own)
 
     # Topics
     def hear(self, topic, kind, **_qos):
