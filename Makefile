@@ -14,6 +14,7 @@ picture: $(TOOLS)/ready $(ROS2)/ready
 	$(TOOLS)/bin/pip install --quiet --disable-pip-version-check rich
 	PYTHONPATH=tests $(TOOLS)/bin/python demo/record.py
 
+# pytest-xdist 3.8 repeats without end a test whose process crashes.
 PYTEST = ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH= $(TOOLS)/bin/pytest --dist loadfile --no-loadscope-reorder --max-worker-restart 2
 
 # What needs no ROS and no network: for each change, in minutes.

@@ -41,18 +41,17 @@ class Peer:
         return True
 
     def leave(self, namespace):
-        """End what is still served there, and have the master forget the nodes, which have ended.
+        """End what is still served there; the master forgets the nodes, which have all ended.
 
-        Of a killed one it would keep the port, and rosout go on to call it; when rospy 1.15 has
-        that port for topics in another test, the call, which is none, keeps all others out.
+        It would keep the address of a killed one, which rosout then calls. Once a node of another
+        test has that port for its topics, rospy 1.15 waits for the rest of such a call, and
+        accepts no other connection.
         """
         for name, served in self.served.items():
             if name.startswith(namespace + "/"):
                 served.ended.set()
-        master = rosgraph.Master("/peer")
-        known = {node for kind in master.getSystemState() for _, each in kind for node in each}
-        own = [node for node in known if node.startswith(namespace + "/")]
-        rosnode.cleanup_master_blacklist(master, own)
+        nodes = rosnode.get_node_names(namespace)
+        rosnode.cleanup_master_blacklist(rosgraph.Master("/peer"), nodes)
 
     # Topics
     def hear(self, topic, kind, **_qos):
