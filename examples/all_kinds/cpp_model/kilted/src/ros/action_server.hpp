@@ -42,7 +42,7 @@ public:
   /// Abort the goals that have not ended.
   virtual void end() = 0;
 
-  /// Let clients ask for the results of the last goals, within this time.
+  /// Wait until `end` for clients to request the results of the last goals.
   virtual void flush(std::chrono::steady_clock::time_point end) = 0;
 };
 
@@ -73,7 +73,7 @@ public:
     ask_all_to_end();
   }
 
-  /// Return whether another goal is welcome.
+  /// Return whether another goal would be accepted.
   bool is_open()
   {
     const std::lock_guard<std::mutex> lock(mutex_);

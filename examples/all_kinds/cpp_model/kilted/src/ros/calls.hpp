@@ -43,7 +43,7 @@ public:
     on_failure_ = on_failure;
   }
 
-  /// Let callbacks in, when the node is active.
+  /// Allow callbacks to call the logic: the node is active.
   void open()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -61,14 +61,14 @@ public:
 
   using Pass = std::uint64_t;
 
-  /// Return what lets a callback in until the next `close`, however long it is on its way.
+  /// Return a pass for `run`; it is valid until the next `close`.
   Pass pass()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     return opening_;
   }
 
-  /// Call a callback of the logic; return false if it comes too late or has thrown.
+  /// Call a callback of the logic; return false if the pass is no longer valid, or it throws.
   template<typename Callback>
   bool run(Pass pass, const std::string & method, const Callback & callback)
   {

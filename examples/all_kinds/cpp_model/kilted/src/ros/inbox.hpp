@@ -18,7 +18,7 @@ class Inbox
 public:
   using Pointer = std::unique_ptr<Message>;
 
-  /// Store a message; the caller frees the previous one, when the lock is released.
+  /// Store a message; the previous one is freed after the lock is released.
   void put(Pointer message) const
   {
     const std::lock_guard<std::mutex> lock(slot_->mutex);
@@ -26,7 +26,7 @@ public:
     slot_->is_new = true;
   }
 
-  /// Swap a new message with that of the last cycle, to free none; return whether there is one.
+  /// Swap a new message into `destination`, which frees no memory; return whether there was one.
   bool take(Message & destination) const
   {
     const std::lock_guard<std::mutex> lock(slot_->mutex);

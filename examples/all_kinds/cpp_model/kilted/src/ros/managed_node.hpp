@@ -396,7 +396,7 @@ private:
     leave_alone();
   }
 
-  /// End the process, if it is there for this node.
+  /// End the process, if the node is alone in it.
   void leave_alone()
   {
     if (is_alone_) {
@@ -459,7 +459,7 @@ private:
 
   /// Run configure or activate, which may take any time unless the node is told to stop.
   ///
-  /// One that returns too late is undone.
+  /// If it returns only after that, what it did is undone: deactivate or cleanup is called.
   CallbackReturn start_logic(
     const std::string & method,
     bool (Session::* start)(),
@@ -613,7 +613,7 @@ public:
     }
   }
 
-  /// Obey from now on, also those that have come before.
+  /// Handle signals from now on, including those received since the constructor.
   void obey()
   {
     thread_ = std::thread(

@@ -39,7 +39,7 @@ public:
     }
   }
 
-  /// Ask the logic to end: the node stops, or a new goal replaces this one.
+  /// Ask the logic to end the goal: the node stops, or a new goal replaces this one.
   void ask_to_end() {is_unwanted_ = true;}
 
   /// Send the outcome to the client.

@@ -29,13 +29,13 @@ constexpr milliseconds RETURN{100};  // for a method to return, once its waits h
 constexpr milliseconds RECONFIGURE{2000};  // for reconfigure to return: the executor waits for it
 // For subscribers and clients to receive what was sent last. Fast DDS 3.2 acknowledges every 3 s.
 constexpr milliseconds RECEIVE{500};
-constexpr milliseconds SETTLE{1};  // between two looks whether a transition or a callback is over
+constexpr milliseconds SETTLE{1};  // between two checks whether a transition or a callback has ended
 constexpr milliseconds CALLBACK{1000};  // for a thread of callbacks to end
 constexpr milliseconds QUIET{10000};  // between two warnings of the same kind
-constexpr milliseconds POLL{10};  // between two looks for a server or a transform
-constexpr milliseconds MISSING{2000};  // between two looks for missing servers
-constexpr milliseconds WATCH{500};  // between two looks for the server of a goal
-constexpr milliseconds LOST{2000};  // for the server of a goal to be away
+constexpr milliseconds POLL{10};  // between two checks for a server or a transform
+constexpr milliseconds MISSING{2000};  // between two checks for missing servers
+constexpr milliseconds WATCH{500};  // between two checks for the server of a goal
+constexpr milliseconds LOST{2000};  // until a goal whose server is gone is lost
 constexpr milliseconds RESULT{200};  // for a client to ask for the result of its goal
 
 }  // namespace timeouts
@@ -55,7 +55,7 @@ public:
   using Clock = std::chrono::steady_clock;
   using Seconds = std::chrono::duration<double>;
 
-  /// Return when a timeout of wall time ends; a year is as good as for ever.
+  /// Return when a timeout of wall time ends; longer ones are cut to a year.
   static Clock::time_point deadline(Seconds timeout)
   {
     const Seconds bounded = std::clamp(timeout, Seconds(0.0), Seconds(std::chrono::hours(8760)));
@@ -76,7 +76,7 @@ public:
       });
   }
 
-  /// Let new waits wait again; those of before have ended.
+  /// Withdraw the request: waits that begin from now on work again.
   void clear(bool is_last = false)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -105,14 +105,14 @@ public:
     return false;
   }
 
-  /// The same, with the end of the time.
+  /// The same, until a point in time.
   template<typename Condition>
   bool wait_until(Clock::time_point end, const Condition & condition)
   {
     return wait(condition, [end] {return end - Clock::now();});
   }
 
-  /// The same for a condition whose change wakes up nobody: it is checked every few milliseconds.
+  /// The same for a condition that nothing notifies about: it is polled.
   template<typename Condition>
   bool poll_until(Clock::time_point end, const Condition & condition)
   {

@@ -120,7 +120,7 @@ public:
   }
 
 private:
-  /// Move a time that is over on by whole periods; return how many.
+  /// Advance `due`, if it has passed, by whole periods; return how many.
   std::int64_t skip(rclcpp::Time & due) const
   {
     const auto late = std::max((sleeper_.now() - due).nanoseconds(), std::int64_t{0});

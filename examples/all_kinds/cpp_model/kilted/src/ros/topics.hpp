@@ -45,7 +45,7 @@ public:
     Inbox<Message> & inbox,
     const rclcpp::QoS & qos = rclcpp::QoS(10))
   {
-    inbox = Inbox<Message>();  // What came before an activation is not new in it.
+    inbox = Inbox<Message>();  // Messages from before the activation are not new.
     const auto receive = [inbox](std::unique_ptr<Message> message) {
         inbox.put(std::move(message));
       };

@@ -48,7 +48,7 @@ public:
     return wants_cancel_;
   }
 
-  /// Keep the wish to cancel; return the handle to do so if the server has answered.
+  /// Mark the goal as to be canceled; return its handle if the server has accepted it.
   Handle want_cancel()
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -60,7 +60,7 @@ public:
     thread_.join();
   }
 
-  /// Give the process its limit, though nobody has asked it to stop.
+  /// Limit the time that the process has left, also where nothing has requested its stop.
   void start_limit() const {sem_post(&wake_up());}
 
 private:
@@ -153,7 +153,7 @@ inline void shut_down_without_master()
 
 /// Run a node from its start to its end; return the exit code.
 ///
-/// Its life runs in a thread of its own, `logic`, so that this one can see to its end.
+/// The logic has its own thread, `logic`; this one waits for the stop and enforces its limits.
 template<typename Node>
 int run_node(int argc, char ** argv, const std::string & name)
 {

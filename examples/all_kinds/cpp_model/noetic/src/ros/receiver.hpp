@@ -41,7 +41,7 @@ public:
     return ended_.wait_until(end) == std::future_status::ready;
   }
 
-  /// Answer for a callback that does not return in time.
+  /// Reply to clients on behalf of a callback that does not return in time.
   virtual void abandon() {}
 
 protected:

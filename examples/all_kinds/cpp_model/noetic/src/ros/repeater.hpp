@@ -24,7 +24,7 @@ public:
 
   ~Repeater() override {join();}
 
-  void stop() final {}  // it hears of the stop itself
+  void stop() final {}  // its waits end when the node stops
 };
 
 }  // namespace all_kinds

@@ -50,14 +50,14 @@ public:
     thread_.join();
   }
 
-  /// Take the caller for a call; return false if another call has not ended.
+  /// Reserve the caller for a call; return false if another call is under way.
   bool take()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     return std::exchange(taken_, true) == false;
   }
 
-  /// Return the response, or nothing at the end of the time or when the node stops. Take it before.
+  /// Return the response; nothing at `end` or when the node stops. Call `take` first.
   std::optional<ros::SerializedMessage> call(
     const ros::SerializedMessage & request,
     Stop::Clock::time_point end)
@@ -145,7 +145,7 @@ private:
       service_, true, md5sum_, md5sum_, ros::M_string());
   }
 
-  /// End the current call, of which nobody waits for the response any more.
+  /// Abandon the current call: close its connection, so that its thread returns.
   void give_up()
   {
     ros::ServiceServerLinkPtr link;

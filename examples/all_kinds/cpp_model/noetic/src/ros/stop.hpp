@@ -29,10 +29,10 @@ constexpr milliseconds RETURN{500};  // for a method to return, once its waits h
 constexpr milliseconds SEND{500};  // for the last messages to be sent
 constexpr milliseconds END{5000};  // for roscpp to end, besides what the logic may take
 constexpr milliseconds QUIET{10000};  // between two warnings of the same kind
-constexpr milliseconds POLL{10};  // between two looks for a transform
-constexpr milliseconds MISSING{2000};  // between two looks for missing servers
-constexpr milliseconds RETRY{100};  // between two looks for a server that is called
-constexpr milliseconds WATCH{500};  // between two looks for the server of a goal
+constexpr milliseconds POLL{10};  // between two checks for a transform
+constexpr milliseconds MISSING{2000};  // between two checks for missing servers
+constexpr milliseconds RETRY{100};  // between two checks for a server that is called
+constexpr milliseconds WATCH{500};  // between two checks for the server of a goal
 
 }  // namespace timeouts
 
@@ -51,7 +51,7 @@ public:
   using Clock = std::chrono::steady_clock;
   using Seconds = std::chrono::duration<double>;
 
-  /// Return when a timeout of wall time ends; a year is as good as for ever.
+  /// Return when a timeout of wall time ends; longer ones are cut to a year.
   static Clock::time_point deadline(Seconds timeout)
   {
     const Seconds bounded = std::clamp(timeout, Seconds(0.0), Seconds(std::chrono::hours(8760)));
@@ -72,7 +72,7 @@ public:
       });
   }
 
-  /// Let new waits wait again; those of before have ended.
+  /// Withdraw the request: waits that begin from now on work again.
   void clear(bool is_last = false)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -101,14 +101,14 @@ public:
     return false;
   }
 
-  /// The same, with the end of the time.
+  /// The same, until a point in time.
   template<typename Condition>
   bool wait_until(Clock::time_point end, const Condition & condition)
   {
     return wait(condition, [end] {return end - Clock::now();});
   }
 
-  /// The same for a condition whose change wakes up nobody: it is checked every few milliseconds.
+  /// The same for a condition that nothing notifies about: it is polled.
   template<typename Condition>
   bool poll_until(Clock::time_point end, const Condition & condition)
   {

@@ -132,7 +132,7 @@ public:
   }
 
 private:
-  /// Move a time that is over on by whole periods; return how many.
+  /// Advance `due`, if it has passed, by whole periods; return how many.
   std::int64_t skip(Clock::Nanoseconds & due) const
   {
     const auto periods = std::max((clock_.now() - due) / period_, std::int64_t{0});

@@ -5,7 +5,7 @@
 
 CONNECT_TIMEOUT = 1.0  # for a service server to accept a connection
 DISCOVERY_PERIOD = 0.1  # between two checks whether the server of a call is available
-MISSING_CHECK_PERIOD = 2.0  # between two looks for missing servers, each of which asks the master
+MISSING_CHECK_PERIOD = 2.0  # between two checks for missing servers, each of which asks the master
 RECONFIGURE_TIMEOUT = 2.0  # for reconfigure to return, as the executor waits for it
 RETURN_TIMEOUT = 0.2  # for deactivate and cleanup to return once their waits have ended
 SERVER_CHECK_PERIOD = 0.5  # between two checks whether the servers of goals are available
