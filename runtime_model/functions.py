@@ -22,6 +22,7 @@ _KINDS = sorted(
 # A node that uses all of the runtime, as functions and templates of the other models ask for it.
 _PARAMETER = {"name": "", "type": "int", "value": 0, "min": 0, "max": 0, "choices": [0]}
 _REQUIRED = {**_PARAMETER, "name": "a.b", "type": "int[]", "value": None}
+_SERVICE = {"reliability": None, "depth": 1}
 _NODE = {
     "frequency": 1.0,
     "diagnostics": True,
@@ -29,6 +30,8 @@ _NODE = {
     "reconfigure": True,
     "parameters": [_PARAMETER, _REQUIRED],
     "dynParameters": [_PARAMETER],
+    "serviceClients": [_SERVICE],
+    "serviceServers": [_SERVICE],
 }
 
 

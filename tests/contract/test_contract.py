@@ -1892,6 +1892,13 @@ def test_incompatible_qos(stage):
     assert heard() == []
 
 
+def test_requests_that_wait(stage):
+    """As many as the depth of the server says, and each is answered."""
+    only_ros2(stage, "in ROS 1 each call has a connection of its own")
+    stage.start("clerk", "once serve: block 1")
+    stage.peer.burst(service=stage.name("greet"), count=60)
+
+
 def _sent(stage, node, number, qos):
     stage.publish("number", number, INT64, wait=False, qos=qos)
     time.sleep(0.05)

@@ -21,6 +21,7 @@ SPEC = """<package name="arm" author="A" author_email="a@example.org" descriptio
 MODEL = {model: Model(ROOT / model, ROOT) for model in MODELS}
 FUNCTIONS = load_functions(ROOT / "extensions/qos.py")
 KINDS = ("publisher", "subscriber", "directPublisher", "directSubscriber")
+SERVICES = ("serviceServer", "serviceClient")
 POLICIES = ("reliability", "durability", "history", "depth")
 DEFAULT = ("reliable", "volatile", "keep_last", 10)
 NODE = {"python_model": "arm/reach_ros.py", "cpp_model": "src/reach_ros.cpp"}
@@ -138,6 +139,39 @@ def test_code_of_ros2(attributes, python, cpp):
     assert FUNCTIONS["rclcpp_qos"](attributes, 6) == cpp
 
 
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("kind", SERVICES)
+@pytest.mark.parametrize(
+    ("distro", "attributes", "python", "cpp"),
+    [
+        ("kilted", "", "", ""),
+        ("kilted", 'reliability="reliable" history="keep_last" depth="10"', "", ""),
+        ("kilted", 'depth="99"', "QoSProfile(depth=99)", "rclcpp::QoS(99)"),
+        ("humble", 'depth="99"', "QoSProfile(depth=99)", "rclcpp::QoS(99)"),
+        (
+            "kilted",
+            'history="keep_all" reliability="best_effort"',
+            "history=HistoryPolicy.KEEP_ALL",
+            "rclcpp::QoS(rclcpp::KeepAll()).best_effort()",
+        ),
+        ("noetic", 'depth="99"', "", ""),
+    ],
+)
+def test_code_of_services(render, kind, model, distro, attributes, python, cpp):
+    """What is not the default one; a package without any has no line of it."""
+    spec = SPEC.format(f'<{kind} name="a" type="std_srvs::Trigger" {attributes}/>')
+    package = render(spec, model=model, ros_distro=distro)
+    code = {"python_model": python, "cpp_model": cpp}[model]
+    assert code in (package / NODE[model]).read_text()
+    if not code:
+        plain = SPEC.format(f'<{kind} name="a" type="std_srvs::Trigger"/>')
+        other = render(plain, model=model, ros_distro=distro, name="plain")
+        names = [path.relative_to(other) for path in other.rglob("*.[ch]pp")]
+        names += [path.relative_to(other) for path in other.rglob("*.py")]
+        for name in names:
+            assert (package / name).read_text() == (other / name).read_text(), name
+
+
 TOPICS = """
     <publisher name="map" type="std_msgs::String" durability="transient_local" depth="1"/>
     <directPublisher name="events" type="std_msgs::String" history="keep_all"/>
@@ -189,6 +223,11 @@ def test_code_with_qos_is_sound(render, distro):
     topics = "\n".join(
         f'<{kind} name="topic_{number}" type="std_msgs::String" {words}/>'
         for number, kind in enumerate(KINDS)
+    )
+    words = 'reliability="best_effort" depth="1000000"'
+    topics += "\n".join(
+        f'<{kind} name="service_{number}" type="std_srvs::Trigger" {words}/>'
+        for number, kind in enumerate(SERVICES)
     )
     check_sound(render(SPEC.format(topics), ros_distro=distro))
 

@@ -7,6 +7,8 @@ UNTESTED = {
     "diagnostics": "tests/contract",
     "executable": "of the build files",
     "history": "a middleware does not tell it",
+    "serviceClient depth": "a middleware does not tell it",
+    "serviceServer depth": "tests/contract",
     "instance": "of the launch file",
     "instance name": "of the launch file",
     "reconfigure": "it needs a dynamic parameter; tests/data/mutants has its faults",

@@ -131,6 +131,17 @@ class Peer:
         wait_for(future.done, f"no answer: {service}", timeout)
         return future.result()
 
+    def burst(self, service, count):
+        """Send many requests at once, and wait until all are answered."""
+        type_ = load("std_srvs/srv/Trigger")
+        client = self.node.create_client(
+            type_, service, qos_profile=profile(), callback_group=self.group
+        )
+        assert client.wait_for_service(TIMEOUT), f"no service {service}"
+        be_discovered(self.node, service)
+        answers = [client.call_async(type_.Request()) for _ in range(count)]
+        wait_for(lambda: all(answer.done() for answer in answers), f"no answer: {service}")
+
     def call(self, service, timeout=TIMEOUT):
         return self.request(service, "std_srvs/srv/Trigger", timeout).message
 

@@ -87,7 +87,8 @@ public:
     const auto client_permit =
       std::make_shared<RosServiceClient<worker_types::ClientPermit>>(
       node,
-      "permit");
+      "permit",
+      rclcpp::QoS(1));
     servers_.watch("service permit", client_permit);
     passthrough.client_permit = client_permit;
     action_delegate_ =
@@ -151,7 +152,8 @@ public:
         node,
         "enable",
         impl_,
-        &WorkerImpl::serve_enable));
+        &WorkerImpl::serve_enable,
+        rclcpp::QoS(20).best_effort()));
     if (action_servers_.empty()) {
       action_servers_.push_back(
         std::make_unique<ActionServer<worker_types::ComputeAction>>(

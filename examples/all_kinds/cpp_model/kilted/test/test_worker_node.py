@@ -32,7 +32,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'pub_empty': ('~/empty', std_msgs.msg.Empty, 'publisher', 'reliable', 'volatile', 10),
         'receive_say': ('say', std_msgs.msg.String, 'subscription', 'reliable', 'volatile', 10),
         'serve_reset': ('reset', std_srvs.srv.Empty),
-        'serve_enable': ('enable', std_srvs.srv.SetBool),
+        'serve_enable': ('enable', std_srvs.srv.SetBool, 'best_effort'),
         'client_permit': ('permit', std_srvs.srv.Trigger),
         'execute_compute': ('compute', test_msgs.action.Fibonacci, 'replace'),
         'action_delegate': ('delegate', test_msgs.action.Fibonacci),

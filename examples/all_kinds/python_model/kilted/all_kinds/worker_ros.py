@@ -25,6 +25,7 @@ from all_kinds.worker_interface import (
 import geometry_msgs.msg
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 from rclpy.parameter import Parameter
+from rclpy.qos import QoSProfile, ReliabilityPolicy
 import std_msgs.msg
 import std_srvs.srv
 import test_msgs.action
@@ -169,6 +170,7 @@ class WorkerNode(ManagedNode):
                 client_permit=self._service_client(
                     std_srvs.srv.Trigger,
                     'permit',
+                    QoSProfile(depth=1),
                 ),
                 action_delegate=self._action_client_delegate,
                 listener_frames=listener,
@@ -206,6 +208,7 @@ class WorkerNode(ManagedNode):
             std_srvs.srv.SetBool,
             'enable',
             'serve_enable',
+            QoSProfile(reliability=ReliabilityPolicy.BEST_EFFORT, depth=20),
         )
         self._action_server_compute.accept_goals(True)
         self._logic.repeat('read', self._impl.read)

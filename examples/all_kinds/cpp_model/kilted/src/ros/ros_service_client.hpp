@@ -29,12 +29,13 @@ public:
   using typename ServiceClient<Service>::Response;
   using typename ServiceClient<Service>::Seconds;
 
-  RosServiceClient(ManagedNode & node, const std::string & name)
+  RosServiceClient(
+    ManagedNode & node, const std::string & name, const rclcpp::QoS & qos = rclcpp::ServicesQoS())
   : stop_(node.stop()),
     client_(
       node.create_client<Service>(
         name,
-        rclcpp::ServicesQoS(),
+        qos,
         node.callback_group("service", name)))
   {
   }

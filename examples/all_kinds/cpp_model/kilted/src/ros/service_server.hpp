@@ -24,7 +24,8 @@ std::shared_ptr<void> create_service_server(
   ManagedNode & node,
   const std::string & name,
   const std::shared_ptr<Logic> & logic,
-  void (Logic::* serve)(const typename Service::Request &, typename Service::Response &))
+  void (Logic::* serve)(const typename Service::Request &, typename Service::Response &),
+  const rclcpp::QoS & qos = rclcpp::ServicesQoS())
 {
   return node.create_service<Service>(
     name,
@@ -43,7 +44,7 @@ std::shared_ptr<void> create_service_server(
           }
         });
     },
-    rclcpp::ServicesQoS(),
+    qos,
     node.callback_group("service", name));
 }
 

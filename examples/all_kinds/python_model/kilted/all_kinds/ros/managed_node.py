@@ -34,6 +34,7 @@ from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackRet
 from rclpy.parameter import Parameter
 from rclpy.publisher import Publisher
 from rclpy.qos import QoSPolicyKind
+from rclpy.qos import qos_profile_services_default, QoSProfile
 from rclpy.qos_overriding_options import QoSOverridingOptions
 
 OVERRIDABLE_QOS = (
@@ -320,11 +321,17 @@ class ManagedNode(LifecycleNode):
         )
         self._active.callback(self.destroy_subscription, subscription)
 
-    def _service_client(self, service_type: Any, name: str) -> ServiceClient:
+    def _service_client(
+        self,
+        service_type: Any,
+        name: str,
+        qos: QoSProfile = qos_profile_services_default,
+    ) -> ServiceClient:
         """Create a client of a service."""
         client: Client[Any, Any] = self.create_client(
             service_type,
             name,
+            qos_profile=qos,
             callback_group=ReentrantCallbackGroup(),
         )
         self._configured.callback(self.destroy_client, client)
@@ -332,12 +339,19 @@ class ManagedNode(LifecycleNode):
         self._servers['service ' + name] = service_client
         return service_client
 
-    def _serve(self, service_type: Any, name: str, method: str) -> None:
+    def _serve(
+        self,
+        service_type: Any,
+        name: str,
+        method: str,
+        qos: QoSProfile = qos_profile_services_default,
+    ) -> None:
         """Create a server of a service that a method of the logic serves."""
         service = self.create_service(
             service_type,
             name,
             self._callback(name, method).serve,
+            qos_profile=qos,
             callback_group=MutuallyExclusiveCallbackGroup(),
         )
         self._active.callback(self.destroy_service, service)

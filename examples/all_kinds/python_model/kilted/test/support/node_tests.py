@@ -177,7 +177,7 @@ class NodeTests:
                 publisher = self.peer.publisher(type_, name, *rest[1:3])
                 eventually(lambda: publisher.publish(sample(type_, 1)) or is_called())
             if member.startswith('serve_'):
-                self.peer.send(node, type_, name, type_.Request())
+                self.peer.send(node, type_, name, type_.Request(), *rest)
             if member.startswith('execute_'):
                 self.peer.goal(node, type_, name, type_.Goal())
         self.assertTrue(eventually(is_called), member)
@@ -197,10 +197,10 @@ class NodeTests:
 
     def test_services(self):
         """Every service gets its requests, and responds as the logic does."""
-        for member, name, type_ in self.each('serve_'):
+        for member, name, type_, *qos in self.each('serve_'):
             request, response = sample(type_.Request), sample(type_.Response, 5)
             self.node.order(member, 'response=' + encode(response))
-            self.assertEqual(self.peer.call(self.node, type_, name, request), response)
+            self.assertEqual(self.peer.call(self.node, type_, name, request, *qos), response)
             self.assertTrue(eventually(lambda: self.got(member, type(request)) == [request]), name)
 
     def test_service_clients(self):

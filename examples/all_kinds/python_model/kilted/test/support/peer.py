@@ -60,15 +60,16 @@ class Peer:
         self._node.destroy_node()
         rclpy.shutdown(context=self._context)
 
-    def call(self, node, service_type, name, request):
+    def call(self, node, service_type, name, request, *qos):
         """Return the response of a service of a node."""
-        future = self.send(node, service_type, name, request)
+        future = self.send(node, service_type, name, request, *qos)
         return future.result() if eventually(future.done) else None
 
-    def send(self, node, service_type, name, request):
+    def send(self, node, service_type, name, request, reliability='reliable'):
         """Send a request to a node that is known to be discovered; return the future response."""
         if name not in self._clients:
-            client = self._node.create_client(service_type, name)
+            qos = QoSProfile(depth=10, reliability=ReliabilityPolicy[reliability.upper()])
+            client = self._node.create_client(service_type, name, qos_profile=qos)
             assert client.wait_for_service(TIMEOUT), f'{name} is not served'
             self._be_known(node)
             self._clients[name] = client
