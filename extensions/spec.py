@@ -48,6 +48,7 @@ class SpecExtension(Extension):
         self.models: dict[Path, Any] = {}
         self.specs: dict[Path, bytes] = {}
         self.contexts: dict[tuple[Path, bytes, str], dict[str, Any]] = {}
+        self.left_out: list[str] = []
         self.update: Any = None
         self.joining: Any = None
         self.theirs = ""
@@ -59,6 +60,7 @@ class SpecExtension(Extension):
             self.spec_changed,
             self.spec_text,
             self.spec_schema,
+            self.spec_tree,
             self.has_spec,
             self.has_file,
             self.package_name,
@@ -111,11 +113,11 @@ class SpecExtension(Extension):
         self.hooks.questions.check_options(given, self.root)
         model, package = self._model(context), self._package(context)
         self._register(model.functions)
-        xml, shown = self._spec(context, spec_file)
+        xml, shown, root = self._spec(context, spec_file)
         self.specs[package.folder] = xml
         key = (package.folder, xml, str(context["ros_distro"]))
         if key not in self.contexts:  # Copier asks again when the recorded one is not valid
-            values = dict(model.context(xml, shown, str(context["ros_distro"])))
+            values = dict(model.context(xml, shown, str(context["ros_distro"]), root))
             package.check_file_name(model.name(values))
             self._check_update(context, values, shown)
             self.contexts[key] = values
@@ -146,6 +148,10 @@ class SpecExtension(Extension):
         """Return the XML schema of the specs of the model, for editors."""
         return str(self._model(context).schema())
 
+    def spec_tree(self, context: Context, spec: dict[str, Any]) -> Any:
+        """Return what a spec says; see `hooks.trees`."""
+        return self._model(context).tree(spec)
+
     def has_spec(self, context: Context) -> bool:
         """Say whether the destination holds a spec already."""
         return bool(self._package(context).specs)
@@ -166,10 +172,10 @@ class SpecExtension(Extension):
         return str(self.hooks.questions.chosen_package(question, answer, own, name))
 
     def notes(self, context: Context, spec: dict[str, Any]) -> list[str]:
-        """Return the notes of the spec, and those of this machine, which are not recorded."""
+        """Return the notes of the spec; and, not recorded, of its making and of this machine."""
         dictionary = self._model(context).dictionary
         missing = self.hooks.installed.missing_types(spec, dictionary, os.environ)
-        return [*spec["notes"], *missing]
+        return [*spec["notes"], *self.left_out, *missing]
 
     def template_notes(self, context: Context) -> list[str]:
         """Say that an update will not find a template whose path is relative."""
@@ -288,13 +294,17 @@ class SpecExtension(Extension):
         conf = context["_copier_conf"]
         return self.hooks.package.Package(Path(conf["dst_path"]), str(conf["answers_file"]))
 
-    def _spec(self, context: Context, spec_file: str) -> tuple[bytes, str]:
-        """Return the XML that counts, and its name for messages."""
-        package = self._package(context)
+    def _spec(self, context: Context, spec_file: str) -> tuple[bytes, str, Any]:
+        """Return the XML that counts, its name for messages, and what it is made of if of YAML."""
+        package, model = self._package(context), self._model(context)
         file = package.spec_file(spec_file)
-        if file:
-            return self.hooks.package.read(file), self.hooks.package.shown(file)
-        return self._model(context).skeleton(package.about()).encode(), "skeleton spec"
+        if not file:
+            return model.skeleton(package.about()).encode(), "skeleton spec", None
+        shown = self.hooks.package.shown(file)
+        if package.specs or not model.reads_yaml(file):
+            return self.hooks.package.read(file), shown, None
+        root, self.left_out = model.read_yaml(file, package.about())
+        return self.hooks.trees.xml(root).encode(), shown, root
 
     def _model(self, context: Context) -> Any:
         folder = self._folder(context)

@@ -6,6 +6,16 @@ can cause is a `SpecError`, whose text is all the user needs to see. The decisio
 name are in docs/decisions of the collection.
 """
 
-from . import changes, faults, installed, model, names, package, questions, ros
+from . import changes, faults, installed, model, names, package, questions, ros, trees
 
-__all__ = ["changes", "faults", "installed", "model", "names", "package", "questions", "ros"]
+__all__ = [
+    "changes",
+    "faults",
+    "installed",
+    "model",
+    "names",
+    "package",
+    "questions",
+    "ros",
+    "trees",
+]

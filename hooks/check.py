@@ -48,7 +48,7 @@ class CheckedSpec:
 
     def place(self, element: Element) -> str:
         """Name an element for a message."""
-        return f"{self.file}:{element.line}: {element.label}"
+        return f"{element.file or self.file}:{element.line}: {element.label}"
 
     @property
     def components(self) -> list[Checked]:
@@ -326,7 +326,7 @@ class _Checker:
         self.fault(element, f"<{shown(tag)}> is not known here; {where}")
 
     def fault(self, element: Element, message: str) -> None:
-        self.faults.append((element.line, f"{self.spec.place(element)}: {message}"))
+        self.faults.append((element.place[1], f"{self.spec.place(element)}: {message}"))
 
 
 def _meant(name: str, known: Mapping[str, Attribute]) -> str | None:

@@ -25,6 +25,12 @@ class Located(str):
         """The file and the line where the text stands; nothing if it is said nowhere."""
         return f"{self.file}:{self.line}" if self.line else ""
 
+    def here(self, text: str) -> Located:
+        """Return another text that stands where this one does."""
+        other = Located(text)
+        other.file, other.line = self.file, self.line
+        return other
+
 
 def load_located(file: Path) -> Any:
     """Return the content of a YAML file, each text in it a `Located`.

@@ -17,10 +17,11 @@ from .check import CheckedSpec, check
 from .complete import Functions, complete
 from .dictionary import Dictionary, load
 from .faults import SpecError
-from .parse import parse
+from .parse import Element, parse
 from .ros import DISTROS
 from .schema import schema
 from .skeleton import skeleton
+from .trees import READER, Tree, is_yaml, read_yaml, tree
 
 
 class Model:
@@ -35,28 +36,45 @@ class Model:
         """
         self.dictionary: Dictionary = load(folder / "dictionary.yaml", root)
         self.functions: Functions = {}
-        for file in self.dictionary.files:
-            self.functions |= load_functions(file.with_name("functions.py"))
+        places = [file.with_name("functions.py") for file in self.dictionary.files]
+        for file in dict.fromkeys(places):
+            self.functions |= load_functions(file)
 
-    def context(self, xml: bytes, file: str, distro: str) -> dict[str, Any]:
+    def context(
+        self, xml: bytes, file: str, distro: str, root: Element | None = None
+    ) -> dict[str, Any]:
         """Return the context of a spec; `file` is its name in messages.
+
+        `root` is the outermost element where the spec was no XML.
 
         Raises:
             SpecError: the spec is not well-formed, or the dictionary does not allow it.
 
         """
-        checked = self._checked(xml, file, DISTROS.get(distro))
+        checked = self._checked(root or parse(xml, file), file, DISTROS.get(distro))
         context = complete(checked, self.functions, distro)
         context["notes"] += contradictions(context, self.dictionary)
         return context
 
     def places(self, xml: bytes, file: str) -> dict[str, str]:
         """Return where the elements of a spec are, by the labels of `hooks.changes`."""
-        return places(self._checked(xml, file), self.dictionary)
+        return places(self._checked(parse(xml, file), file), self.dictionary)
 
-    def _checked(self, xml: bytes, file: str, ros: int | None = None) -> CheckedSpec:
+    def _checked(self, root: Element, file: str, ros: int | None = None) -> CheckedSpec:
         filters = {**public_functions(names), **self.functions}
-        return check(parse(xml, file), self.dictionary, filters, file, ros)
+        return check(root, self.dictionary, filters, file, ros)
+
+    def reads_yaml(self, file: Path) -> bool:
+        """Tell whether a file, or a folder, is YAML of which the model makes a spec."""
+        return READER in self.functions and is_yaml(file)
+
+    def read_yaml(self, file: Path, sources: Mapping[str, str]) -> tuple[Element, list[str]]:
+        """Return the outermost element that YAML gives, and notes; see `hooks.trees`."""
+        return read_yaml(file, self.functions[READER], self.dictionary, sources)
+
+    def tree(self, context: Mapping[str, Any]) -> Tree:
+        """Return what a spec must say to give a context; see `hooks.trees`."""
+        return tree(context, self.dictionary)
 
     def name(self, context: Mapping[str, Any]) -> str:
         """Return the name of the package: the value of its first attribute."""

@@ -53,10 +53,12 @@ class Package:
             names = ", ".join(path.name for path in found)
             raise SpecError(f"{shown(self.folder)}: one spec is allowed, found {names}")
         if given:
-            if found and _text(read(given)) != _text(read(found[0])):
+            other = b"" if Path(given).is_dir() else _text(read(given))
+            if found and other != _text(read(found[0])):
+                copy = f" or copy {given} over it," if other.lstrip().startswith(b"<") else ""
                 raise SpecError(
                     f"{shown(found[0])} is the spec of this package; change that file,"
-                    f" or copy {given} over it, and leave spec_file out"
+                    f"{copy} and leave spec_file out"
                 )
             return Path(given)
         if not found and (self.folder / self.answers_file).exists():

@@ -26,6 +26,8 @@ class Element:
     tag: str
     content: Mapping[str, Any]
     place: Place
+    file: str = ""
+    """The file where it stands, if a spec has several."""
 
     @property
     def line(self) -> int:
@@ -41,7 +43,7 @@ class Element:
     def children(self) -> list[Element]:
         """The elements inside, in the order of the file."""
         tags = (found for key, found in self.content.items() if key[0] not in "@#")
-        return sorted((child for found in tags for child in found), key=lambda c: c.place)
+        return sorted((child for found in tags for child in found), key=lambda c: c.place[1])
 
     @property
     def text(self) -> str:

@@ -14,6 +14,11 @@ from .ros import DEPENDENCY_KINDS
 SCHEMA = "ros_package.xsd"
 """The file beside a spec by which editors complete it; see `hooks.schema`."""
 XSD = "http://www.w3.org/2001/XMLSchema"
+HEAD = (
+    '<?xml version="1.0" encoding="UTF-8"?>',
+    f'<?xml-model href="{SCHEMA}" schematypens="{XSD}"?>',
+)
+"""The first lines of a spec."""
 _WIDTH = 96
 KIND_OF_DEPENDENCY = Attribute(
     DEPEND_KIND, choices=dict.fromkeys(DEPENDENCY_KINDS, []), optional=True
@@ -28,8 +33,7 @@ def skeleton(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
     """
     package = list(dictionary.package.values())
     lines = [
-        '<?xml version="1.0" encoding="UTF-8"?>',
-        f'<?xml-model href="{SCHEMA}" schematypens="{XSD}"?>',
+        *HEAD,
         *_comment(
             "This file describes the package: change it, commit, run copier update.", "", package
         ),
@@ -145,14 +149,20 @@ def _tag(
     end: str,
     sources: Mapping[str, str] | None = None,
 ) -> list[str]:
-    """Write a tag with an example for each attribute, one a line if they are long."""
-    parts = []
+    """Write a tag with an example for each attribute."""
+    examples = {}
     for attribute in attributes:
         example = Template(str(attribute.example)).safe_substitute(sources or {})
         if example or not attribute.optional:
-            parts.append(f"{attribute.name}={quoteattr(example or attribute.name)}")
+            examples[attribute.name] = example or attribute.name
+    return tag_lines(tag, examples, indent, end)
+
+
+def tag_lines(tag: str, attributes: Mapping[str, str], indent: str, end: str) -> list[str]:
+    """Write a tag with its attributes, one a line if they are long."""
+    parts = [f"{name}={quoteattr(value)}" for name, value in attributes.items()]
     line = f"{indent}<{' '.join([tag, *parts])}{end}"
-    if len(line) <= _WIDTH + 4:
+    if len(line) <= _WIDTH + 4 or not parts:
         return [line]
     gap = " " * (len(indent) + len(tag) + 2)
     first, *others = parts

@@ -51,9 +51,12 @@ def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Itera
             line.startswith(COMMENT) and end > written and margin(lines[end - 1]) <= column
         ):
             end -= 1
-        inner = [*_keys(text, lines, value, end)] if is_map and is_here else []
+        inner = [*_keys(text, lines, value, end)] if is_here else []
         is_named = is_map and isinstance(key, yaml.ScalarNode)
         name = key.value if is_named else squeezed("".join(lines[start:end]))
+        if not is_map and inner and inner[0].end == inner[0].start + 1:
+            name = squeezed(lines[start])  # a member of a list is known by its first entry
+            inner = inner[1:]
         if inner and inner[0].start > start:
             yield Span(name, start, end, (start + 1, end), tuple(inner))
         else:

@@ -105,9 +105,15 @@ def test_driver_in_ros1(ros1, render, tmp_path, model):
 def test_driver_in_ros2(ros2, render, tmp_path, model):
     if "cpp" in model and not ros.has_package(ros2, "rclcpp"):
         pytest.skip("rclcpp is not installed")
-    make(render, model, ros2.distro)
+    package = make(render, model, ros2.distro)
     ros2.build(tmp_path)
     check_installed(tmp_path / "install/driver")
+    # NoDL's tools find what a node is in the index, or in the folder of the package.
+    document = (package / "nodl/sensor.nodl.yaml").read_text()
+    assert (tmp_path / "install/driver/share/driver/nodl/sensor.nodl.yaml").read_text() == document
+    code = "from ament_index_python import get_resource as found;"
+    code += " print(found('nodl', 'driver__sensor')[0])"
+    assert ros2.run(f'{ros2.python} -c "{code}"', tmp_path, tmp_path).stdout == f"{document}\n"
     program = tmp_path / "install/driver/lib/driver/sensor-driver"
     with ros2.running(program, tmp_path, ends_well=False):
         sleep(3)  # it ends by itself where it cannot start

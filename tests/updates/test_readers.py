@@ -319,6 +319,29 @@ def test_own_comment_above_a_generated_item_is_no_conflict(path, own, change):
     assert found.replace(words.strip(), "", 1).split() == new.split()
 
 
+LIST = """publishers:
+  - name: speed
+    type: std_msgs/msg/Float64
+    qos: {depth: 10}
+  - name: state
+    type: std_msgs/msg/String
+    qos: {depth: 10}
+"""
+
+
+def test_members_of_a_list_are_known_by_their_first_entries():
+    """What a member says of itself changes within it, whichever is before it."""
+    state = "  - name: state\n    type: std_msgs/msg/String\n"
+    mine = changed(LIST, (state, f"{state}    description: mine\n"))
+    new = changed(LIST, ("Float64\n    qos: {depth: 10}", "Float32\n    qos: {depth: 5}"))
+    new = changed(new, ("String\n    qos: {depth: 10}", "String\n    qos: {depth: 1}"))
+    other = "  - name: rate\n    type: std_msgs/msg/Int8\n"
+    new = changed(new, ("  - name: state", f"{other}  - name: state"))
+    merges, found, _ = merge("a.yaml", mine, LIST, new)
+    assert merges
+    assert found == changed(new, (state, f"{state}    description: mine\n"))
+
+
 README = """# arm
 
 Words.

@@ -343,8 +343,9 @@ def _yaml(random, edited, path, lines):
         edited.replaced.setdefault(path, []).append(lines[at])
         lines[at] = re.sub(r": [\d.]+$", f": 7  # {edited.mark(path)}", lines[at])
     elif places:
-        margin = re.match(r"\s*", lines[places[0]])[0]
-        lines.insert(random.choice(places) + 1, f"{margin}{edited.mark(path)}: 3")
+        at = random.choice(places)
+        margin = re.match(r"\s*", lines[at])[0]
+        lines.insert(at + 1, f"{margin}{edited.mark(path)}: 3")
 
 
 def _cmake(random, edited, path, lines):

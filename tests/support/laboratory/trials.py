@@ -375,7 +375,7 @@ def moves(pair, edited):
         for node in pair.new_spec["nodes"]:
             was = node.get("was")
             if was in {n["name"] for n in pair.spec["nodes"]}:
-                form = rf"(^|/|test_){was}(?=(_{NODE_FILES})?(\.\w+)?$)"
+                form = rf"(^|/|test_){was}(?=(_{NODE_FILES})?(\.\w+)*$)"
                 renamed_ = re.sub(form, rf"\g<1>{node['name']}", path)
                 target = renamed_ if renamed_ != path else target
         if pair.layout.get(target) in pair.new:

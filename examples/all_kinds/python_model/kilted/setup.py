@@ -1,7 +1,10 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
+from glob import glob
 import os
+import shutil
+import tempfile
 
 from setuptools import find_packages, setup
 
@@ -17,6 +20,16 @@ def installed(folder):
     ]
 
 
+def registered():
+    """Return copies of what is in nodl by the names that the index of ament has for it."""
+    folder = os.path.join('build', 'nodl') if os.access('.', os.W_OK) else tempfile.mkdtemp()
+    os.makedirs(folder, exist_ok=True)
+    names = [os.path.basename(path).partition('.')[0] for path in sorted(glob('nodl/*'))]
+    return [
+        shutil.copy(f'nodl/{name}.nodl.yaml', f'{folder}/{package_name}__{name}') for name in names
+    ]
+
+
 setup(
     name=package_name,
     version='0.1.0',
@@ -27,6 +40,8 @@ setup(
         ('share/' + package_name, ['package.xml']),
         *installed('config'),
         *installed('launch'),
+        *installed('nodl'),
+        ('share/ament_index/resource_index/nodl', registered()),
     ],
     install_requires=['setuptools'],
     extras_require={'test': ['pytest']},

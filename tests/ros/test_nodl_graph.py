@@ -1,0 +1,57 @@
+"""The documents of packages in NoDL, beside what ROS knows of their nodes when they run."""
+
+import json
+
+import pytest
+import yaml
+
+from support import ros
+from support.ros import PEERS
+
+HIDDEN = ("rcl_interfaces/", "type_description_interfaces/")
+TYPES = ["", "bool", "int", "double", "string", "byte_array", "bool_array", "int_array"]
+TYPES += ["double_array", "string_array"]
+
+
+def full(name, node):
+    """Return a name as the graph has it."""
+    if name.startswith("~/"):
+        return f"/{node}{name[1:]}"
+    return name if name.startswith("/") else f"/{name}"
+
+
+def differences(document, found, node):
+    """Say what a document and the graph tell differently, as `nodl conform` does."""
+    for list_, entities in found.items():
+        if list_ in ("parameters", "qos"):
+            continue
+        said = {full(each["name"], node): each["type"] for each in document.get(list_, [])}
+        there = {name: type_ for name, type_ in entities.items() if not type_.startswith(HIDDEN)}
+        yield from sorted(f"{list_}: {each}" for each in said.items() ^ there.items())
+    said = {name: each["type"] for name, each in document.get("parameters", {}).items()}
+    hidden = ("use_sim_time", "start_type_description_service", "qos_overrides.")
+    types = {name: TYPES[type_] for name, type_ in found["parameters"].items()}
+    there = {name: type_ for name, type_ in types.items() if not name.startswith(hidden)}
+    yield from sorted(f"parameters: {each}" for each in said.items() ^ there.items())
+    for list_, topics in found["qos"].items():
+        for each in document.get(list_, []):
+            seen = topics.get(full(each["name"], node))
+            wrong = {key for key, word in seen.items() if each["qos"].get(key) != word}
+            yield from sorted(f"{list_}: {each['name']} {key}" for key in wrong)
+
+
+@pytest.mark.parametrize("package", ["all_kinds", "contact_analysis", "serving"])
+def test_documents_say_what_nodes_are(ros2, ros2_untouched, package):
+    """No more and no less; and a node that has changed is noticed."""
+    workspace = ros2_untouched.workspace
+    documents = {
+        file.name.partition(".")[0]: yaml.safe_load(file.read_text())
+        for file in (workspace / "src" / package / "nodl").iterdir()
+    }
+    with ros.nodes(ros2, workspace, package, *documents):
+        for node, document in documents.items():
+            command = f"{ros2.python} {PEERS}/graph_ros2.py /{node}"
+            found = json.loads(ros2.run(command, workspace, workspace).stdout.splitlines()[-1])
+            assert list(differences(document, found, node)) == []
+            del found["service_servers"][f"/{node}/change_state"]
+            assert len(list(differences(document, found, node))) == 1
