@@ -4,19 +4,15 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from support import model_checks
 from support.fuzz import check_own_files
-from support.packages import MODELS, SPECS, files
+from support.linters import write
+from support.model_checks import Model
+from support.packages import MODELS, SPECS
 from support.repository import ROOT
 from support.soundness import check_imports
 
-KINDS = [
-    (model.name, owner)
-    for model in model_checks.models()
-    if model.name in MODELS
-    for owner in model.owners
-    if owner.kind
-]
+MADE = {name: Model(ROOT / name) for name in MODELS}
+KINDS = [(name, owner) for name, model in MADE.items() for owner in model.owners if owner.kind]
 each_ros = pytest.mark.parametrize("distro", ["noetic", "kilted"])
 
 
@@ -29,23 +25,23 @@ def test_of_examples(render, name, model, distro):
 
 @each_ros
 @pytest.mark.parametrize(("model", "owner"), KINDS, ids=str)
-def test_of_each_kind_alone(render, model, owner, distro):
-    checked = model_checks.Model(ROOT / model)
-    spec = checked.spec([(owner, checked.base(owner))])
-    check_parts(render(spec, model=model, ros_distro=distro), distro)
+def test_of_each_kind_alone(renderers, tmp_path, model, owner, distro):
+    spec = MADE[model].spec([(owner, MADE[model].base(owner))])
+    check_parts(renderers, tmp_path, spec, model, distro)
 
 
 @each_ros
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("attribute", ['frequency="10"', 'diagnostics="true"'])
-def test_of_a_node_without_interfaces(render, model, attribute, distro):
+def test_of_a_node_without_interfaces(renderers, tmp_path, model, attribute, distro):
     spec = f"""<package name="bare" author="A" author_email="a@b.org" license="MIT"
       description="Bare"><node name="idler" {attribute}/></package>"""
-    check_parts(render(spec, model=model, ros_distro=distro), distro)
+    check_parts(renderers, tmp_path, spec, model, distro)
 
 
-def check_parts(package, distro):
-    check_imports(package, distro)
-    code = files(package, "*.[hc]pp") + files(package, "*.py")
-    texts = {str(file.relative_to(package)): file.read_text() for file in code}
-    check_own_files(texts, ET.parse(package / "package.xml").findtext("name"))
+def check_parts(renderers, folder, spec, model, distro):
+    texts = renderers[model].render(MADE[model].context(spec, distro), distro)
+    write(folder, texts)
+    check_imports(folder, distro)
+    code = {path: text for path, text in texts.items() if path.endswith((".cpp", ".hpp", ".py"))}
+    check_own_files(code, ET.fromstring(texts["package.xml"]).findtext("name"))

@@ -27,13 +27,15 @@ def rendered():
 
 
 @pytest.fixture
-def render(source, model, rendered):
+def render(renderers, model, rendered):
     """Render a package of some elements for a ROS, and see that its files can be parsed."""
 
     def run(elements, distro):
         key = (model.name, model.spec(elements), distro)
         if key not in rendered:
-            rendered[key] = model_checks.render(model, key[1], distro, source)
+            context = model.context(key[1], distro)
+            assert context, f"{distro}: {key[1]}"
+            rendered[key] = renderers[model.name].render(context, distro)
             check_syntax(rendered[key])
         return rendered[key]
 
@@ -59,6 +61,14 @@ def check_syntax(files):
 )
 def test_all_of_the_dictionary_renders(render, model, distro):
     render(model.everything(distro), distro)
+
+
+@pytest.mark.parametrize("model", MODELS, ids=str)
+def test_copier_makes_the_same_files(render, source, model):
+    for distro in {model.distros[0], model.distros[-1]}:
+        elements = model.everything(distro)
+        made = model_checks.render(model, model.spec(elements), distro, source)
+        assert made == render(elements, distro)
 
 
 @pytest.mark.parametrize(

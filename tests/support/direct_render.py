@@ -32,7 +32,12 @@ class Renderer:
         self.paths = [str(path.relative_to(self.folder)) for path in found]
 
     def render(self, spec, distro):
-        """Return the text of each file by its path, without Copier's own and the spec."""
+        """Return the text of each file by its path, without Copier's own and the spec.
+
+        Raises:
+            AssertionError: a file is made twice.
+
+        """
         values = {
             "model": self.model,
             "ros_distro": distro,
@@ -56,6 +61,7 @@ class Renderer:
             for name, more in self.names(source, values):
                 skipped = name == ANSWERS or name.endswith(".ros_package")
                 if not skipped and not is_excluded.match_file(name):
+                    assert name not in files, f"{name} is made twice, once by {source}"
                     files[name] = self.text(source, {**values, **more})
         return files
 

@@ -13,7 +13,7 @@ import tempfile
 import warnings
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import product
 from pathlib import Path
 from unittest import mock
@@ -165,10 +165,10 @@ class Model:
                 continue
             needed = {other: words[0] for other, words in attribute.when.items()}
             base = self.base(owner, needed)
+            before = self.context(self.spec([(owner, base)]))
             for text in candidates(attribute, base):
                 values = self.base(owner, {**needed, name: text})
-                one, two = self.spec([(owner, base)]), self.spec([(owner, values)])
-                if self.context(two) not in (None, self.context(one)):
+                if self.context(self.spec([(owner, values)])) not in (None, before):
                     yield name, base, values
 
     def spec(self, elements):
@@ -293,6 +293,7 @@ class Model:
         """Return the elements of a spec with one interface of each kind."""
         return self._accepted([(o, self.base(o)) for o in self.owners if o.component])
 
+    @cache  # noqa: B019 (a model lives as long as the tests, of which several ask for this)
     def everything(self, distro=None):
         """Return the elements of `small` and one more for each value an attribute may have.
 
