@@ -5,8 +5,6 @@ import functools
 import os
 import re
 import shutil
-import subprocess
-import sys
 import tempfile
 from collections import Counter
 from pathlib import Path
@@ -16,6 +14,7 @@ import pytest
 from hypothesis import settings
 
 from support import ros
+from support.command import run_copier
 from support.direct_render import Renderer, variants
 from support.model_checks import template
 from support.packages import DATA
@@ -220,14 +219,7 @@ def copier_command():
     """Run the copier command as a user would; the result has returncode, stdout and stderr."""
 
     def run(*arguments, cwd, **environment):
-        return subprocess.run(
-            [sys.executable, "-m", "copier", *map(str, arguments)],
-            cwd=cwd,
-            env=os.environ | environment,
-            capture_output=True,
-            text=True,
-            stdin=subprocess.DEVNULL,
-        )
+        return run_copier(arguments, cwd, environment)
 
     return run
 

@@ -7,8 +7,6 @@ A trial runs the merge on renders, which are made once for many trials; `update`
 import os
 import re
 import shutil
-import subprocess
-import sys
 import time
 from collections import Counter
 from dataclasses import dataclass, field
@@ -24,6 +22,7 @@ from hooks.merge.renaming import Renaming, plan
 from hooks.merge.tree import File, encode, read_folder, remove, write
 from hooks.merge.versions import Versions
 from hooks.model import Model
+from support.command import run_copier
 from support.direct_render import Renderer as DirectRenderer
 from support.laboratory import layouts, specs
 from support.laboratory.edits import HABITS, edit
@@ -308,10 +307,9 @@ def hostile(random, folder):
 
 def _update(package, version, distro, configuration):
     """Update a package as a user does who has this configuration of git; return what was said."""
-    command = [sys.executable, "-m", "copier", "update", "--trust", "--defaults"]
-    command += ["--vcs-ref", version, "-d", f"ros_distro={distro}"]
-    environment = os.environ | {"GIT_CONFIG_GLOBAL": str(configuration)}
-    result = subprocess.run(command, cwd=package, env=environment, capture_output=True, text=True)
+    command = ["update", "--trust", "--defaults", "--vcs-ref", version]
+    command += ["-d", f"ros_distro={distro}"]
+    result = run_copier(command, package, {"GIT_CONFIG_GLOBAL": str(configuration)})
     assert result.returncode == 0, configuration.read_text() + result.stderr
     return result.stderr
 
