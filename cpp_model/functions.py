@@ -42,10 +42,6 @@ def dependencies_from_interface(
     name = attributes.get("name", "")
     if ros1 and kind == "dynParameter" and name in _RESERVED:
         raise ValueError(f'dynamic_reconfigure cannot make a parameter "{name}"; choose another')
-    if ros1 and kind == "dynParameter":
-        _check_dynamic(attributes)
-    if ros_distro == "humble":
-        _check_qos_of_humble(attributes)
     tf2_msgs = [] if ros1 else ["tf2_msgs"]
     packages = {
         "actionServer": ["actionlib" if ros1 else "rclcpp_action"],
@@ -56,23 +52,6 @@ def dependencies_from_interface(
     }.get(kind, [])
     type_ = attributes.get("type", "")
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
-
-
-def _check_dynamic(attributes: dict[str, Any]) -> None:
-    if attributes["type"].endswith("[]"):
-        raise ValueError("dynamic_reconfigure has no lists; use <parameter>")
-    if "." in attributes["name"]:
-        raise ValueError("dynamic_reconfigure has no groups of names; use <parameter>")
-    for name in ("value", "min", "max"):
-        value = attributes[name]
-        if isinstance(value, int) and not -(2**31) <= value < 2**31:
-            raise ValueError(f"{name}: {value} does not fit the 32 bits of dynamic_reconfigure")
-
-
-def _check_qos_of_humble(attributes: dict[str, Any]) -> None:
-    for name in ("qos", "reliability", "durability"):
-        if attributes.get(name) == "best_available":
-            raise ValueError(f'{name}: Humble has no "best_available"; ROS 2 has it since Iron')
 
 
 def added_packages(spec: dict[str, Any]) -> list[str]:

@@ -49,7 +49,7 @@ def elements(
     """Yield components and all interfaces: the component, its name, what it is, its values."""
     for component in dictionary.components.values():
         for values in context[component.key]:
-            owner = str(values[next(iter(component.attributes))])
+            owner = str(values[component.naming])
             yield component, owner, component, values
             for interface, item in _inside(component, values):
                 yield component, owner, interface, item

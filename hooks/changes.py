@@ -181,7 +181,7 @@ class _Pair:
 
 def _pairs(old: Values, new: Values, dictionary: Dictionary) -> Iterator[_Pair]:
     """Pair the packages, components, and inside of those that stayed, interfaces."""
-    naming = next(iter(dictionary.package))
+    naming = dictionary.naming
     name, was = _name(old, naming), str(new.get(WAS))
     package = _Pair(old, new, dictionary.package, naming, (name,), level=PACKAGE)
     if package.is_renamed and was != name:  # another package, as far as anybody has said

@@ -19,6 +19,7 @@ from .dictionary import (
     Component,
     Dictionary,
     Interface,
+    naming,
     nested,
 )
 from .endpoints import clashes
@@ -27,7 +28,7 @@ from .formats import BLANKS, FORMATS, FORMATS_OF_ROS, TYPES, comparable, depende
 from .literals import literal, spelled
 from .names import class_name
 from .parse import Element
-from .ros import DEPENDENCY_KINDS
+from .ros import DEPENDENCY_KINDS, DISTROS, lacks
 
 Values = dict[str, Any]
 
@@ -46,6 +47,11 @@ class CheckedSpec:
     """Each type that the spec names: by which element and attribute; its parts."""
     elements: list[Checked] = field(default_factory=list)
 
+    @property
+    def name(self) -> str:
+        """The name of the package."""
+        return str(self.package[naming(self.package)])
+
     def place(self, element: Element) -> str:
         """Name an element for a message."""
         return f"{element.file or self.file}:{element.line}: {element.label}"
@@ -63,7 +69,7 @@ class CheckedSpec:
 
 
 def check(
-    root: Element, dictionary: Dictionary, filters: Filters, file: str, ros: int | None = None
+    root: Element, dictionary: Dictionary, filters: Filters, file: str, distro: str = ""
 ) -> CheckedSpec:
     """Check the whole spec; `file` is its name in messages, `filters` are those of templates.
 
@@ -73,7 +79,8 @@ def check(
         SpecError: one line for every fault found, in the order of the file.
 
     """
-    checker = _Checker(dictionary, file, ros)
+    ros = DISTROS.get(distro)
+    checker = _Checker(dictionary, file, distro)
     checker.check_package(root)
     if not checker.faults:
         checker.check_own_types()
@@ -89,9 +96,10 @@ def check(
 
 
 class _Checker:
-    def __init__(self, dictionary: Dictionary, file: str, ros: int | None) -> None:
+    def __init__(self, dictionary: Dictionary, file: str, distro: str) -> None:
         self.dictionary = dictionary
-        self.formats = {**FORMATS, **FORMATS_OF_ROS.get(ros or 0, {})}
+        self.formats = {**FORMATS, **FORMATS_OF_ROS.get(DISTROS.get(distro, 0), {})}
+        self.lacks, self.distro = lacks(distro), distro
         self.spec = CheckedSpec(file)
         self.faults: list[tuple[int, str]] = []
         self.owners: dict[tuple[Any, ...], Element] = {}
@@ -129,7 +137,7 @@ class _Checker:
         has_name = not component.is_plain
         values = given = self.values(element, component.attributes, (component.tag,), has_name)
         if not component.is_plain:
-            name = class_name(str(next(iter(given.values()), "")))
+            name = class_name(str(given.get(component.naming, "")))
             values = {"tag": component.tag, **given, "class_name": name}
         owner = self.checked(component.tag, element, {**values}, package)
         return values | self.interfaces(element, component, given, (package, owner))
@@ -176,7 +184,7 @@ class _Checker:
         attributes = [attribute for kind in kinds for attribute in kind.attributes.values()]
         if not any(attribute.declares for attribute in attributes):
             return
-        package = str(next(iter(self.spec.package.values())))
+        package = self.spec.name
         parts: dict[str, set[str]] = {}
         for element, name, (owner, folder, word) in self.spec.types:
             own, holder = f"{folder}/{word}", self.holders[element]
@@ -274,6 +282,9 @@ class _Checker:
             elif given is not None and not self.is_misplaced(element, attribute, values):
                 try:
                     values[name] = value = _value(attribute, given, values, self.formats)
+                    if attribute.choices and value in self.lacks:
+                        what = f"{self.distro.capitalize()} has no {quoted(value)}"
+                        raise ValueError(f"{what}; {self.lacks[value]}")
                     if attribute.format in TYPES and (parts := split_type(value)):
                         self.spec.types.append((element, name, parts))
                         self.holders[element] = self.declaring

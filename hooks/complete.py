@@ -42,7 +42,7 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
         arguments = (component.tag, component.values, distro)
         place = spec.place(component.element)
         found |= _call(functions, "dependencies_from_component", place, *arguments)
-    own_name = str(next(iter(spec.package.values())))
+    own_name = spec.name
     types: dict[Element, list[str]] = defaultdict(list)
     for element, _, parts in spec.types:
         types[element].append("/".join(parts))
@@ -50,6 +50,7 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
         place = spec.place(item.element)
         owners = {tag: owner.values for tag, owner in item.owners.items()}
         arguments = (item.tag, {**owners, **item.values}, distro)
+        _result(functions, "check_interface", place, *arguments)
         needed = _call(functions, "dependencies_from_interface", place, *arguments)
         named = [name for name in types[item.element] if name.split("/")[0] in needed]
         for name in sorted(needed) + named:
@@ -101,15 +102,19 @@ def _small_types(spec: CheckedSpec, generation: int) -> Iterator[str]:
         raise SpecError(first_of(faults))
 
 
-def _call(functions: Functions, name: str, place: str, *arguments: Any) -> set[str]:
-    if name not in functions:
-        return set()
+def _result(functions: Functions, name: str, place: str, *arguments: Any) -> Any:
     try:
-        result = functions[name](*arguments)
+        return functions[name](*arguments) if name in functions else None
     except SpecError as error:
         if isinstance(error.__cause__, ValueError):  # the function refuses the spec
             raise SpecError(f"{place}: {error.__cause__}") from error
         raise SpecError(f"{error} (called for {place})") from error
+
+
+def _call(functions: Functions, name: str, place: str, *arguments: Any) -> set[str]:
+    if name not in functions:
+        return set()
+    result = _result(functions, name, place, *arguments)
     code = inspect.unwrap(functions[name]).__code__
     where = f"{code.co_filename}:{code.co_firstlineno}: {name} for {place}"
     if not isinstance(result, list) or not all(isinstance(item, str) for item in result):

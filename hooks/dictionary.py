@@ -87,7 +87,7 @@ class Interface:
     @property
     def naming(self) -> str | None:
         """The attribute that names one: the first, but none where there is one at most."""
-        return None if self.once else next(iter(self.attributes))
+        return None if self.once else naming(self.attributes)
 
     @property
     def key(self) -> str:
@@ -111,9 +111,9 @@ class Component:
     """It says more of the package, and has no interface: the package needs none."""
 
     @property
-    def naming(self) -> str | None:
-        """The attribute that names one: the first."""
-        return next(iter(self.attributes))
+    def naming(self) -> str:
+        """The attribute that names one."""
+        return naming(self.attributes)
 
     @property
     def key(self) -> str:
@@ -123,6 +123,11 @@ class Component:
     def of(self, package: Mapping[str, Any]) -> list[Any]:
         """Return the components of this tag that a package has in the context."""
         return list(package.get(self.key, []))
+
+
+def naming(attributes: Iterable[str]) -> str:
+    """Return the attribute that names what has these: the first."""
+    return next(iter(attributes))
 
 
 def nested(interfaces: Mapping[str, Interface]) -> Iterator[Interface]:
@@ -145,8 +150,15 @@ class Dictionary:
     aliases: Mapping[str, str]
     skeleton: list[str]
     scopes: list[Scope]
+    holders: list[str]
+    """What the logic calls the objects whose members interfaces name."""
     files: list[Path]
     """Where all of this is said: each dictionary after those that it includes."""
+
+    @property
+    def naming(self) -> str:
+        """The attribute that names a package."""
+        return naming(self.package)
 
     @property
     def tags(self) -> list[str]:
@@ -155,7 +167,7 @@ class Dictionary:
         return [tag for each in components for tag in (each.tag, *_kinds(each))]
 
 
-_KEYS = {"package_attributes", "aliases", "skeleton", "names", "definitions", "include"}
+_KEYS = {"package_attributes", "aliases", "skeleton", "names", "holders", "definitions", "include"}
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _DECLARED = ("msg", "srv", "action")
 
@@ -238,6 +250,8 @@ class _Reader:
         self.check_shape("skeleton", "skeleton", skeleton, list[str])
         for kind in skeleton:
             self.check_word(kind, "skeleton", "interface kind", kinds)
+        holders = content.get("holders") or []
+        self.check_shape("holders", "holders", holders, list[str])
         aliases = content.get("aliases") or {}
         self.check_shape("aliases", "aliases", aliases, Mapping[str, str])
         for alias, tag in aliases.items():
@@ -252,7 +266,8 @@ class _Reader:
             keys = frozenset() if component.is_plain else COMPONENT_KEYS
             self.check_inside(component.tag, component, keys)
         self.check_references(package, components)
-        return Dictionary(package, components, plain(aliases), plain(skeleton), scopes, files)
+        said = (plain(aliases), plain(skeleton), scopes, plain(holders))
+        return Dictionary(package, components, *said, files)
 
     def check_references(
         self, package: Mapping[str, Attribute], components: Mapping[str, Component]

@@ -48,7 +48,7 @@ def clashes(elements: Sequence[Checked], dictionary: Dictionary) -> Iterator[tup
         kind = dictionary.components[component.tag]
         if item.tag not in kind.interfaces:  # it stands within another interface
             continue
-        owner = str(component.values[next(iter(kind.attributes))])
+        owner = str(component.values[kind.naming])
         found = endpoint(owner, kind.interfaces[item.tag], item.values)
         if not found:
             continue

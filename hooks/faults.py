@@ -17,6 +17,10 @@ class SpecError(Exception):
     """A fault of the spec or the model; the text names file, line, fault and remedy."""
 
 
+class UnrenderedError(SpecError):
+    """A version of a template makes no package: it is no longer there, or has a fault."""
+
+
 def shown(text: str, longest: int = _LONGEST) -> str:
     """Return a text fit for a message: not too long, and with nothing that a terminal obeys."""
     short = text if len(text) <= longest else f"{text[:longest]}..."

@@ -18,7 +18,6 @@ from .complete import Functions, complete
 from .dictionary import Dictionary, load
 from .faults import SpecError
 from .parse import Element, parse
-from .ros import DISTROS
 from .schema import schema
 from .skeleton import skeleton
 from .trees import READER, Tree, is_yaml, read_yaml, tree
@@ -51,7 +50,7 @@ class Model:
             SpecError: the spec is not well-formed, or the dictionary does not allow it.
 
         """
-        checked = self._checked(root or parse(xml, file), file, DISTROS.get(distro))
+        checked = self._checked(root or parse(xml, file), file, distro)
         context = complete(checked, self.functions, distro)
         context["notes"] += contradictions(context, self.dictionary)
         return context
@@ -60,9 +59,9 @@ class Model:
         """Return where the elements of a spec are, by the labels of `hooks.changes`."""
         return places(self._checked(parse(xml, file), file), self.dictionary)
 
-    def _checked(self, root: Element, file: str, ros: int | None = None) -> CheckedSpec:
+    def _checked(self, root: Element, file: str, distro: str = "") -> CheckedSpec:
         filters = {**public_functions(names), **self.functions}
-        return check(root, self.dictionary, filters, file, ros)
+        return check(root, self.dictionary, filters, file, distro)
 
     def reads_yaml(self, file: Path) -> bool:
         """Tell whether a file, or a folder, is YAML of which the model makes a spec."""
@@ -78,7 +77,7 @@ class Model:
 
     def name(self, context: Mapping[str, Any]) -> str:
         """Return the name of the package: the value of its first attribute."""
-        return str(context[next(iter(self.dictionary.package))])
+        return str(context[self.dictionary.naming])
 
     def skeleton(self, sources: Mapping[str, str]) -> str:
         """Return the XML a package starts with; see `hooks.skeleton`."""

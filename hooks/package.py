@@ -39,6 +39,11 @@ class Package:
         except OSError as error:
             raise SpecError(f"{shown(self.folder)}: {error.strerror}") from None
 
+    @property
+    def is_made(self) -> bool:
+        """Whether the folder holds a package already."""
+        return (self.folder / self.answers_file).exists()
+
     def spec_file(self, given: str) -> Path | None:
         """Return the file of the spec that counts; None for a new package without one.
 
@@ -61,7 +66,7 @@ class Package:
                     f"{copy} and leave spec_file out"
                 )
             return Path(given)
-        if not found and (self.folder / self.answers_file).exists():
+        if not found and self.is_made:
             lost = f"the package has lost its spec (*{SUFFIX}); {self._remedy()}"
             raise SpecError(f"{shown(self.folder)}: {lost}")
         return found[0] if found else None

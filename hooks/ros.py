@@ -5,13 +5,32 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from .data import load_data
+from .faults import allowed, quoted
 
 _ROS = load_data("ros.yaml")
-DISTROS: dict[str, int] = _ROS["distros"]
+DISTROS: dict[str, int] = {name: about["ros"] for name, about in _ROS["distros"].items()}
 """The ROS distributions that can be chosen, each with its generation."""
 
 DEPENDENCY_KINDS: list[str] = _ROS["dependency_kinds"]
 """The kinds of dependencies that a package.xml knows besides the usual one."""
+
+
+def lacks(distro: str) -> dict[str, str]:
+    """Return what a distribution lacks that others of its generation have, and why."""
+    return _ROS["distros"].get(distro, {}).get("lacks") or {}
+
+
+def is_lacking(distro: str, feature: str) -> bool:
+    """Say whether a distribution lacks a feature, which another one must lack.
+
+    Raises:
+        ValueError: none lacks it: a slip of a template.
+
+    """
+    known = sorted({name for each in DISTROS for name in lacks(each)})
+    if feature not in known:
+        raise ValueError(f"unknown feature {quoted(feature)}; {allowed(feature, known)}")
+    return feature in lacks(distro)
 
 
 def default_distro(environment: Mapping[str, str]) -> str:

@@ -24,12 +24,8 @@ def dependencies_from_interface(
 ) -> list[str]:
     """Return the packages that one interface needs: that of its type, and that of its kind."""
     ros1 = ros_distro == "noetic"
-    if ros1 and kind == "dynParameter":
-        if attributes["name"] == "groups":
-            raise ValueError('dynamic_reconfigure overwrites a parameter "groups"; choose another')
-        _check_dynamic(attributes)
-    if ros_distro == "humble":
-        _check_qos_of_humble(attributes)
+    if ros1 and kind == "dynParameter" and attributes["name"] == "groups":
+        raise ValueError('dynamic_reconfigure overwrites a parameter "groups"; choose another')
     packages = {
         "actionServer": ["actionlib", "actionlib_msgs"] if ros1 else [],
         "actionClient": (
@@ -57,20 +53,3 @@ def logic_file(node: dict[str, Any], package: str) -> str:
 def cfg_name(node: dict[str, Any]) -> str:
     """Return what dynamic_reconfigure calls the parameters of a node."""
     return str(node["class_name"])
-
-
-def _check_dynamic(attributes: dict[str, Any]) -> None:
-    if attributes["type"].endswith("[]"):
-        raise ValueError("dynamic_reconfigure has no lists; use <parameter>")
-    if "." in attributes["name"]:
-        raise ValueError("dynamic_reconfigure has no groups of names; use <parameter>")
-    for name in ("value", "min", "max"):
-        value = attributes[name]
-        if isinstance(value, int) and not -(2**31) <= value < 2**31:
-            raise ValueError(f"{name}: {value} does not fit the 32 bits of dynamic_reconfigure")
-
-
-def _check_qos_of_humble(attributes: dict[str, Any]) -> None:
-    for name in ("qos", "reliability", "durability"):
-        if attributes.get(name) == "best_available":
-            raise ValueError(f'{name}: Humble has no "best_available"; ROS 2 has it since Iron')

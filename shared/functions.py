@@ -434,3 +434,17 @@ def _fault(at: Any, what: str) -> ValueError:
     """Return a fault at a text of a document, or at the first of a mapping."""
     at = next(iter(at), "") if isinstance(at, dict) else at
     return ValueError(f"{getattr(at, 'place', at)}: {what}")
+
+
+def check_interface(kind: str, attributes: dict[str, Any], ros_distro: str) -> None:
+    """Refuse a parameter that dynamic_reconfigure cannot have."""
+    if ros_distro != "noetic" or kind != "dynParameter":
+        return
+    if attributes["type"].endswith("[]"):
+        raise ValueError("dynamic_reconfigure has no lists; use <parameter>")
+    if "." in attributes["name"]:
+        raise ValueError("dynamic_reconfigure has no groups of names; use <parameter>")
+    for name in ("value", "min", "max"):
+        value = attributes[name]
+        if isinstance(value, int) and not -(2**31) <= value < 2**31:
+            raise ValueError(f"{name}: {value} does not fit the 32 bits of dynamic_reconfigure")

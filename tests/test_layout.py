@@ -90,6 +90,20 @@ def test_distributions_that_are_listed(path):
     ]
 
 
+def test_distributions_are_named_in_one_place():
+    """What one of them lacks is in the table of `hooks/ros.yaml`."""
+    names = "|".join(distro for distro in ros.DISTROS if ros.DISTROS[distro] > 1)
+    files = [
+        file
+        for pattern in ("hooks/**/*.py", "extensions/*.py", "shared/**/*", "[!s]*_model/**/*")
+        for file in ROOT.glob(pattern)
+        if file.suffix in (".py", ".jinja", ".yaml", ".yml")
+    ]
+    assert len(files) > 300
+    for file in files:
+        assert not re.findall(rf"""['"](?:{names})['"]""", file.read_text()), file
+
+
 DECISIONS = sorted(ROOT.glob("docs/decisions/[0-9]*.md"))
 STATUS = re.compile(
     r"\n\nStatus: (accepted|superseded by \[\d+\]\(\d{4}-[\w-]+\.md\))"

@@ -51,11 +51,11 @@ def _moved(file: Path, names: list[dict[str, str]]) -> dict[str, str]:
 
 def _names(spec: Mapping[str, Any], dictionary: Dictionary) -> Iterator[dict[str, str]]:
     """Yield what the braces of a path may stand for: the package, and a component of it."""
-    package = {PACKAGE: str(spec[next(iter(dictionary.package))])}
+    package = {PACKAGE: str(spec[dictionary.naming])}
     yield package
     for component in dictionary.components.values():
         for item in spec.get(component.key, []):
-            yield {**package, component.tag: str(item[next(iter(component.attributes))])}
+            yield {**package, component.tag: str(item[component.naming])}
 
 
 def _fits(path: str, names: Mapping[str, str]) -> bool:

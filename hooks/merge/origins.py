@@ -6,6 +6,7 @@ It is not how a name looks that tells (decision 28). In doubt it is from elsewhe
 from __future__ import annotations
 
 import ast
+import contextlib
 import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
@@ -15,13 +16,11 @@ from .python_blocks import parse
 from .tokens import Word
 
 SELF = ("self", "cls", "this")
-_HOLDERS = re.compile(r"_?(config|data|passthrough)_?")
-"""What the logic calls the objects that hold parameters and messages."""
 
 
-def is_holder(name: str) -> bool:
-    """Say whether an object is one of these by its name."""
-    return bool(_HOLDERS.fullmatch(name))
+def is_holder(name: str, holders: Collection[str]) -> bool:
+    """Say whether an object is one of the `holders` of a dictionary by its name."""
+    return name.strip("_") in holders
 
 
 @dataclass
@@ -32,10 +31,16 @@ class Origins:
     foreign: set[str] = field(default_factory=set)
     holders: set[str] = field(default_factory=set)
     """Names of objects whose classes are of the package."""
+    known_holders: Collection[str] = ()
+    """Names that such objects have in any file, as the dictionary says."""
     keywords: set[str] = field(default_factory=set)
     """Those of arguments of these classes."""
     imports: dict[int, bool] = field(default_factory=dict)
     """By line of an import, the first counted 0, whether it is of the package."""
+
+    def is_holder(self, name: str) -> bool:
+        """Say whether an object is of a class of the package."""
+        return name in self.holders or is_holder(name, self.known_holders)
 
     def has(self, word: Word, known: Collection[str]) -> bool:
         """Say whether a word is a name of the package; `known` are those that are, by themselves.
@@ -55,7 +60,7 @@ class Origins:
         if all(part in known or part in self.ours for part in word.chain):
             return True
         is_own = len(word.chain) == 1 or (len(word.chain) == 2 and word.chain[0] in SELF)
-        return is_own and (holder in self.holders or is_holder(holder))
+        return is_own and self.is_holder(holder)
 
 
 def origins(
@@ -64,6 +69,7 @@ def origins(
     roots: Collection[str],
     names: Collection[str],
     classes: Collection[str],
+    holders: Collection[str] = (),
 ) -> Origins:
     """Read where the names of a file come from.
 
@@ -73,20 +79,25 @@ def origins(
         roots: the package's own modules, or folders of headers.
         names: what is looked for.
         classes: the classes of the package.
+        holders: what the dictionary says that objects of these classes are called.
 
     """
+    found = Origins(known_holders=holders)
     if known is PYTHON:
-        try:
-            return _python(parse(text), roots, names, classes)
-        except ValueError:
-            return Origins()
-    return _cpp(text, roots, names, classes) if known is CPP else Origins()
+        with contextlib.suppress(ValueError):
+            _python(found, parse(text), roots, names, classes)
+    elif known is CPP:
+        _cpp(found, text, roots, names, classes)
+    return found
 
 
 def _python(
-    tree: ast.Module, roots: Collection[str], names: Collection[str], classes: Collection[str]
-) -> Origins:
-    found = Origins()
+    found: Origins,
+    tree: ast.Module,
+    roots: Collection[str],
+    names: Collection[str],
+    classes: Collection[str],
+) -> None:
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom):
             is_ours = bool(node.level) or (node.module or "").split(".")[0] in roots
@@ -109,11 +120,9 @@ def _python(
     found.foreign -= found.ours
     for target, value in _bindings(tree):
         if {*_words(value)} & {*classes} - found.foreign or (
-            isinstance(value, ast.Name | ast.Attribute)
-            and (_last(value) in found.holders or is_holder(_last(value)))
+            isinstance(value, ast.Name | ast.Attribute) and found.is_holder(_last(value))
         ):
             found.holders.add(target)
-    return found
 
 
 def _bindings(tree: ast.Module) -> Iterator[tuple[str, ast.expr]]:
@@ -145,9 +154,12 @@ _USING = re.compile(r"\busing\s+(?:(namespace)\s+)?(?:(\w+)\s*=\s*)?(?:::)?(\w+)
 
 
 def _cpp(
-    text: str, roots: Collection[str], names: Collection[str], classes: Collection[str]
-) -> Origins:
-    found = Origins()
+    found: Origins,
+    text: str,
+    roots: Collection[str],
+    names: Collection[str],
+    classes: Collection[str],
+) -> None:
     is_user = any(root in roots for root in _INCLUDE.findall(text))
     for kind, alias, root, last in _USING.findall(text):
         if root not in {*roots, *classes, "std"}:
@@ -161,4 +173,3 @@ def _cpp(
     declared = rf"{ours}[\s&*>)]*(?:const\b)?[\s&*]*\b(\w+)\b(?!\s*::)"
     made = rf"\bauto\b[\s&*]*(\w+)\s*=[^;=]*?{ours}"
     found.holders |= {*re.findall(declared, text), *re.findall(made, text)}
-    return found

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 from pathlib import PurePosixPath
@@ -252,11 +252,15 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
 
 
 def uses_of_left(
-    gone: Iterable[tuple[str, str]], old: Tree, new: Tree, found: Tree
+    gone: Iterable[tuple[str, str]],
+    old: Tree,
+    new: Tree,
+    found: Tree,
+    holders: Collection[str] = (),
 ) -> Iterator[str]:
     """Yield `file:line: word` for each name of what left that the developer's lines still have.
 
-    `gone` has the names, each after that of its component.
+    `gone` has the names, each after that of its component; `holders` is the dictionary's.
     """
     gone = set(gone)
     names = "|".join(re.escape(name.strip("~/")) for _, name in gone)
@@ -273,7 +277,7 @@ def uses_of_left(
         text = plain(file.text or "")
         lines, stem = split(text), PurePosixPath(path).stem
         for word in words(language(path, text), text):
-            is_member = bool(word.chain) and is_holder(word.chain[-1])
+            is_member = bool(word.chain) and is_holder(word.chain[-1], holders)
             owners = {owner for owner, name in gone if name == word.text and is_member}
             is_own = bool(owners) and (word.text not in after or any(o in stem for o in owners))
             if (word.text in left or is_own) and lines[word.line] not in generated:

@@ -40,7 +40,7 @@ class Renaming:
     in_file: dict[str, dict[str, str]] = field(default_factory=dict)
     everywhere: dict[str, str] = field(default_factory=dict)
     members: dict[str, dict[str, str]] = field(default_factory=dict)
-    """By file, the names that count after `config.` and the like alone."""
+    """By file, the names that count after one of the `holders` alone."""
     packages: dict[str, str] = field(default_factory=dict)
     targets: dict[str, str] = field(default_factory=dict)
     """The names of nodes, which are those of targets in CMake."""
@@ -54,6 +54,8 @@ class Renaming:
     """Those of the package."""
     roots: set[str] = field(default_factory=set)
     """What imports and includes call the package."""
+    holders: Collection[str] = ()
+    """What the logic calls objects of these classes."""
     names: list[tuple[str, str]] = field(default_factory=list)
     moved: dict[str, str] = field(default_factory=dict)
     """What the new version of the model renames."""
@@ -114,7 +116,7 @@ class Renaming:
             return text
 
         roots = self.roots | self.packages.keys()
-        origin = origins(known, text, roots, exact.keys(), self.classes)
+        origin = origins(known, text, roots, exact.keys(), self.classes, self.holders)
         generated = self.generated.get(path, set())
         is_made = [line.strip() in generated for line in split(text)]
         vocabulary = (self.vocabulary.get(path, set()) & exact.keys()) | roots
@@ -183,7 +185,7 @@ def plan_renames(
     if not any(mark.before != mark.after for mark in marks):
         return Renaming()
     render = renderer.recorded({**answers, "spec": context})
-    return plan(old, render.tree, marks, mine)
+    return plan(old, render.tree, marks, mine, dictionary.holders)
 
 
 def rename(blocks: Iterable[Block], before: Iterable[Block], keys: Mapping[str, str]) -> None:
@@ -201,11 +203,17 @@ def _with_keys(text: str, keys: Mapping[str, str]) -> str:
     return re.sub(form, lambda m: m[1] + m[2] + exact[m[3]] + m[2], text) if exact else text
 
 
-def plan(old: Tree, marked: Tree, marks: Sequence[Mark], mine: Iterable[str]) -> Renaming:
+def plan(
+    old: Tree,
+    marked: Tree,
+    marks: Sequence[Mark],
+    mine: Iterable[str],
+    holders: Collection[str] = (),
+) -> Renaming:
     """Find what depends on the names that changed; `mine` are the paths of the package."""
     reader = _Reader(marks)
     names = [(mark.before, mark.after) for mark in marks if not mark.is_gone]
-    renaming = Renaming(names=names)
+    renaming = Renaming(names=names, holders=holders)
     owned: dict[str, set[int]] = {}
     tokens: dict[str, set[str]] = {}
     for path, file in marked.items():

@@ -15,9 +15,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import copier
-
 from ..data import load_yaml
+from ..run import Copy
 from .git import committed
 from .tree import Tree, read_folder
 
@@ -69,13 +68,15 @@ def begin(quiet: bool = True) -> None:
 class Renderer:
     """Renders a package with the template that Copier uses now, or with a recorded version.
 
-    `folder` is where Copier has put the template, `url` and `commit` are what its answers record
-    of it; `name` is the folder of the package. Keys of answers that begin with _ are Copier's.
+    `copy` makes a package; `folder` is where Copier has put the template, `url` and `commit` are
+    what its answers record of it; `name` is the folder of the package. Keys of answers that begin
+    with _ are Copier's.
     """
 
+    copy: Copy
     folder: Path
     url: str
-    commit: str
+    commit: str | None
     name: str
     answers_file: str
 
@@ -83,7 +84,7 @@ class Renderer:
         """Render with the template of now.
 
         Raises:
-            copier.errors.CopierError: the template or the answers have a fault.
+            UnrenderedError: the template or the answers have a fault.
 
         """
         version = f"{self.url} {self.commit}" if self.commit else str(self.folder)
@@ -129,19 +130,11 @@ class Renderer:
     def _render(self, source: str, version: str | None, answers: Mapping[str, Any]) -> Render:
         with tempfile.TemporaryDirectory(prefix="ros_package.") as folder:
             target = Path(folder) / self.name
-            worker = copier.run_copy(
-                source,
-                target,
-                data={key: value for key, value in answers.items() if not key.startswith("_")},
-                answers_file=self.answers_file,
-                vcs_ref=version,
-                defaults=True,
-                unsafe=True,
-                quiet=True,
-            )
+            data = {key: value for key, value in answers.items() if not key.startswith("_")}
+            is_kept = self.copy(source, target, data, self.answers_file, version)
             tree = read_folder(target)
             tree.pop(self.answers_file, None)
-            kept = {path for path in tree if worker.match_skip(Path(path))}
+            kept = {path for path in tree if is_kept(Path(path))}
         return Render(tree, kept.__contains__)
 
 

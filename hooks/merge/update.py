@@ -8,11 +8,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from copier.errors import CopierError
-
 from ..changes import changed_answers, changes, left
 from ..dictionary import Dictionary
-from ..faults import SpecError
+from ..faults import SpecError, UnrenderedError
 from . import git
 from .branches import Branches, Joined, Joiner, under_way, wrong_merge
 from .package import Result
@@ -76,7 +74,7 @@ class Update:
         mine = {path: file for path, file in files if path != self.answers_file}
         answers, dictionary = joiner.answers, joiner.dictionary
         branches = under_way(self.package, self.answers_file)
-        with contextlib.suppress(CopierError, OSError):  # a version that is no longer there
+        with contextlib.suppress(UnrenderedError, OSError):  # a version that is no longer there
             branches = branches or wrong_merge(joiner, mine)
         if branches and branches.ours:
             joiner.check(branches, given)
@@ -106,7 +104,8 @@ class Update:
         """Return the uses of what was renamed, or left."""
         still = [*uses(made.mine, made.old, made.new, found, made.renaming)]
         gone = left(answers.get("spec") or {}, joiner.answers["spec"], joiner.dictionary)
-        return still + [*uses_of_left(gone, made.old, made.new, found)]
+        holders = joiner.dictionary.holders
+        return still + [*uses_of_left(gone, made.old, made.new, found, holders)]
 
     def _insist(self, made: Versions, result: Result, found: Tree, proof: Proof) -> None:
         """Look once more, at what is on the disk now.

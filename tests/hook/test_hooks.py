@@ -12,7 +12,7 @@ from hooks.dictionary import load
 from hooks.faults import SpecError
 from hooks.model import Model
 from hooks.parse import parse
-from hooks.ros import DISTROS, translate_dependency
+from hooks.ros import DISTROS, is_lacking, translate_dependency
 from support.repository import EXAMPLES, ROOT
 
 FIGURE_4 = """
@@ -371,6 +371,13 @@ def test_fault_in_a_dictionary(tmp_path, text, message):
     (tmp_path / "dictionary.yaml").write_text(text)
     with pytest.raises(SpecError, match=re.escape(message)):
         load(tmp_path / "dictionary.yaml", tmp_path)
+
+
+def test_what_a_distribution_lacks():
+    assert is_lacking("humble", "post_set_parameters")
+    assert not is_lacking("rolling", "post_set_parameters")
+    with pytest.raises(ValueError, match='unknown feature "post_set"; allowed: best_available'):
+        is_lacking("rolling", "post_set")
 
 
 def test_fault_in_functions(tmp_path):

@@ -144,7 +144,8 @@ def test_uses_of_what_left(path):
     old = {"arm/reach_interface.py": File(b"self.out_t = 1\nself.k = 2\nself.my_k = 3\nhat = k\n")}
     new = {"arm/reach_interface.py": File(b"self.my_k = 3\nhat = k\n")}
     code = "data.out_t = config.k\nother.k = config.my_k + hat + k\nthis(data.out_t)\n"
-    said = [*uses_of_left([("reach", "k"), ("reach", "t")], old, new, {path: File(code.encode())})]
+    found, gone = {path: File(code.encode())}, [("reach", "k"), ("reach", "t")]
+    said = [*uses_of_left(gone, old, new, found, ["config", "data"])]
     left = [f"{path}:1: out_t", f"{path}:1: k", f"{path}:3: out_t"]
     left = left if "reach" in path else [left[0], left[2]]  # another node may have k still
     assert said == [f"{use}, which has left" for use in left]

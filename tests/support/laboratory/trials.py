@@ -137,7 +137,9 @@ class Laboratory:
         renaming = Renaming()
         if any(mark.before != mark.after for mark in marks):
             marked_render = tree_of(renderers[0].render(context, distros[0]))
-            renaming = plan(tree_of(old), marked_render, marks, [*old, *own])
+            renaming = plan(
+                tree_of(old), marked_render, marks, [*old, *own], known.dictionary.holders
+            )
         source = self.versions[version]
         dictionary = load(source / model / "dictionary.yaml", source)
         layout = moved_files(contexts[1], dictionary) if version != old_version else {}
