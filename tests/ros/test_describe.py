@@ -16,7 +16,9 @@ from support.ros import PEERS
 
 SCRIPT = ROOT / "scripts/describe_node.py"
 MODELS = ["python_model", "cpp_model"]
-STATIC = "static_transform_publisher --x 1 --frame-id map --child-frame-id base --ros-args"
+PREFIX = "from ament_index_python import get_package_prefix as find; print(find('tf2_ros'))"
+STATIC = f'$(python3 -c "{PREFIX}")/lib/tf2_ros/static_transform_publisher'
+STATIC += " --x 1 --frame-id map --child-frame-id base --ros-args"
 
 
 def describe(ros_, folder, *nodes):
@@ -111,7 +113,7 @@ def test_nodes_of_ros2(ros2, render, tmp_path, model):
     with contextlib.ExitStack() as stack:
         stack.enter_context(ros2.running(f"{ros2.python} {PEERS}/plain_ros2.py"))
         if has_rclcpp:
-            stack.enter_context(ros2.running(f"ros2 run tf2_ros {STATIC} -r __node:=fixed"))
+            stack.enter_context(ros2.running(f"{STATIC} -r __node:=fixed"))
             names.append("fixed")
         spec = describe(ros2, tmp_path, *names)
     kinds = {"parameter", "directPublisher", "directSubscriber", "serviceServer", "serviceClient"}
