@@ -41,6 +41,7 @@ _TEXTS = ("depend", "node")
 """The tags of `ros_package` whose lists are of texts."""
 _KEYS = ("nodl_version", "description", "codegen", "include", *_KINDS)
 _TOPICS = ("publishers", "subscriptions")
+_SERVICES = ("service_servers", "service_clients")
 _SAID = ("name", "type", "description")
 _POLICIES = ("history", "depth", "reliability", "durability")
 _REST_OF_QOS = ("deadline_ns", "lifespan_ns", "liveliness", "liveliness_lease_duration_ns")
@@ -177,7 +178,8 @@ def _said(list_: str, given: Values) -> Values:
     if list_ == "parameters":
         return _parameter(given)
     said = {name: given[name] for name in _SAID if name in given}
-    return {**said, "qos": _Line(_words(given))} if list_ in _TOPICS else said
+    is_told = list_ in _TOPICS or (list_ in _SERVICES and _is_qos(given))
+    return {**said, "qos": _Line(_words(given))} if is_told else said
 
 
 def _is_implied(list_: str, item: Values, is_own: bool) -> bool:
@@ -338,16 +340,17 @@ def _read(list_: str, item: Values, notes: list[str]) -> Values:
         return _read_parameter(item, notes)
     _mapping(item, item, (*_SAID, "qos") if not list_.startswith("action") else _SAID)
     read = {name: item[name] for name in _SAID if item.get(name, "") != ""}
-    if list_ not in _TOPICS:
-        _leave_out(item, ["qos"], notes)
-        return read
     qos = _mapping(item, item.get("qos", {}), (*_POLICIES, *_REST_OF_QOS))
     _leave_out(qos, _REST_OF_QOS, notes)
     default = _qos({})
     for name in _POLICIES:
         word = str(qos[name]).lower() if name in qos and name != "depth" else qos.get(name)
         has_meaning = name != "depth" or read.get("history") != "keep_all"
-        if word not in (None, default[name]) and has_meaning:
+        if word in (None, default[name]) or not has_meaning:
+            continue
+        if name == "durability" and list_ in _SERVICES:  # they keep nothing (decision 131)
+            _leave_out(qos, [name], notes)
+        else:
             read[name] = word
     return read
 

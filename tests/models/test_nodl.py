@@ -282,6 +282,12 @@ def test_faults(node, right, wrong, line, message):
         ("lt_eq: 2.5", "lt: 2.5", ["9: lt: 2.5"]),
         ("type: double", "type: byte_array", ['7: type: "byte_array"']),
         ("type: double", "type: double\n    read_only: true", ["8: read_only: true"]),
+        (
+            "parameters",
+            "service_servers:\n  - {name: a, type: std_srvs/srv/Empty, qos: {durability:"
+            " TRANSIENT_LOCAL}}\nparameters",
+            ['6: durability: "TRANSIENT_LOCAL"'],
+        ),
     ],
 )
 def test_left_out(node, right, wrong, notes):
