@@ -1204,6 +1204,43 @@ def test_message_is_new_once(stage):
     assert numbers(node) == [7]
 
 
+def test_subscribers_are_counted(stage):
+    """Those of an output and of a directPublisher, as they come and go."""
+    node = stage.active("update: listeners")
+    node.wait("update", "listeners")
+
+    def counts(*expected):
+        def seen():
+            return node.events("update", "listeners")[-1]["value"]
+
+        wait_for(lambda: seen() == [*expected], lambda: f"{seen()}, not {expected}")
+
+    counts(0, 0)
+    stage.hear("count", INT64)
+    counts(1, 0)
+    stage.hear("say")
+    counts(1, 1)
+    # rospy notices that a subscriber has gone when it publishes.
+    node.tell("update: listeners", "update: publish word")
+    stage.peer.deafen(topic=stage.name("say"))
+    counts(1, 0)
+    stage.peer.deafen(topic=stage.name("count"))
+    counts(0, 0)
+
+
+def test_log_once_and_seldom(stage):
+    node = stage.active("update: note")
+    begin = time.monotonic()
+    node.wait("update", "note", count=80)
+    node.tell()
+    cycles = len(node.events("update", "note"))
+    seconds = time.monotonic() - begin
+    assert node.stop() == 0
+    assert node.log().count("noted each time") >= cycles
+    assert node.log().count("noted once") == 1
+    assert 2 <= node.log().count("noted seldom") <= seconds + 2
+
+
 def test_loop_allocates_nothing(stage):
     """Neither to wait nor to take messages of fixed size; the middleware allocates to publish."""
     if stage.variant.is_python:

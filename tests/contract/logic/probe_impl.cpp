@@ -99,6 +99,16 @@ ProbeImpl::ProbeImpl(const ProbePassthrough & passthrough)
             }).detach();
           return std::string("null");
         }},
+      {"note", [this](const auto &) {
+          passthrough_.log.info("noted each time");
+          passthrough_.log.info_once("noted once");
+          passthrough_.log.warning_throttle(1.0, "noted seldom");
+          return std::string("null");
+        }},
+      {"listeners", [this](const auto &) {
+          const auto direct = std::to_string(passthrough_.pub_say->subscriber_count());
+          return "[" + std::to_string(listeners_) + ", " + direct + "]";
+        }},
       {"mute", [this](const auto &) {
           is_muted_ = true;
           return std::string("null");
@@ -191,6 +201,7 @@ void ProbeImpl::update(ProbeData & data, const ProbeConfig & config)
   const std::string number =
     data.in_number_updated ? std::to_string(data.in_number.data) : "null";
   const std::string map = data.in_map_updated ? json(data.in_map.data) : "null";
+  listeners_ = data.out_count_subscribers;
   behaviour_.run(
     "update",
     "{\"number\": " + number + ", \"map\": " + map + ", \"gain\": " + json(config.gain) +

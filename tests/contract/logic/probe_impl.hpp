@@ -1,6 +1,7 @@
 #ifndef CONTRACT__PROBE_IMPL_HPP_
 #define CONTRACT__PROBE_IMPL_HPP_
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -42,6 +43,7 @@ private:
   ProbePassthrough passthrough_;
   Behaviour behaviour_;
   int cycles_ = 0;
+  std::size_t listeners_ = 0;
   bool is_muted_ = false;
   std::uint64_t left_ = 0;
 };

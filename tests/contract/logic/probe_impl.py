@@ -14,6 +14,7 @@ class ProbeImpl:
         self.passthrough = passthrough
         self.delegate = passthrough.action_delegate
         self.cycles = 0
+        self.listeners = 0
         self.is_spoilt = False
         self.behaviour = Behaviour(
             "probe",
@@ -33,6 +34,11 @@ class ProbeImpl:
                 "spoil": self.spoil,
                 "fail": self.passthrough.fail,
                 "later": self.later,
+                "note": self.note,
+                "listeners": lambda: [
+                    self.listeners,
+                    self.passthrough.pub_say.subscriber_count(),
+                ],
             },
         )
         self.run = self.behaviour.run
@@ -43,6 +49,12 @@ class ProbeImpl:
 
     def keep(self, text):
         self.passthrough.pub_kept.publish(String(data=text))
+
+    def note(self):
+        """Log from the same lines each time."""
+        self.passthrough.log.info("noted each time")
+        self.passthrough.log.info_once("noted once")
+        self.passthrough.log.warning_throttle(1.0, "noted seldom")
 
     def call(self, seconds):
         answer = self.passthrough.client_ask.call(ClientAskRequest(), timeout=float(seconds))
@@ -105,6 +117,7 @@ class ProbeImpl:
     def update(self, data, config):
         self.cycles += 1
         data.out_count.data = self.cycles
+        self.listeners = data.out_count_subscribers
         seen = {
             "number": data.in_number.data if data.in_number_updated else None,
             "map": data.in_map.data if data.in_map_updated else None,

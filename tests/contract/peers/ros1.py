@@ -59,6 +59,9 @@ class Peer:
         subscriber = rospy.Subscriber(topic, load(kind), heard.take, queue_size=1000)
         self.subscribers[topic] = heard, subscriber
 
+    def deafen(self, topic):
+        self.subscribers[topic][1].unregister()
+
     def heard(self, topic):
         return self.subscribers[topic][0].messages
 

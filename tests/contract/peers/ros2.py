@@ -74,6 +74,9 @@ class Peer:
         )
         self.subscriptions[topic] = heard, subscription
 
+    def deafen(self, topic):
+        self.node.destroy_subscription(self.subscriptions[topic][1])
+
     def heard(self, topic):
         return self.subscriptions[topic][0].messages
 

@@ -213,7 +213,9 @@ private:
     data_.in_speed_updated = in_speed_.take(data_.in_speed);
     data_.in_counter_updated = in_counter_.take(data_.in_counter);
     data_.out_counter_active = true;
+    data_.out_counter_subscribers = out_counter_->get_subscription_count();
     data_.out_status_active = true;
+    data_.out_status_subscribers = out_status_->get_subscription_count();
     impl_->update(data_, *std::atomic_load(config_.get()));
     if (!calls_->is_open()) {
       return;  // It came too late: the node has stopped.

@@ -255,7 +255,9 @@ private:
     data_.in_speed_updated = in_speed_.take(data_.in_speed);
     data_.in_counter_updated = in_counter_.take(data_.in_counter);
     data_.out_counter_active = true;
+    data_.out_counter_subscribers = out_counter_.getNumSubscribers();
     data_.out_status_active = true;
+    data_.out_status_subscribers = out_status_.getNumSubscribers();
     const bool returned = supervisor_.step(
       "update", [this] {impl_->update(data_, *current_config()); return true;});
     if (!returned) {

@@ -18,6 +18,7 @@ from all_kinds.observer_interface import (
     ObserverData,
     ObserverPassthrough,
 )
+from all_kinds.ros.log import Log
 from all_kinds.ros.loop import Loop
 from all_kinds.ros.managed_node import ManagedNode
 from all_kinds.ros.process import run
@@ -64,7 +65,7 @@ class ObserverNode(ManagedNode):
         self._data = ObserverData()
         self._impl = ObserverImpl(
             ObserverPassthrough(
-                log=self.get_logger(),
+                log=Log(self.get_logger()),
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,

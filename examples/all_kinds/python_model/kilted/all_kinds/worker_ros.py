@@ -12,9 +12,11 @@ from __future__ import annotations
 from threading import Lock
 from typing import Any, Optional
 
+from all_kinds.ros.log import Log
 from all_kinds.ros.loop import Loop
 from all_kinds.ros.managed_node import ManagedNode
 from all_kinds.ros.process import run
+from all_kinds.ros.publisher import Publisher
 from all_kinds.ros.transforms import TransformBroadcaster, TransformListener
 from all_kinds.worker_impl import WorkerImpl
 from all_kinds.worker_interface import (
@@ -154,18 +156,22 @@ class WorkerNode(ManagedNode):
         )
         self._impl = WorkerImpl(
             WorkerPassthrough(
-                log=self.get_logger(),
+                log=Log(self.get_logger()),
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
                 fail=self.fail_because,
-                pub_echo=self._advertise(
-                    std_msgs.msg.String,
-                    'echo',
+                pub_echo=Publisher(
+                    self._advertise(
+                        std_msgs.msg.String,
+                        'echo',
+                    ),
                 ),
-                pub_empty=self._advertise(
-                    std_msgs.msg.Empty,
-                    '~/empty',
+                pub_empty=Publisher(
+                    self._advertise(
+                        std_msgs.msg.Empty,
+                        '~/empty',
+                    ),
                 ),
                 client_permit=self._service_client(
                     std_srvs.srv.Trigger,
@@ -224,7 +230,9 @@ class WorkerNode(ManagedNode):
         data.in_counter = received.get('counter', data.in_counter)
         data.in_counter_updated = 'counter' in received
         data.out_counter_active = True
+        data.out_counter_subscribers = self._out_counter.get_subscription_count()
         data.out_status_active = True
+        data.out_status_subscribers = self._out_status.get_subscription_count()
         self._impl.update(data, self._config)
         if data.out_counter_active:
             self._out_counter.publish(data.out_counter)

@@ -18,6 +18,7 @@ from all_kinds.observer_interface import (
     ObserverData,
     ObserverPassthrough,
 )
+from all_kinds.ros.log import Log
 from all_kinds.ros.loop import Loop
 from all_kinds.ros.managed_node import check_range, ManagedNode, read_parameter
 from all_kinds.ros.process import run
@@ -48,7 +49,7 @@ class ObserverNode(ManagedNode):
         """Create publishers and clients, then the logic."""
         self._impl = ObserverImpl(
             ObserverPassthrough(
-                log=self._log,
+                log=Log(self._log),
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,

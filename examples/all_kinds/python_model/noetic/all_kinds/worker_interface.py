@@ -81,6 +81,7 @@ class WorkerData:
 
     in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
     out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
+    out_<topic>_subscribers: how many subscribe to it.
     """
 
     def __init__(self) -> None:
@@ -94,16 +95,19 @@ class WorkerData:
         # Cycles since the start
         self.out_counter = OutCounter()
         self.out_counter_active = True
+        self.out_counter_subscribers = 0
         # What the worker does
         self.out_status = OutStatus()
         self.out_status_active = True
+        self.out_status_subscribers = 0
 
 
 @dataclass
 class WorkerPassthrough:
     """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
 
-    # The node's logger: log.debug(text), log.info, log.warning, log.error.
+    # The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
+    # log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
     log: Log
 
     # Returns the ROS time in seconds.

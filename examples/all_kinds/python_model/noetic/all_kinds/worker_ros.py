@@ -14,9 +14,11 @@ from threading import Lock
 from typing import Any, Dict
 
 from all_kinds.cfg import WorkerConfig as WorkerReconfigure
+from all_kinds.ros.log import Log
 from all_kinds.ros.loop import Loop
 from all_kinds.ros.managed_node import check_range, ManagedNode, read_list, read_parameter
 from all_kinds.ros.process import run
+from all_kinds.ros.publisher import Publisher
 from all_kinds.ros.service_client import ServiceClient
 from all_kinds.ros.service_server import ServiceServer
 from all_kinds.ros.transforms import TransformBroadcaster, TransformListener
@@ -73,20 +75,24 @@ class WorkerNode(ManagedNode):
         )
         self._impl = WorkerImpl(
             WorkerPassthrough(
-                log=self._log,
+                log=Log(self._log),
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
                 fail=self.fail_because,
-                pub_echo=rospy.Publisher(
-                    'echo',
-                    std_msgs.msg.String,
-                    queue_size=10,
+                pub_echo=Publisher(
+                    rospy.Publisher(
+                        'echo',
+                        std_msgs.msg.String,
+                        queue_size=10,
+                    ),
                 ),
-                pub_empty=rospy.Publisher(
-                    '~empty',
-                    std_msgs.msg.Empty,
-                    queue_size=10,
+                pub_empty=Publisher(
+                    rospy.Publisher(
+                        '~empty',
+                        std_msgs.msg.Empty,
+                        queue_size=10,
+                    ),
                 ),
                 client_permit=self._client(
                     'service permit',
@@ -160,7 +166,9 @@ class WorkerNode(ManagedNode):
         data.in_counter = received.get('counter', data.in_counter)
         data.in_counter_updated = 'counter' in received
         data.out_counter_active = True
+        data.out_counter_subscribers = self._out_counter.get_num_connections()
         data.out_status_active = True
+        data.out_status_subscribers = self._out_status.get_num_connections()
         self._impl.update(data, self._config)
         if data.out_counter_active:
             self._out_counter.publish(data.out_counter)

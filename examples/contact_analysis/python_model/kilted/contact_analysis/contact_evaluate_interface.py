@@ -63,6 +63,7 @@ class ContactEvaluateData:
 
     in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
     out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
+    out_<topic>_subscribers: how many subscribe to it.
     """
 
     def __init__(self) -> None:
@@ -76,7 +77,8 @@ class ContactEvaluateData:
 class ContactEvaluatePassthrough:
     """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
 
-    # The node's logger: log.debug(text), log.info, log.warning, log.error.
+    # The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
+    # log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
     log: Log
 
     # Returns the ROS time in seconds.

@@ -18,9 +18,11 @@ from contact_analysis.contact_evaluate_interface import (
     ContactEvaluateData,
     ContactEvaluatePassthrough,
 )
+from contact_analysis.ros.log import Log
 from contact_analysis.ros.loop import Loop
 from contact_analysis.ros.managed_node import ManagedNode
 from contact_analysis.ros.process import run
+from contact_analysis.ros.publisher import Publisher
 import contact_msgs.action
 import contact_msgs.msg
 import contact_msgs.srv
@@ -89,14 +91,16 @@ class ContactEvaluateNode(ManagedNode):
         self._data = ContactEvaluateData()
         self._impl = ContactEvaluateImpl(
             ContactEvaluatePassthrough(
-                log=self.get_logger(),
+                log=Log(self.get_logger()),
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
                 fail=self.fail_because,
-                pub_plot_learn_cop=self._advertise(
-                    contact_msgs.msg.PointArray,
-                    'plot_learn_cop',
+                pub_plot_learn_cop=Publisher(
+                    self._advertise(
+                        contact_msgs.msg.PointArray,
+                        'plot_learn_cop',
+                    ),
                 ),
             ),
         )

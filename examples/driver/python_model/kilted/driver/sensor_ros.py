@@ -11,8 +11,10 @@ from __future__ import annotations
 
 from typing import Any, Optional
 
+from driver.ros.log import Log
 from driver.ros.managed_node import ManagedNode
 from driver.ros.process import run
+from driver.ros.publisher import Publisher
 from driver.sensor_impl import SensorImpl
 from driver.sensor_interface import (
     SensorConfig,
@@ -80,16 +82,18 @@ class SensorNode(ManagedNode):
         """Create publishers and clients, then the logic."""
         self._impl = SensorImpl(
             SensorPassthrough(
-                log=self.get_logger(),
+                log=Log(self.get_logger()),
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
                 fail=self.fail_because,
                 node=self,
-                pub_reading=self._advertise(
-                    std_msgs.msg.Float64,
-                    'reading',
-                    QoSProfile(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5),
+                pub_reading=Publisher(
+                    self._advertise(
+                        std_msgs.msg.Float64,
+                        'reading',
+                        QoSProfile(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5),
+                    ),
                 ),
             ),
         )

@@ -18,6 +18,7 @@ from driving.planner_interface import (
     PlannerData,
     PlannerPassthrough,
 )
+from driving.ros.log import Log
 from driving.ros.loop import Loop
 from driving.ros.managed_node import ManagedNode
 from driving.ros.process import run
@@ -68,7 +69,7 @@ class PlannerNode(ManagedNode):
         )
         self._impl = PlannerImpl(
             PlannerPassthrough(
-                log=self.get_logger(),
+                log=Log(self.get_logger()),
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
@@ -93,6 +94,7 @@ class PlannerNode(ManagedNode):
         data.in_speed = received.get('speed', data.in_speed)
         data.in_speed_updated = 'speed' in received
         data.out_target_speed_active = True
+        data.out_target_speed_subscribers = self._out_target_speed.get_subscription_count()
         self._impl.update(data, self._config)
         if data.out_target_speed_active:
             self._out_target_speed.publish(data.out_target_speed)

@@ -102,6 +102,7 @@ private:
   {
     data_.in_target_speed_updated = in_target_speed_.take(data_.in_target_speed);
     data_.out_speed_active = true;
+    data_.out_speed_subscribers = out_speed_->get_subscription_count();
     impl_->update(data_, *std::atomic_load(config_.get()));
     if (!calls_->is_open()) {
       return;  // It came too late: the node has stopped.

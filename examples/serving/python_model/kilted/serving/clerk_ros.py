@@ -17,6 +17,7 @@ from serving.clerk_interface import (
     ClerkConfig,
     ClerkPassthrough,
 )
+from serving.ros.log import Log
 from serving.ros.managed_node import ManagedNode
 from serving.ros.process import run
 import std_srvs.srv
@@ -71,7 +72,7 @@ class ClerkNode(ManagedNode):
         """Create publishers and clients, then the logic."""
         self._impl = ClerkImpl(
             ClerkPassthrough(
-                log=self.get_logger(),
+                log=Log(self.get_logger()),
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,

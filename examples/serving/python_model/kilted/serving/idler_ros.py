@@ -16,6 +16,7 @@ from serving.idler_interface import (
     IdlerConfig,
     IdlerPassthrough,
 )
+from serving.ros.log import Log
 from serving.ros.managed_node import ManagedNode
 from serving.ros.process import run
 
@@ -35,7 +36,7 @@ class IdlerNode(ManagedNode):
         """Create publishers and clients, then the logic."""
         self._impl = IdlerImpl(
             IdlerPassthrough(
-                log=self.get_logger(),
+                log=Log(self.get_logger()),
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,

@@ -4,6 +4,7 @@
 #ifndef ROS__ROS_PUBLISHER_HPP_
 #define ROS__ROS_PUBLISHER_HPP_
 
+#include <cstddef>
 #include <memory>
 #include <utility>
 
@@ -25,6 +26,8 @@ public:
   }
 
   void publish(const Message & message) override {publisher_->publish(message);}
+
+  std::size_t subscriber_count() override {return publisher_->get_subscription_count();}
 
 private:
   std::shared_ptr<rclcpp::Publisher<Message>> publisher_;

@@ -37,6 +37,7 @@ struct ObserverConfig
 ///
 /// in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
 /// out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
+/// out_<topic>_subscribers: how many subscribe to it.
 struct ObserverData
 {
   /// What the worker does
@@ -47,8 +48,8 @@ struct ObserverData
 /// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
 struct ObserverPassthrough
 {
-  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write at most every
-  /// two seconds: log.info_throttle(2.0, text).
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
+  /// log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
   Logger log;
 
   /// Returns the ROS time; it converts to a message's stamp and back.

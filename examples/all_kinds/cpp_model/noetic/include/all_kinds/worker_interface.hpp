@@ -7,6 +7,7 @@
 #ifndef ALL_KINDS__WORKER_INTERFACE_HPP_
 #define ALL_KINDS__WORKER_INTERFACE_HPP_
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -91,6 +92,7 @@ struct WorkerConfig
 ///
 /// in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
 /// out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
+/// out_<topic>_subscribers: how many subscribe to it.
 struct WorkerData
 {
   /// Wanted speed
@@ -104,17 +106,19 @@ struct WorkerData
   /// Cycles since the start
   worker_types::OutCounter out_counter;
   bool out_counter_active = true;
+  std::size_t out_counter_subscribers = 0;
 
   /// What the worker does
   worker_types::OutStatus out_status;
   bool out_status_active = true;
+  std::size_t out_status_subscribers = 0;
 };
 
 /// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
 struct WorkerPassthrough
 {
-  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write at most every
-  /// two seconds: log.info_throttle(2.0, text).
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
+  /// log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
   Logger log;
 
   /// Returns the ROS time; it converts to a message's stamp and back.

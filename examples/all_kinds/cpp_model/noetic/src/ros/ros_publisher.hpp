@@ -4,6 +4,8 @@
 #ifndef ROS__ROS_PUBLISHER_HPP_
 #define ROS__ROS_PUBLISHER_HPP_
 
+#include <cstddef>
+
 #include "ros/publisher.h"
 
 #include "all_kinds/ros/publisher.hpp"
@@ -22,6 +24,8 @@ public:
   }
 
   void publish(const Message & message) override {publisher_.publish(message);}
+
+  std::size_t subscriber_count() override {return publisher_.getNumSubscribers();}
 
 private:
   ros::Publisher publisher_;

@@ -6,6 +6,7 @@
 #ifndef SUPPORT__FAKES_HPP_
 #define SUPPORT__FAKES_HPP_
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,13 +24,15 @@
 namespace all_kinds
 {
 
-/// Records messages.
+/// Records messages; the test sets how many `subscribers` there are.
 template<typename Message>
 class FakePublisher : public Publisher<Message>
 {
 public:
   void publish(const Message & message) override {published.push_back(message);}
+  std::size_t subscriber_count() override {return subscribers;}
 
+  std::size_t subscribers = 0;
   std::vector<Message> published;
 };
 

@@ -134,6 +134,11 @@ class NodeTests:
                 return eventually(lambda: message in got, 0.5 if number == 1 else TIMEOUT)
 
             self.assertTrue(eventually(lambda: publish(1)), topic)
+            count = 'subscribers_' + member
+            self.assertTrue(
+                eventually(lambda: self.node.order(method, count) or any(self.node.got(count))),
+                topic,
+            )
             for number in (2, 3):
                 self.assertTrue(publish(number), topic)
                 self.cycles(more=2)

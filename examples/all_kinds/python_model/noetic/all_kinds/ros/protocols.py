@@ -43,19 +43,43 @@ Result = TypeVar('Result')
 
 
 class Log(Protocol):
-    """Writes to the ROS log."""
+    """Writes to the ROS log; each line of code counts by itself."""
 
     def debug(self, text: str, /) -> object:
         """Write a debug message."""
 
+    def debug_once(self, text: str, /) -> object:
+        """Write a debug message, once."""
+
+    def debug_throttle(self, seconds: float, text: str, /) -> object:
+        """Write a debug message, at most once in that many seconds of wall time."""
+
     def info(self, text: str, /) -> object:
         """Write a message."""
+
+    def info_once(self, text: str, /) -> object:
+        """Write a message, once."""
+
+    def info_throttle(self, seconds: float, text: str, /) -> object:
+        """Write a message, at most once in that many seconds of wall time."""
 
     def warning(self, text: str, /) -> object:
         """Write a warning."""
 
+    def warning_once(self, text: str, /) -> object:
+        """Write a warning, once."""
+
+    def warning_throttle(self, seconds: float, text: str, /) -> object:
+        """Write a warning, at most once in that many seconds of wall time."""
+
     def error(self, text: str, /) -> object:
         """Write an error."""
+
+    def error_once(self, text: str, /) -> object:
+        """Write an error, once."""
+
+    def error_throttle(self, seconds: float, text: str, /) -> object:
+        """Write an error, at most once in that many seconds of wall time."""
 
 
 class Publisher(Protocol[Message]):
@@ -63,6 +87,9 @@ class Publisher(Protocol[Message]):
 
     def publish(self, message: Message, /) -> object:
         """Publish a message."""
+
+    def subscriber_count(self) -> int:
+        """Return how many subscribe to the topic."""
 
 
 class ServiceClient(Protocol[Request, Response]):

@@ -19,6 +19,7 @@ Tests of the logic without ROS: fakes that record, and a clock that the test set
 from copy import deepcopy
 from typing import get_args, get_origin, get_type_hints
 
+from all_kinds.ros.log import Log
 import all_kinds.ros.protocols as protocols
 
 
@@ -48,13 +49,12 @@ class Clock:
         return not self.stopped
 
 
-class FakeLog:
+class FakeLog(Log):
     """Records lines of the log: pairs of a level and a text."""
-
-    __slots__ = ('lines',)
 
     def __init__(self):
         """Start without lines."""
+        super().__init__(self)
         self.lines = []
 
     def debug(self, text):
@@ -75,17 +75,22 @@ class FakeLog:
 
 
 class FakePublisher:
-    """Records messages."""
+    """Records messages; the test sets how many `subscribers` there are."""
 
-    __slots__ = ('published',)
+    __slots__ = ('published', 'subscribers')
 
     def __init__(self):
-        """Start without messages."""
+        """Start without messages and subscribers."""
         self.published = []
+        self.subscribers = 0
 
     def publish(self, message):
         """Record a message as it is now."""
         self.published.append(deepcopy(message))
+
+    def subscriber_count(self):
+        """Return how many subscribers the test has set."""
+        return self.subscribers
 
 
 class FakeServiceClient:

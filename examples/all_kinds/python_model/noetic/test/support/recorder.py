@@ -118,7 +118,7 @@ class _Recorder:
             member, _, kind = name.rpartition('_')
             if kind == 'updated' and value is True:
                 report(member, encode(getattr(data, member)))
-            if kind == 'active' and member not in ' '.join(steps) and isinstance(value, bool):
+            if kind == 'active' and f'{member}=' not in ' '.join(steps) and value is True:
                 setattr(data, name, False)
         self._do(steps, data)
 
@@ -163,6 +163,12 @@ class _Recorder:
 
     def _do_cycles(self, *_):
         return self._cycles
+
+    def _do_subscribers(self, name, _, data):
+        member = name.partition('_')[2]
+        if data:
+            return getattr(data, member + '_subscribers')
+        return getattr(self.passthrough, member).subscriber_count()
 
     def _do_out(self, name, message, data):
         setattr(data, name, decode(message, type(getattr(data, name))))

@@ -7,6 +7,7 @@
 #ifndef DRIVING__CONTROLLER_INTERFACE_HPP_
 #define DRIVING__CONTROLLER_INTERFACE_HPP_
 
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -39,6 +40,7 @@ struct ControllerConfig
 ///
 /// in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
 /// out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
+/// out_<topic>_subscribers: how many subscribe to it.
 struct ControllerData
 {
   /// Speed planned, m/s
@@ -48,13 +50,14 @@ struct ControllerData
   /// Speed commanded, m/s
   controller_types::OutSpeed out_speed;
   bool out_speed_active = true;
+  std::size_t out_speed_subscribers = 0;
 };
 
 /// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
 struct ControllerPassthrough
 {
-  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write at most every
-  /// two seconds: log.info_throttle(2.0, text).
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
+  /// log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
   Logger log;
 
   /// Returns the ROS time; it converts to a message's stamp and back.

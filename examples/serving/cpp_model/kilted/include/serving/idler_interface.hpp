@@ -24,8 +24,8 @@ struct IdlerConfig
 /// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
 struct IdlerPassthrough
 {
-  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write at most every
-  /// two seconds: log.info_throttle(2.0, text).
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
+  /// log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
   Logger log;
 
   /// Returns the ROS time; it converts to a message's stamp and back.

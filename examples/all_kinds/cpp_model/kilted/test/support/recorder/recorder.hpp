@@ -270,6 +270,19 @@ Step sets(Message & message)
          };
 }
 
+/// The step that tells how many subscribe.
+inline Step counts(std::size_t subscribers)
+{
+  return [subscribers](const std::string &) {return to_json(subscribers);};
+}
+
+/// The step that asks how many subscribe.
+template<typename Message>
+Step counts(const std::shared_ptr<Publisher<Message>> & publisher)
+{
+  return [publisher](const std::string &) {return to_json(publisher->subscriber_count());};
+}
+
 /// The step that publishes a message.
 template<typename Message>
 Step publishes(const std::shared_ptr<Publisher<Message>> & publisher)

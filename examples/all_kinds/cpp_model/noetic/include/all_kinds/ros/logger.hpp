@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -53,6 +54,27 @@ public:
   void warning(Text text, Place place = Place::here()) const {write(Level::warning, text, place);}
   void error(Text text, Place place = Place::here()) const {write(Level::error, text, place);}
 
+  /// Write once; every line of code counts by itself.
+  void debug_once(Text text, Place place = Place::here()) const
+  {
+    write(Level::debug, text, place, FOR_EVER);
+  }
+
+  void info_once(Text text, Place place = Place::here()) const
+  {
+    write(Level::info, text, place, FOR_EVER);
+  }
+
+  void warning_once(Text text, Place place = Place::here()) const
+  {
+    write(Level::warning, text, place, FOR_EVER);
+  }
+
+  void error_once(Text text, Place place = Place::here()) const
+  {
+    write(Level::error, text, place, FOR_EVER);
+  }
+
   /// Write at most once in that many seconds of wall time; every line of code counts by itself.
   void debug_throttle(double seconds, Text text, Place place = Place::here()) const
   {
@@ -75,6 +97,8 @@ public:
   }
 
 private:
+  static constexpr double FOR_EVER = std::numeric_limits<double>::infinity();
+
   /// When each line of code has written last.
   struct Throttle
   {

@@ -4,6 +4,8 @@
 #ifndef ALL_KINDS__ROS__PUBLISHER_HPP_
 #define ALL_KINDS__ROS__PUBLISHER_HPP_
 
+#include <cstddef>
+
 namespace all_kinds
 {
 
@@ -16,6 +18,9 @@ public:
 
   /// Publish a message.
   virtual void publish(const Message & /* message */) {}
+
+  /// Return how many subscribe to the topic.
+  virtual std::size_t subscriber_count() {return 0;}
 };
 
 }  // namespace all_kinds

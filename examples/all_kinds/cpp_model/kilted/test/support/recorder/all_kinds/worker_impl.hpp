@@ -40,7 +40,9 @@ public:
           return cycles_;
         }},
       {"pub_echo", publishes(passthrough.pub_echo)},
+      {"subscribers_pub_echo", counts(passthrough.pub_echo)},
       {"pub_empty", publishes(passthrough.pub_empty)},
+      {"subscribers_pub_empty", counts(passthrough.pub_empty)},
       {"client_permit", calls(passthrough.client_permit)},
       {"action_delegate", sends(passthrough.action_delegate)},
       {"state_action_delegate", tells(passthrough.action_delegate)},
@@ -88,7 +90,9 @@ public:
     recorder_.run(
       words, {
         {"out_counter", sets(data.out_counter)},
+        {"subscribers_out_counter", counts(data.out_counter_subscribers)},
         {"out_status", sets(data.out_status)},
+        {"subscribers_out_status", counts(data.out_status_subscribers)},
       });
   }
 
