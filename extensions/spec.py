@@ -11,6 +11,7 @@ import functools
 import hashlib
 import importlib.util
 import os
+import re
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -78,7 +79,9 @@ class SpecExtension(Extension):
     # after the call itself (decision 22).
 
     def _begin(self, run: Run) -> bool:
-        self.steps.begin(run)
+        if not _is_render(run.package.folder):
+            self.hooks.run.updating[:] = [run.package.folder]
+            self.steps.begin(run)
         return False
 
     def _finish(self, run: Run, spec: Mapping[str, Any]) -> bool:
@@ -104,7 +107,10 @@ class SpecExtension(Extension):
 
     def _run(self, context: Context) -> Run:
         conf = context["_copier_conf"]
-        package = self.hooks.package.Package(Path(conf["dst_path"]), str(conf["answers_file"]))
+        folder = Path(conf["dst_path"]).absolute()
+        if _is_render(folder) and "spec" not in conf["data"] and self.hooks.run.updating:
+            folder = self.hooks.run.updating[0]
+        package = self.hooks.package.Package(folder, str(conf["answers_file"]))
         run: Run = self.hooks.run.Run(
             template=self.root,
             package=package,
@@ -198,6 +204,15 @@ def _check_copier(version: str) -> None:
             f' is tested with; install that, as by pipx install --force "copier=={newest}.*",'
             " or set UNTESTED_COPIER=1 to try"
         )
+
+
+def _is_render(folder: Path) -> bool:
+    """Say whether a folder is one of the temporary ones in which Copier renders in an update.
+
+    Its next one asks there, too, after the first stage of migrations (copier-org/copier#2376,
+    decision 139).
+    """
+    return any(re.match(r"copier\._main\.(old|new)_copy\.", part) for part in folder.parts)
 
 
 def _can_ask() -> bool:

@@ -9,6 +9,9 @@ from typing import Any
 
 from .package import Package
 
+updating: list[Path] = []
+"""The package whose update has begun, at most one (decision 139)."""
+
 
 @dataclass(frozen=True)
 class Run:

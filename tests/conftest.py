@@ -1,6 +1,5 @@
 """The fixtures of all tests: the collection, rendering, updating, and ROS."""
 
-import fcntl
 import functools
 import os
 import re
@@ -20,6 +19,11 @@ from support.model_checks import template
 from support.packages import DATA
 from support.processes import Scheduling
 from support.repository import EXAMPLES, GIT, commit, copy_collection, git, publish
+
+try:
+    import fcntl
+except ImportError:  # Windows, where the tests run in one process
+    fcntl = None
 
 settings.register_profile("any machine", deadline=None)
 settings.load_profile("any machine")
@@ -96,7 +100,8 @@ def once(tmp_path_factory):
     def get(name, make):
         folder, made = run / name, run / f"{name}.made"
         with (run / f"{name}.lock").open("w") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)
+            if fcntl:
+                fcntl.flock(lock, fcntl.LOCK_EX)
             if not made.exists():
                 shutil.rmtree(folder, ignore_errors=True)  # another process has failed to
                 folder.mkdir()

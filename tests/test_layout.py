@@ -160,3 +160,16 @@ def test_packages_cite_no_decisions():
     assert templates
     for file in templates:
         assert not cited(re.sub(r"\{#.*?#\}", "", file.read_text(), flags=re.DOTALL)), file
+
+
+def test_pythons_and_copiers_of_the_workflow():
+    """The oldest and the newest Copier that a package may be made with."""
+    workflow = yaml.safe_load((ROOT / ".github/workflows/test.yml").read_text())
+    project = (ROOT / "pyproject.toml").read_text()
+    matrix = workflow["jobs"]["without-ros"]["strategy"]["matrix"]
+    oldest = re.search(r'requires-python = ">=([\d.]+)"', project)[1]
+    assert matrix["python"][0] == oldest
+    low, high = re.search(r'"copier>=([\d.]+),<([\d.]+)"', project).groups()
+    newest = high.rpartition(".")[0] + f".{int(high.rpartition('.')[2]) - 1}"
+    assert matrix["copier"] == [f"{low}.0", f"{newest}.*"]
+    assert workflow["jobs"]["other-systems"]["strategy"]["matrix"]["os"]

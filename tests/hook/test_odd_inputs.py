@@ -2,7 +2,6 @@
 
 import codecs
 import os
-import resource
 import subprocess
 import sys
 
@@ -14,6 +13,7 @@ from hooks.model import Model
 from hooks.package import Package
 from support.repository import ROOT, commit, git
 
+resource = pytest.importorskip("resource", reason="Windows: no limits of processes, no FIFOs")
 MODEL = Model(ROOT / "python_model", ROOT)
 ABOUT = 'author="A" author_email="a@example.org" description="d" license="MIT"'
 SPEC = f'<package name="arm" {ABOUT}>\n<node name="n" frequency="1">\n%s\n</node>\n</package>'

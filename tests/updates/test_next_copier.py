@@ -1,0 +1,40 @@
+"""What copier-org/copier#2376 does in another way, as the bridge is told of it."""
+
+import pytest
+from jinja2 import Environment, FileSystemLoader
+
+from extensions.spec import SpecExtension
+from hooks.run import updating
+from support.arm import SPEC
+from support.repository import ROOT, commit
+
+
+@pytest.fixture
+def bridge():
+    """Return how to call a function of the bridge as one of Copier's renders does."""
+
+    def call(name, folder, *arguments, data=None):
+        environment = Environment(loader=FileSystemLoader(ROOT), extensions=[SpecExtension])
+        conf = {"dst_path": folder, "answers_file": ".copier-answers.yml", "data": data or {}}
+        context = {"_copier_conf": conf, "_copier_answers": {}}
+        context |= {"model": "python_model", "ros_distro": "kilted"}
+        return environment.globals[name](context, *arguments)
+
+    yield call
+    updating.clear()
+
+
+def test_questions_are_asked_in_a_temporary_folder(bridge, arm, tmp_path, monkeypatch):
+    """After the first stage of migrations, which this Copier runs there, too."""
+    (arm / "arm.ros_package").write_text(SPEC.replace('name="stop"', 'name="halt"'))
+    commit(arm, "Change the spec")
+    old, new = (tmp_path / f"copier._main.{each}_copy.x1" for each in ("old", "new"))
+    for folder in (old, new):
+        folder.mkdir()
+    steps = SpecExtension(Environment(loader=FileSystemLoader(ROOT))).hooks.steps.Steps
+    monkeypatch.setattr(steps, "check", lambda *_: None)
+    bridge("begin_update", arm)
+    bridge("begin_update", old)
+    assert bridge("has_spec", new)
+    assert "halt" in str(bridge("read_spec", new, "")["nodes"])
+    assert not bridge("has_spec", old, data={"spec": {}})
