@@ -1945,43 +1945,140 @@ def _sent(stage, node, number, qos):
 # Diagnostics
 
 
-def test_diagnostics(stage):
-    """State, rate and missed cycles, once a second, where the spec asks for them."""
+def statuses(stage, name):
+    """Return level and message of each status of a node so far."""
+    return [(each["level"], each["message"]) for each in all_statuses(stage, name)]
+
+
+def all_statuses(stage, name):
+    heard = stage.peer.heard(topic="/diagnostics")
+    found = [status for _, message in heard for status in message["status"]]
+    return [each for each in found if each["name"] == stage.name(name)]
+
+
+def reporting(stage, *told):
+    """Start a node with diagnostics; return it when it has reported."""
     stage.peer.hear(topic="/diagnostics", kind="diagnostic_msgs/msg/DiagnosticArray")
-    stage.start("gauge")
+    node = stage.start("gauge", *told)
+    wait_for(lambda: statuses(stage, "gauge"), node.story)
+    return node
+
+
+def wait_for_status(stage, is_wanted):
+    """Return the values of the next status of the gauge that is as wanted."""
+    begin = len(all_statuses(stage, "gauge"))
 
     def found():
-        for _, message in stage.peer.heard(topic="/diagnostics"):
-            for status in message["status"]:
-                values = {item["key"]: item["value"] for item in status["values"]}
-                is_active = (status["name"], status["message"]) == (stage.name("gauge"), "active")
-                if is_active and 8.0 < float(values["rate (Hz)"]) < 12.0:
-                    return values
+        for status in all_statuses(stage, "gauge")[begin:]:
+            values = {item["key"]: item["value"] for item in status["values"]}
+            if is_wanted(status["level"], status["message"], status["hardware_id"], values):
+                return values
         return None
 
-    values = wait_for(found, lambda: stage.peer.heard(topic="/diagnostics"))
-    assert values.keys() == {"state", "rate (Hz)", "missed cycles"}
+    return wait_for(found, lambda: all_statuses(stage, "gauge")[begin:])
+
+
+def test_diagnostics(stage):
+    """State, rate, late and missed cycles, once a second, where the spec asks for them."""
+    reporting(stage)
+    values = wait_for_status(
+        stage,
+        lambda level, message, hardware, values: (
+            (level, message, hardware) == (0, "active", "none")
+            and 8.0 < float(values["rate (Hz)"]) < 12.0
+        ),
+    )
+    assert values.keys() == {"state", "rate (Hz)", "late cycles", "missed cycles"}
     assert values["state"] == "active"
 
 
-def statuses(stage, name):
-    """Return level and message of each status of a node so far."""
-    heard = stage.peer.heard(topic="/diagnostics")
-    found = [status for _, message in heard for status in message["status"]]
-    return [(each["level"], each["message"]) for each in found if each["name"] == stage.name(name)]
+LEVELS = {"ok": 0, "warning": 1, "error": 2}
+
+
+def test_diagnostics_of_the_logic(stage):
+    """Its values, level and hardware id are there until it says others."""
+    node = reporting(stage)
+    for number, (word, level) in enumerate(LEVELS.items()):
+        node.tell(f"update: diagnose {word} said{number} {number}")
+        values = wait_for_status(
+            stage,
+            lambda *status, wanted=(level, f"said{number}"): (
+                status[0] == wanted[0] and wanted[1] in status[1] and status[2] == wanted[1]
+            ),
+        )
+        assert (values["number"], values["is_said"]) == (str(number), "True")
+    node.tell("update: diagnose ok well 7")
+    wait_for_status(stage, lambda level, message, *_: (level, message) == (0, "active; well"))
+
+
+def test_diagnostics_of_a_new_logic(stage):
+    """What a logic has said goes with it."""
+    only_ros2(stage)
+    reporting(stage, "activate: diagnose error lost 7")
+    wait_for_status(stage, lambda level, message, *_: (level, message) == (2, "lost"))
+
+    def is_empty(level, _, hardware, values):
+        return (level, hardware) == (0, "none") and "number" not in values
+
+    stage.transition("deactivate", "cleanup", node="gauge")
+    wait_for_status(stage, lambda *status: is_empty(*status) and status[1] == "unconfigured")
+    stage.transition("configure", node="gauge")
+    wait_for_status(stage, lambda *status: is_empty(*status) and status[1] == "inactive")
+
+
+@pytest.mark.parametrize("transition", ["configure", "activate"])
+def test_diagnostics_of_a_refusal(stage, transition):
+    """A node whose logic refuses says so as an error, until it is asked again."""
+    stage.peer.hear(topic="/diagnostics", kind="diagnostic_msgs/msg/DiagnosticArray")
+    refused = f"The logic refused to {transition}."
+    if not stage.variant.is_ros2:
+        node = stage.start("gauge", f"{transition}: refuse", f"{transition}: block 3")
+        wait_for(lambda: statuses(stage, "gauge"), node.story)
+        assert node.exit(SOON) == 1, node.story()
+        last = lambda: statuses(stage, "gauge")[-1]  # noqa: E731
+        wait_for(lambda: last() == (2, refused), lambda: statuses(stage, "gauge"))
+        node.expect("[ERROR]", "[FATAL]")
+        return
+    node = stage.start("gauge", f"once {transition}: refuse", autostart=False)
+    assert not stage.transition("configure", "activate", node="gauge")
+    wait_for_status(stage, lambda level, message, *_: (level, message) == (2, refused))
+    rest = ["activate"] if transition == "activate" else ["configure", "activate"]
+    assert stage.transition(*rest, node="gauge")
+    wait_for_status(stage, lambda level, *_: level == 0)
+    node.expect("[ERROR]")
+
+
+@pytest.mark.parametrize("periods", [1.6, 5.0])
+def test_diagnostics_of_late_cycles(stage, periods):
+    """Cycles that take too long are counted, and make the status a warning, for a while."""
+    node = reporting(stage)
+    wait_for_status(stage, lambda level, *_: level == 0)
+    node.tell(f"once update: block {periods / 10}")
+    values = wait_for_status(stage, lambda level, text, *_: (level, text) == (1, "late cycles"))
+    assert int(values["late cycles"]) > 0
+    assert (int(values["missed cycles"]) > 0) or periods < 2.0
+    after = wait_for_status(stage, lambda level, *_: level == 1)
+    if after["late cycles"] == values["late cycles"]:  # else the machine is busy
+        wait_for_status(stage, lambda level, *_: level == 1)
+    wait_for_status(stage, lambda level, text, *_: (level, text) == (0, "active"))
+    node.tell("update: diagnose warning tired 1", "update: block 0.16")
+    wait_for_status(stage, lambda level, text, *_: (level, text) == (1, "late cycles; tired"))
+    node.tell("update: diagnose error lost 1", "update: block 0.16")
+    wait_for_status(stage, lambda level, text, *_: (level, text) == (2, "lost"))
 
 
 @pytest.mark.parametrize("how", ["throw", "fail lost"])
-def test_diagnostics_of_a_failure(stage, how):
-    """A node whose logic has failed says why, and never OK after it."""
-    stage.peer.hear(topic="/diagnostics", kind="diagnostic_msgs/msg/DiagnosticArray")
-    node = stage.start("gauge")
-    wait_for(lambda: statuses(stage, "gauge"), node.story)
-    node.tell(f"update: {how}")
+@pytest.mark.parametrize("word", LEVELS)
+def test_diagnostics_of_a_failure(stage, how, word):
+    """A node whose logic has failed says why, and never OK after it, whatever the logic says."""
+    node = reporting(stage)
+    node.tell(
+        f"update: diagnose {word} said 7", f"update: {how}", f"cleanup: diagnose {word} said 8"
+    )
     assert node.exit(SOON) == 1, node.story()
-    word = how.replace("throw", "thrown on purpose").split()[-1]
+    text = how.replace("throw", "thrown on purpose").split()[-1]
     last = lambda: statuses(stage, "gauge")[-1]  # noqa: E731
-    wait_for(lambda: last()[0] == 2 and word in last()[1], lambda: statuses(stage, "gauge"))
+    wait_for(lambda: last()[0] == 2 and text in last()[1], lambda: statuses(stage, "gauge"))
     is_ok = [level < 2 for level, _ in statuses(stage, "gauge")]
     assert is_ok == sorted(is_ok, reverse=True), statuses(stage, "gauge")
     node.expect("Traceback", "[ERROR]", "Exception")

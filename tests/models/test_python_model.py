@@ -95,7 +95,7 @@ def test_readme_says_what_a_node_does_beside_its_interfaces(render, distro):
     spec = SPECS["all kinds"].read_text()
     spec = re.sub(r"(<node )(.*?>\n)", rf'\1diagnostics="true" \2{actions}', spec, count=1)
     text = (render(spec, ros_distro=distro) / "README.md").read_text()
-    assert "state, rate and missed cycles on `/diagnostics`" in text
+    assert "state, rate, late and missed cycles, and what its logic adds, on `/diag" in text
     assert "| `replace` | action served; a new goal replaces the current one |" in text
     assert "| `queue` | action served; a new goal waits |" in text
     assert "| `reject` | action served; a new goal is rejected |" in text

@@ -4,7 +4,6 @@ UNTESTED = {
     "broadcaster name": "the logic alone knows it",
     "client_library": "tests/ros/test_driver.py",
     "description": "for people",
-    "diagnostics": "tests/contract",
     "executable": "of the build files",
     "history": "a middleware does not tell it",
     "serviceClient depth": "a middleware does not tell it",

@@ -223,6 +223,8 @@ template<typename Message>
 struct Publisher
 {
   void publish(const Message & message);
+  template<typename Rep, typename Period>
+  bool wait_for_all_acked(std::chrono::duration<Rep, Period> timeout) const;
 };
 template<typename Message, typename Node>
 std::shared_ptr<Publisher<Message>> create_publisher(Node & node, const std::string &, int depth);

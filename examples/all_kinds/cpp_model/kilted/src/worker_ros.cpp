@@ -22,6 +22,7 @@
 #include "rclcpp_components/register_node_macro.hpp"
 #include "ros/action_server.hpp"
 #include "ros/calls.hpp"
+#include "ros/diagnostics.hpp"
 #include "ros/inbox.hpp"
 #include "ros/managed_node.hpp"
 #include "ros/missing_servers.hpp"
@@ -55,7 +56,8 @@ public:
   WorkerSession(
     ManagedNode & node,
     const SharedConfig & config,
-    const std::shared_ptr<Loop> & loop)
+    const std::shared_ptr<Loop> & loop,
+    const std::shared_ptr<LogicStatus> & status)
   : config_(config),
     calls_(node.calls()),
     sleeper_(node.get_clock(), node.stop()),
@@ -68,6 +70,7 @@ public:
     passthrough.fail = [calls = calls_](const std::string & reason) {
         calls->fail("The logic failed: " + reason);
       };
+    passthrough.diagnostics = status;
     out_counter_ = topics_.advertise<worker_types::OutCounter>(
       node,
       "counter");
@@ -276,10 +279,12 @@ private:
   std::shared_ptr<Session> make_session() override
   {
     const auto session =
-      std::make_shared<WorkerSession>(*this, config_, loop_);
+      std::make_shared<WorkerSession>(*this, config_, loop_, diagnostics_.renew());
     logic_ = session;
     return session;
   }
+
+  void report() override {diagnostics_.report();}
 
   void declare_parameters()
   {
@@ -384,6 +389,7 @@ private:
     Sleeper(get_clock(), stop()),
     declare_frequency(FREQUENCY),
     get_logger());
+  Diagnostics diagnostics_{*this, loop_};
 };
 
 /// Run the node in a process of its own.

@@ -23,6 +23,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     logic = [os.environ.get('NODE')]
     frequency = 20  # Hz
     reconfigures = True
+    diagnostics = True
     interfaces = {
         'out_counter': ('counter', std_msgs.msg.Int64, 'publisher', 'reliable', 'volatile', 10),
         'out_status': ('/status', std_msgs.msg.String, 'publisher', 'reliable', 'volatile', 10),

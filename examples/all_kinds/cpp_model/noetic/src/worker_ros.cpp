@@ -20,6 +20,7 @@
 #include "dynamic_reconfigure/server.h"
 #include "ros/action_server.hpp"
 #include "ros/callback_thread.hpp"
+#include "ros/diagnostics.hpp"
 #include "ros/inbox.hpp"
 #include "ros/parameters.hpp"
 #include "ros/process.hpp"
@@ -65,18 +66,24 @@ public:
   {
     if (!supervisor_.step("configure", [this] {return impl_->configure(*current_config());})) {
       supervisor_.refuse("The logic refused to configure.");
+      diagnostics_->publish();  // at once, as the process ends soon
       return;
     }
     is_configured_ = true;
+    supervisor_.set_state("inactive");
     const auto activate = [this] {return impl_->activate();};
     if (!supervisor_.stopping() && supervisor_.step("activate", activate)) {
+      supervisor_.set_state("active");
       work();
+      supervisor_.set_state("deactivating");
       supervisor_.waits().clear();
       supervisor_.step("deactivate", [this] {impl_->deactivate(); return true;});
     } else {
       supervisor_.refuse("The logic refused to activate.");
     }
     action_delegate_->cancel();
+    supervisor_.set_state("cleaning up");
+    diagnostics_->publish();  // at once, as the process ends soon
     is_configured_ = false;
     supervisor_.waits().clear();
     supervisor_.step("cleanup", [this] {impl_->cleanup(); return true;});
@@ -168,6 +175,9 @@ private:
       [this](const ros::WallTimerEvent &) {
         report_missing_servers();
       });
+    diagnostics_ = std::make_unique<Diagnostics>(
+      watch_.node(), supervisor_, &loop_);
+    passthrough.diagnostics = diagnostics_->logic();
     impl_ = std::make_unique<WorkerImpl>(passthrough);
   }
 
@@ -460,6 +470,7 @@ private:
   std::vector<ros::ServiceServer> services_;
   CallbackThread watch_{node_, "watch"};
   ros::WallTimer timer_;
+  std::unique_ptr<Diagnostics> diagnostics_;
   ros::AsyncSpinner spinner_{1};
 };
 

@@ -23,6 +23,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     logic = find_node('all_kinds', 'worker')
     frequency = 20  # Hz
     reconfigures = True
+    diagnostics = True
     interfaces = {
         'out_counter': ('counter', std_msgs.msg.Int64, 'publisher', None, 'volatile', None),
         'out_status': ('/status', std_msgs.msg.String, 'publisher', None, 'volatile', None),

@@ -12,6 +12,8 @@ from __future__ import annotations
 from threading import Lock
 from typing import Any, Optional
 
+from all_kinds.ros import timeouts
+from all_kinds.ros.diagnostics import Diagnostics
 from all_kinds.ros.log import Log
 from all_kinds.ros.loop import Loop
 from all_kinds.ros.managed_node import ManagedNode
@@ -24,8 +26,10 @@ from all_kinds.worker_interface import (
     WorkerData,
     WorkerPassthrough,
 )
+from diagnostic_msgs.msg import DiagnosticArray
 import geometry_msgs.msg
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
+from rclpy.clock import Clock, ClockType
 from rclpy.parameter import Parameter
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 import std_msgs.msg
@@ -126,6 +130,16 @@ class WorkerNode(ManagedNode):
         self._received_lock = Lock()
         frequency = self._declare_frequency(FREQUENCY)
         self.loop = Loop(self._update, frequency, self._time, self.get_logger().warning)
+        self._diagnostics = Diagnostics(
+            self.get_fully_qualified_name(),
+            self.loop,
+        )
+        self._diagnostics_publisher = self.create_publisher(DiagnosticArray, '/diagnostics', 10)
+        self.create_timer(
+            timeouts.DIAGNOSTICS_PERIOD,
+            self._publish_diagnostics,
+            clock=Clock(clock_type=ClockType.STEADY_TIME),
+        )
 
     def _read_config(self) -> WorkerConfig:
         """Return the current parameters."""
@@ -140,6 +154,7 @@ class WorkerNode(ManagedNode):
 
     def _connect_senders(self) -> None:
         """Create publishers and clients, then the logic."""
+        self._configured.callback(self._diagnostics.renew)
         listener = TransformListener(self, self.stop)
         self._configured.callback(listener.close)
         broadcaster = TransformBroadcaster(self)
@@ -161,6 +176,7 @@ class WorkerNode(ManagedNode):
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
                 fail=self.fail_because,
+                diagnostics=self._diagnostics.renew(),
                 pub_echo=Publisher(
                     self._advertise(
                         std_msgs.msg.String,
@@ -248,6 +264,11 @@ class WorkerNode(ManagedNode):
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['counter'] = message
+
+    def _publish_diagnostics(self) -> None:
+        """Publish how the node is, and what its logic says."""
+        report = self._diagnostics.report(self.state, self.failure, self._time.stamp())
+        self._diagnostics_publisher.publish(report)
 
 
 def main(args: Optional[list[str]] = None) -> int:

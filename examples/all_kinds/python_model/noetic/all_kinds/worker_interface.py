@@ -10,6 +10,7 @@ Generated from all_kinds.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable, Sequence
 
+from all_kinds.ros.logic_status import LogicStatus
 from all_kinds.ros.protocols import (
     ActionClient,
     Goal,
@@ -121,6 +122,9 @@ class WorkerPassthrough:
 
     # Has the node stop as an exception does, from any thread; the reason goes to the log.
     fail: Callable[[str], None]
+
+    # What the logic says of itself on /diagnostics, from any thread.
+    diagnostics: LogicStatus
 
     # What was said, said again
     pub_echo: Publisher[PubEcho]

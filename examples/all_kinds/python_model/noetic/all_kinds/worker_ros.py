@@ -11,9 +11,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 from threading import Lock
+from time import sleep
 from typing import Any, Dict
 
 from all_kinds.cfg import WorkerConfig as WorkerReconfigure
+from all_kinds.ros import timeouts
+from all_kinds.ros.diagnostics import Diagnostics
 from all_kinds.ros.log import Log
 from all_kinds.ros.loop import Loop
 from all_kinds.ros.managed_node import check_range, ManagedNode, read_list, read_parameter
@@ -22,12 +25,14 @@ from all_kinds.ros.publisher import Publisher
 from all_kinds.ros.service_client import ServiceClient
 from all_kinds.ros.service_server import ServiceServer
 from all_kinds.ros.transforms import TransformBroadcaster, TransformListener
+from all_kinds.ros.worker import Worker
 from all_kinds.worker_impl import WorkerImpl
 from all_kinds.worker_interface import (
     WorkerConfig,
     WorkerData,
     WorkerPassthrough,
 )
+from diagnostic_msgs.msg import DiagnosticArray
 from dynamic_reconfigure.server import Server as ReconfigureServer
 import geometry_msgs.msg
 import rospy
@@ -59,6 +64,16 @@ class WorkerNode(ManagedNode):
         frequency = read_parameter('frequency', float(FREQUENCY))
         check_range('frequency', frequency, 0.001, 100000.0)
         self.loop = Loop(self._update, frequency, self._time, self._log.warning)
+        self._diagnostics = Diagnostics(
+            rospy.get_name(),
+            self.loop,
+        )
+        self._diagnostics_publisher = rospy.Publisher(
+            '/diagnostics',
+            DiagnosticArray,
+            queue_size=10,
+        )
+        Worker('diagnostics').submit(self._report)
 
     def _connect_senders(self) -> None:
         """Create publishers and clients, then the logic."""
@@ -80,6 +95,7 @@ class WorkerNode(ManagedNode):
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
                 fail=self.fail_because,
+                diagnostics=self._diagnostics.renew(),
                 pub_echo=Publisher(
                     rospy.Publisher(
                         'echo',
@@ -184,6 +200,17 @@ class WorkerNode(ManagedNode):
         """Store the message for the next cycle."""
         with self._received_lock:
             self._received['counter'] = message
+
+    def _report(self) -> None:
+        """Publish how the node is until it ends."""
+        while not rospy.is_shutdown():
+            sleep(timeouts.DIAGNOSTICS_PERIOD)
+            self._publish_diagnostics()
+
+    def _publish_diagnostics(self) -> None:
+        """Publish how the node is, and what its logic says."""
+        report = self._diagnostics.report(self.state, self.failure, self._time.stamp())
+        self._diagnostics_publisher.publish(report)
 
     def _reconfigure(self, values: Any, _level: int) -> Any:
         """Update the configuration with the changed parameters."""

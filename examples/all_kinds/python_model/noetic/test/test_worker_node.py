@@ -31,6 +31,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     can_refuse = ('serve_',)  # a callback that returns no response has failed
     frequency = 20  # Hz
     reconfigures = True
+    diagnostics = True
     interfaces = {
         'out_counter': ('counter', std_msgs.msg.Int64, 'publisher', None, 'volatile', None),
         'out_status': ('/status', std_msgs.msg.String, 'publisher', None, 'volatile', None),

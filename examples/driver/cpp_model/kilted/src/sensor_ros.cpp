@@ -15,6 +15,7 @@
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_components/register_node_macro.hpp"
 #include "ros/calls.hpp"
+#include "ros/diagnostics.hpp"
 #include "ros/managed_node.hpp"
 #include "ros/parameters.hpp"
 #include "ros/ros_publisher.hpp"
@@ -37,7 +38,8 @@ public:
   /// Create publishers and clients, then the logic.
   SensorSession(
     ManagedNode & node,
-    const SharedConfig & config)
+    const SharedConfig & config,
+    const std::shared_ptr<LogicStatus> & status)
   : config_(config),
     calls_(node.calls()),
     sleeper_(node.get_clock(), node.stop())
@@ -49,6 +51,7 @@ public:
     passthrough.fail = [calls = calls_](const std::string & reason) {
         calls->fail("The logic failed: " + reason);
       };
+    passthrough.diagnostics = status;
     passthrough.node = &node;
     passthrough.pub_reading =
       std::make_shared<RosPublisher<sensor_types::PubReading>>(
@@ -110,8 +113,10 @@ public:
 private:
   std::shared_ptr<Session> make_session() override
   {
-    return std::make_shared<SensorSession>(*this, config_);
+    return std::make_shared<SensorSession>(*this, config_, diagnostics_.renew());
   }
+
+  void report() override {diagnostics_.report();}
 
   void declare_parameters()
   {
@@ -151,6 +156,7 @@ private:
     std::make_shared<std::shared_ptr<const SensorConfig>>(
     std::make_shared<const SensorConfig>());
   std::shared_ptr<void> parameters_callback_;
+  Diagnostics diagnostics_{*this};
 };
 
 /// Run the node in a process of its own.

@@ -10,6 +10,7 @@ Generated from driver.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable
 
+from driver.ros.logic_status import LogicStatus
 from driver.ros.protocols import (
     Log,
     Node,
@@ -55,6 +56,9 @@ class SensorPassthrough:
 
     # Has the node stop as an exception does, from any thread; the reason goes to the log.
     fail: Callable[[str], None]
+
+    # What the logic says of itself on /diagnostics, from any thread.
+    diagnostics: LogicStatus
 
     # The node of rclpy, for what the spec cannot say: the logic looks after what it makes of it.
     node: Node

@@ -11,6 +11,9 @@ from __future__ import annotations
 
 from typing import Any, Optional
 
+from diagnostic_msgs.msg import DiagnosticArray
+from driver.ros import timeouts
+from driver.ros.diagnostics import Diagnostics
 from driver.ros.log import Log
 from driver.ros.managed_node import ManagedNode
 from driver.ros.process import run
@@ -21,6 +24,7 @@ from driver.sensor_interface import (
     SensorPassthrough,
 )
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
+from rclpy.clock import Clock, ClockType
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 import std_msgs.msg
 
@@ -39,7 +43,7 @@ class SensorNode(ManagedNode):
     ]
 
     def __init__(self, **options: Any) -> None:
-        """Declare the parameters."""
+        """Declare the parameters and create what lives as long as the node."""
         super().__init__('sensor', **options)
         self._declare(
             'device',
@@ -69,6 +73,16 @@ class SensorNode(ManagedNode):
                 ],
             ),
         )
+        self._diagnostics = Diagnostics(
+            self.get_fully_qualified_name(),
+            None,
+        )
+        self._diagnostics_publisher = self.create_publisher(DiagnosticArray, '/diagnostics', 10)
+        self.create_timer(
+            timeouts.DIAGNOSTICS_PERIOD,
+            self._publish_diagnostics,
+            clock=Clock(clock_type=ClockType.STEADY_TIME),
+        )
 
     def _read_config(self) -> SensorConfig:
         """Return the current parameters."""
@@ -80,6 +94,7 @@ class SensorNode(ManagedNode):
 
     def _connect_senders(self) -> None:
         """Create publishers and clients, then the logic."""
+        self._configured.callback(self._diagnostics.renew)
         self._impl = SensorImpl(
             SensorPassthrough(
                 log=Log(self.get_logger()),
@@ -87,6 +102,7 @@ class SensorNode(ManagedNode):
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
                 fail=self.fail_because,
+                diagnostics=self._diagnostics.renew(),
                 node=self,
                 pub_reading=Publisher(
                     self._advertise(
@@ -101,6 +117,11 @@ class SensorNode(ManagedNode):
     def _connect_receivers(self) -> None:
         """Create subscriptions and servers, and start threads."""
         self._logic.repeat('read', self._impl.read)
+
+    def _publish_diagnostics(self) -> None:
+        """Publish how the node is, and what its logic says."""
+        report = self._diagnostics.report(self.state, self.failure, self._time.stamp())
+        self._diagnostics_publisher.publish(report)
 
 
 def main(args: Optional[list[str]] = None) -> int:

@@ -41,6 +41,7 @@ public:
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     on_failure_ = on_failure;
+    failure_ = on_failure ? "" : failure_;
   }
 
   /// Allow callbacks to call the logic: the node is active.
@@ -116,6 +117,7 @@ public:
     report_(failure);
     ++failures_;
     const std::lock_guard<std::mutex> lock(mutex_);
+    failure_ = failure_.empty() ? failure : failure_;
     // With the lock held: `on_failure` is not called any more once it has been replaced.
     if (const auto on_failure = std::exchange(on_failure_, nullptr)) {
       on_failure();
@@ -124,6 +126,20 @@ public:
 
   /// Return how often the logic has failed.
   std::uint64_t failures() const {return failures_;}
+
+  /// Say why the logic does not go on, where it has not failed; empty if it does.
+  void set_refusal(const std::string & refusal)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    failure_ = refusal;
+  }
+
+  /// Return the first failure since the node was configured, or what the logic has refused last.
+  std::string failure()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return failure_;
+  }
 
   /// Wait until nothing is running; return false if that takes too long.
   bool wait_until_none(Stop::Clock::time_point end)
@@ -149,6 +165,7 @@ private:
   std::condition_variable changed_;
   std::vector<std::string> running_;
   std::function<void()> on_failure_;
+  std::string failure_;
   std::atomic<bool> is_open_{false};
   Pass opening_ = 0;
   std::atomic<std::uint64_t> failures_{0};

@@ -201,6 +201,9 @@ public:
     if (!may_start("activate")) {
       return CallbackReturn::FAILURE;
     }
+    if (!has_thrown()) {
+      calls_->set_refusal("");
+    }
     const auto result = start_logic(
       "activate", &Session::activate, "deactivate", &Session::deactivate);
     is_activated_ = result == CallbackReturn::SUCCESS;
@@ -233,6 +236,7 @@ public:
 
   CallbackReturn on_error(const rclcpp_lifecycle::State &) override
   {
+    report();  // at once, as the process may end soon
     deactivate_logic();
     clean_up();
     known_failures_ = calls_->failures();
@@ -243,6 +247,9 @@ public:
 protected:
   /// Create the logic with its publishers and clients.
   virtual std::shared_ptr<Session> make_session() = 0;
+
+  /// Publish how the node is, if it has diagnostics.
+  virtual void report() {}
 
   /// Stop, whatever the state; a derived class does so before its members are destroyed.
   void end()
@@ -486,6 +493,7 @@ private:
       return CallbackReturn::FAILURE;
     }
     if (end.get() == CallbackReturn::FAILURE && !is_ending_) {
+      calls_->set_refusal("The logic refused to " + method + ".");
       RCLCPP_ERROR(get_logger(), "The logic refused to %s.", method.c_str());
     }
     return end.get();

@@ -32,6 +32,7 @@ constexpr milliseconds RECEIVE{500};
 constexpr milliseconds SETTLE{1};  // between two checks whether a transition or a callback has ended
 constexpr milliseconds CALLBACK{1000};  // for a thread of callbacks to end
 constexpr milliseconds QUIET{10000};  // between two warnings of the same kind
+constexpr milliseconds LATE{5000};  // for which a late cycle makes the status a warning
 constexpr milliseconds POLL{10};  // between two checks for a server or a transform
 constexpr milliseconds MISSING{2000};  // between two checks for missing servers
 constexpr milliseconds WATCH{500};  // between two checks for the server of a goal

@@ -5,6 +5,7 @@
 #define ROS__TIMING_HPP_
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -115,9 +116,15 @@ public:
       due = std::min(due, sleeper_.now()) + period_;
       // Missed are those that the cycle took, not those that a step of the clock skips.
       const std::chrono::nanoseconds taken = std::chrono::steady_clock::now() - begin;
-      report(std::min<std::int64_t>(skip(due), taken.count() / period_.nanoseconds()));
+      report(std::min<std::int64_t>(skip(due), taken.count() / period_.nanoseconds()), taken);
     }
   }
+
+  /// How many cycles have run, how many took too long for the next to begin in time, and how many
+  /// were missed, since the start of the node.
+  std::uint64_t cycles() const {return cycles_;}
+  std::uint64_t late() const {return late_;}
+  std::uint64_t missed() const {return missed_;}
 
 private:
   /// Advance `due`, if it has passed, by whole periods; return how many.
@@ -129,8 +136,11 @@ private:
     return periods;
   }
 
-  void report(std::int64_t missed)
+  void report(std::int64_t missed, std::chrono::nanoseconds taken)
   {
+    ++cycles_;
+    late_ += missed > 0 || taken.count() > period_.nanoseconds();
+    missed_ += missed;
     unreported_ += missed;
     const auto now = std::chrono::steady_clock::now();
     if (unreported_ > 0 && now >= next_report_) {
@@ -148,6 +158,9 @@ private:
   double frequency_;
   rclcpp::Duration period_;
   rclcpp::Logger logger_;
+  std::atomic<std::uint64_t> cycles_{0};
+  std::atomic<std::uint64_t> late_{0};
+  std::atomic<std::uint64_t> missed_{0};
   std::int64_t unreported_ = 0;
   std::chrono::steady_clock::time_point next_report_;
 };

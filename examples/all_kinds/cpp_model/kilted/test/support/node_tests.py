@@ -9,10 +9,12 @@ import json
 from signal import SIGINT as INT, SIGTERM as TERM
 from time import sleep
 
+from diagnostic_msgs.msg import DiagnosticStatus
 from support.peer import decode, encode, Peer, sample
 from support.running import eventually, LIFE, RunningNode, TIMEOUT
 from tf2_msgs.msg import TFMessage
 
+OK, WARN, ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.ERROR
 OTHER = {'reliable': 'best_effort', 'volatile': 'transient_local'}
 OTHER = {**OTHER, **{other: policy for policy, other in OTHER.items()}}
 TOPICS = ('out_', 'pub_', 'in_', 'receive_')
@@ -21,6 +23,7 @@ TOPICS = ('out_', 'pub_', 'in_', 'receive_')
 class NodeTests:
     """Tests of a node in processes of its own, with a logic that obeys them."""
 
+    diagnostics = False
     frequency = None
     interfaces = {}
     can_refuse = ()
@@ -419,6 +422,45 @@ class NodeTests:
         """Set a parameter, and see that the logic gets it."""
         self.assertTrue(self.peer.set_parameter(self.node, name, value), (name, value))
         self.assertTrue(eventually(lambda: self.node.got('config')[-1][name] == value), name)
+
+    def test_diagnostics(self):
+        """The node says what its logic says, the worse of two levels counts; no failure is OK."""
+        if not self.diagnostics:
+            return
+        heard = self.peer.hear_diagnostics()
+        node = self.start()
+
+        def last():
+            statuses = [each for message in heard for each in message.status]
+            return [each for each in statuses if each.name == node.name][-1:]
+
+        def says(level, text, said):
+            for status in last():
+                values = {each.key: each.value for each in status.values}
+                is_level = status.level == level and text in status.message
+                # Cycles of a busy machine are late.
+                is_level |= level == OK and status.message == 'late cycles'
+                own = status.hardware_id, values.get('said')
+                return is_level and own == (said or 'none', said)
+            return False
+
+        self.assertTrue(eventually(lambda: says(OK, 'active', None)), last())
+        for word, level in ('error', ERROR), ('warning', WARN), ('ok', OK):
+            node.order('now', f'diagnose={word},tired')
+            self.assertTrue(eventually(lambda: says(level, 'tired', 'tired')), (word, last()))
+        if self.frequency:
+            node.order('update', f'wait={1.5 / self.frequency}')
+            self.assertTrue(eventually(lambda: says(WARN, 'late cycles', 'tired')), last())
+        for transition in 'deactivate', 'cleanup':
+            self.assertTrue(self.peer.change(node, transition))
+        self.assertTrue(eventually(lambda: says(OK, 'unconfigured', None)), last())
+        for transition in 'configure', 'activate':
+            self.assertTrue(self.peer.change(node, transition))
+        self.assertTrue(eventually(lambda: says(OK, 'active', None)), last())
+        node.order('now', 'diagnose=ok,tired')
+        node.order('now', 'fail=lost')
+        self.assertEqual(node.exit_code(), 1)
+        self.assertTrue(eventually(lambda: says(ERROR, 'lost', 'tired')), last())
 
     def test_life_cycle(self):
         """A managed node obeys every transition, but for those that its logic refuses."""

@@ -17,6 +17,7 @@
 #include "all_kinds/ros/action_client.hpp"
 #include "all_kinds/ros/goal.hpp"
 #include "all_kinds/ros/logger.hpp"
+#include "all_kinds/ros/logic_status.hpp"
 #include "all_kinds/ros/publisher.hpp"
 #include "all_kinds/ros/service_client.hpp"
 #include "all_kinds/ros/time.hpp"
@@ -129,6 +130,9 @@ struct WorkerPassthrough
 
   /// Has the node stop as an exception does, from any thread; the reason goes to the log.
   std::function<void(const std::string &)> fail = [](const std::string &) {};
+
+  /// What the logic says of itself on /diagnostics, from any thread.
+  std::shared_ptr<LogicStatus> diagnostics = std::make_shared<LogicStatus>();
 
   /// What was said, said again
   std::shared_ptr<Publisher<worker_types::PubEcho>> pub_echo =

@@ -29,6 +29,7 @@ constexpr milliseconds RETURN{500};  // for a method to return, once its waits h
 constexpr milliseconds SEND{500};  // for the last messages to be sent
 constexpr milliseconds END{5000};  // for roscpp to end, besides what the logic may take
 constexpr milliseconds QUIET{10000};  // between two warnings of the same kind
+constexpr milliseconds LATE{5000};  // for which a late cycle makes the status a warning
 constexpr milliseconds POLL{10};  // between two checks for a transform
 constexpr milliseconds MISSING{2000};  // between two checks for missing servers
 constexpr milliseconds RETRY{100};  // between two checks for a server that is called

@@ -71,6 +71,10 @@ public:
   void fail(const std::string & reason)
   {
     failed_ = true;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      failure_ = failure_.empty() ? reason : failure_;
+    }
     stop();
     ROS_ERROR("%s", reason.c_str());  // last, as it may wait for the master
   }
@@ -93,6 +97,17 @@ public:
   bool late() const {return late_;}
 
   bool failed() const {return failed_;}
+
+  /// Say where in its life the node is, for diagnostics.
+  void set_state(const char * state) {state_ = state;}
+  const char * state() const {return state_;}
+
+  /// Return why the node cannot go on.
+  std::string failure() const
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return failure_;
+  }
 
   void wait_for_stop()
   {
@@ -173,6 +188,8 @@ private:
   std::condition_variable changed_;
   Seconds stop_timeout_{2.0};
   Stop::Clock::time_point deadline_;
+  std::atomic<const char *> state_{"unconfigured"};
+  std::string failure_;
   const char * step_ = nullptr;
   std::uint64_t steps_ = 0;
   std::atomic<bool> stopping_{false};

@@ -5,6 +5,7 @@
 #define ROS__TIMING_HPP_
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <sstream>
@@ -119,6 +120,7 @@ public:
       }
       const auto begin = Stop::Clock::now();
       cycle();
+      const auto taken = Stop::Clock::now() - begin;
       // The clock may have been set back.
       due = std::min(due, clock_.now()) + period_;
       auto missed = skip(due);
@@ -126,10 +128,14 @@ public:
         // Missed are those that the cycle took, not those that a step of the clock skips.
         missed = std::min<std::int64_t>(missed, (Stop::Clock::now() - begin) / period_);
       }
-      report(missed, log);
+      report(missed, taken, log);
       clock_.wait_until(due, period_);
     }
   }
+
+  std::uint64_t cycles() const {return cycles_;}
+  std::uint64_t late() const {return late_;}
+  std::uint64_t missed() const {return missed_;}
 
 private:
   /// Advance `due`, if it has passed, by whole periods; return how many.
@@ -140,8 +146,11 @@ private:
     return periods;
   }
 
-  void report(std::int64_t missed, const Logger & log)
+  void report(std::int64_t missed, Clock::Nanoseconds taken, const Logger & log)
   {
+    ++cycles_;
+    late_ += missed > 0 || taken > period_;
+    missed_ += missed;
     unreported_ += missed;
     if (unreported_ > 0 && Stop::Clock::now() >= next_report_) {
       std::ostringstream text;
@@ -157,6 +166,9 @@ private:
   std::string name_;
   double frequency_;
   Clock::Nanoseconds period_;
+  std::atomic<std::uint64_t> cycles_{0};
+  std::atomic<std::uint64_t> late_{0};
+  std::atomic<std::uint64_t> missed_{0};
   std::int64_t unreported_ = 0;
   Stop::Clock::time_point next_report_;
 };

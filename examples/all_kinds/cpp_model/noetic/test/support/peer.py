@@ -12,6 +12,7 @@ from xmlrpc.client import ServerProxy
 
 import actionlib
 from actionlib import GoalStatus
+from diagnostic_msgs.msg import DiagnosticArray
 from dynamic_reconfigure.client import Client
 import genpy
 import rosgraph
@@ -57,6 +58,12 @@ class Peer:
     def set_time(self, seconds):
         """Publish simulated time."""
         self._clock.publish(Clock(clock=rospy.Time.from_sec(seconds)))
+
+    def hear_diagnostics(self):
+        """Return a list that grows by the messages on /diagnostics."""
+        messages = []
+        rospy.Subscriber('/diagnostics', DiagnosticArray, messages.append)
+        return messages
 
     def set_parameter(self, node, name, value):
         """Set a dynamic parameter; return whether it was accepted, not bounded."""

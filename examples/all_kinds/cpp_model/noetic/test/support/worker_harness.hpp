@@ -59,6 +59,7 @@ struct WorkerHarness
   WorkerConfig config;
   WorkerData data;
   WorkerPassthrough passthrough = connected();
+  std::shared_ptr<LogicStatus> diagnostics = passthrough.diagnostics;
   std::shared_ptr<FakePublisher<worker_types::PubEcho>> pub_echo =
     fake<FakePublisher>(passthrough.pub_echo);
   std::shared_ptr<FakePublisher<worker_types::PubEmpty>> pub_empty =

@@ -18,6 +18,7 @@ class Loop:
     Calls a method at a fixed frequency; skips the cycles that begin while it still runs.
 
     cycles: how many were run; missed: how many were skipped.
+    late: how many took longer than a period, or too long for the next to begin in time.
     """
 
     def __init__(
@@ -30,6 +31,7 @@ class Loop:
     ) -> None:
         """Prepare a loop of `frequency` Hz."""
         self.cycles = 0
+        self.late = 0
         self.missed = 0
         self._update = update
         self._frequency = frequency
@@ -49,12 +51,15 @@ class Loop:
                 due += self._periods_since(due) * period  # /clock may step by several periods
             begin = monotonic()
             self._update()
+            taken = monotonic() - begin
             self.cycles += 1
             due = min(due, self._now()) + period  # the clock may have been set back
             missed = self._periods_since(due)
             due += missed * period
             if self._time.simulated:  # only a slow update misses cycles, not a step of /clock
                 missed = min(missed, int((monotonic() - begin) / period))
+            if (missed or taken > period) and not stop.requested:
+                self.late += 1
             if missed and not stop.requested:
                 self._report(missed)
             self._time.sleep(due - self._now())

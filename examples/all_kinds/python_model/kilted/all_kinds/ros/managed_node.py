@@ -54,6 +54,7 @@ class ManagedNode(LifecycleNode):
     reconfigures: whether the logic gets changed parameters, which it may refuse.
     failed: whether the logic failed or refused to autostart.
     has_error: whether the logic has failed since it was configured.
+    failure: why it has, or what it has refused.
     on_failure: called when the node has failed and deactivated.
     """
 
@@ -84,6 +85,7 @@ class ManagedNode(LifecycleNode):
         )
         self.failed = False
         self.has_error = False
+        self.failure = ''
         self.on_failure: Callable[[], object] = lambda: None
         self.stop = Stop()
         self._time = RosTime(self, self.stop)
@@ -94,6 +96,7 @@ class ManagedNode(LifecycleNode):
         self._is_configured = False
         self._is_destroyed = False
         self._ack_deadline = 0.0
+        self._diagnostics_publisher: Any = None
         self._configured = ExitStack()
         self._active = ExitStack()
         self._logic = LogicThread(
@@ -125,6 +128,9 @@ class ManagedNode(LifecycleNode):
     def _connect_receivers(self) -> None:
         """Create subscriptions and servers."""
         raise NotImplementedError
+
+    def _publish_diagnostics(self) -> None:
+        """Publish how the node is, if it has diagnostics."""
 
     @property
     def state(self) -> str:
@@ -206,6 +212,10 @@ class ManagedNode(LifecycleNode):
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Clean up after a failure of the logic."""
+        if self._diagnostics_publisher:  # before the process ends
+            self._publish_diagnostics()
+            limit = Duration(seconds=timeouts.ACKNOWLEDGE_TIMEOUT)
+            self._diagnostics_publisher.wait_for_all_acked(limit)
         self._clean_up()
         return TransitionCallbackReturn.SUCCESS
 
@@ -419,8 +429,9 @@ class ManagedNode(LifecycleNode):
             self.trigger_shutdown()
 
     def _give_up(self, text: str) -> None:
-        self.get_logger().error(text)
+        self.failure = self.failure or text.splitlines()[-1]
         self.has_error = True
+        self.get_logger().error(text)
         self._transitions.submit(self._leave)
 
     def _leave(self) -> None:
@@ -443,16 +454,20 @@ class ManagedNode(LifecycleNode):
         if running:
             self.get_logger().error(f'Cannot {name}: {running} has not returned.')
             return TransitionCallbackReturn.FAILURE
+        if not self.has_error:
+            self.failure = ''
         if self._logic.begin(name, method):
             return TransitionCallbackReturn.SUCCESS
         if self.has_error:
             return TransitionCallbackReturn.ERROR
         if not self._logic.is_ending:
+            self.failure = f'The logic refused to {name}.'
             self.get_logger().error(f'The logic refused to {name}.')
         return TransitionCallbackReturn.FAILURE
 
     def _connect_and_configure(self) -> bool:
         self.has_error = False
+        self.failure = ''
         self._connect_senders()
         self._config = self._read_config()
         if not self._logic.is_ending:

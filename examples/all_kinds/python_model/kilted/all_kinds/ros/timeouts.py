@@ -5,7 +5,9 @@
 
 # For subscribers to receive what was published last. Fast DDS 3.2 acknowledges every 3 s.
 ACKNOWLEDGE_TIMEOUT = 0.5
+DIAGNOSTICS_PERIOD = 1.0  # between two messages on /diagnostics
 DISCOVERY_PERIOD = 0.02  # between two checks whether the server of a call is available
+LATE_PERIOD = 5.0  # for which a late cycle makes the status a warning
 RECONFIGURE_TIMEOUT = 2.0  # for reconfigure to return, as the executor waits for it
 RETURN_TIMEOUT = 0.2  # for deactivate and cleanup to return once their waits have ended
 SERVER_CHECK_PERIOD = 0.5  # between two checks whether the servers of all clients are available

@@ -20,6 +20,7 @@ from copy import deepcopy
 from typing import get_args, get_origin, get_type_hints
 
 from all_kinds.ros.log import Log
+from all_kinds.ros.logic_status import LogicStatus
 import all_kinds.ros.protocols as protocols
 
 
@@ -224,6 +225,7 @@ class FakeTransformBroadcaster:
 
 FAKES = {
     protocols.Log: FakeLog,
+    LogicStatus: LogicStatus,
     protocols.Publisher: FakePublisher,
     protocols.ServiceClient: FakeServiceClient,
     protocols.ActionClient: FakeActionClient,

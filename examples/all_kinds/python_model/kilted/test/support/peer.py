@@ -12,6 +12,7 @@ from threading import Thread
 
 from action_msgs.msg import GoalStatus
 from builtin_interfaces.msg import Time
+from diagnostic_msgs.msg import DiagnosticArray
 from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState, GetState
 from rcl_interfaces.srv import GetParameters, SetParameters
@@ -89,6 +90,12 @@ class Peer:
         """Request a lifecycle transition by its name; return whether it succeeded."""
         request = ChangeState.Request(transition=Transition(label=transition))
         return self.call(node, ChangeState, node.name + '/change_state', request).success
+
+    def hear_diagnostics(self):
+        """Return a list that grows by the messages on /diagnostics."""
+        messages = []
+        self._node.create_subscription(DiagnosticArray, '/diagnostics', messages.append, 10)
+        return messages
 
     def set_parameter(self, node, name, value):
         """Set a parameter; return whether it was accepted."""

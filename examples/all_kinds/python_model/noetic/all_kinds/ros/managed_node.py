@@ -33,6 +33,7 @@ class ManagedNode:
     loop: calls update while the node is active, if there is one.
     failed: whether the logic refused to start or failed.
     has_error: whether the logic has failed.
+    failure: why it has, or what it has refused.
     on_failure: called when the node has failed and is to end.
     """
 
@@ -49,6 +50,7 @@ class ManagedNode:
         self._impl: Any = None
         self._log = logging.getLogger('rosout')
         self.has_error = False
+        self.failure = ''
         self._callbacks: dict[str, CallbackThread] = {}
         self._action_clients: list[ActionClient] = []
         self._action_servers: list[ActionServer] = []
@@ -68,6 +70,9 @@ class ManagedNode:
     def _connect_receivers(self) -> None:
         """Create subscriptions and servers."""
         raise NotImplementedError
+
+    def _publish_diagnostics(self) -> None:
+        """Publish how the node is, if it has diagnostics."""
 
     def start(self) -> None:
         """Configure and activate the logic; do not wait for it."""
@@ -167,6 +172,7 @@ class ManagedNode:
         """Call configure or activate; leave if the logic refuses."""
         accepted = self._logic.begin(name, method)
         if not accepted and not self.has_error and not self._logic.is_ending:
+            self.failure = f'The logic refused to {name}.'
             self._log.fatal(f'The logic refused to {name}.')
             self._leave()
         return bool(accepted)
@@ -176,6 +182,7 @@ class ManagedNode:
         return not self._logic.is_ending and bool(self._impl.configure(self._config))
 
     def _give_up(self, text: str) -> None:
+        self.failure = self.failure or text.splitlines()[-1]
         self.has_error = True
         self.failed = True
         self._transitions.submit(self._leave)
@@ -183,6 +190,7 @@ class ManagedNode:
         self._log.error(text)  # last, as rospy may wait for the master
 
     def _leave(self) -> None:
+        self._publish_diagnostics()  # at once, as the process may end soon
         self._shut_down()
         self.failed = True
         self.on_failure()

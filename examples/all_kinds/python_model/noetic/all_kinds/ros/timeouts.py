@@ -4,7 +4,9 @@
 """Time-outs and periods of the node, in seconds."""
 
 CONNECT_TIMEOUT = 1.0  # for a service server to accept a connection
+DIAGNOSTICS_PERIOD = 1.0  # between two messages on /diagnostics
 DISCOVERY_PERIOD = 0.1  # between two checks whether the server of a call is available
+LATE_PERIOD = 5.0  # for which a late cycle makes the status a warning
 MISSING_CHECK_PERIOD = 2.0  # between two checks for missing servers, each of which asks the master
 RECONFIGURE_TIMEOUT = 2.0  # for reconfigure to return, as the executor waits for it
 RETURN_TIMEOUT = 0.2  # for deactivate and cleanup to return once their waits have ended

@@ -161,6 +161,12 @@ class _Recorder:
     def _do_fail(self, _, reason, *__):
         self.passthrough.fail(reason)
 
+    def _do_diagnose(self, _, value, *__):
+        level, text = value.split(',')
+        self.passthrough.diagnostics.set_hardware_id(text)
+        self.passthrough.diagnostics.set('said', text)
+        getattr(self.passthrough.diagnostics, level)(text)
+
     def _do_cycles(self, *_):
         return self._cycles
 

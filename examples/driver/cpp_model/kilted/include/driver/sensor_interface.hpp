@@ -13,6 +13,7 @@
 #include <string>
 
 #include "driver/ros/logger.hpp"
+#include "driver/ros/logic_status.hpp"
 #include "driver/ros/publisher.hpp"
 #include "driver/ros/time.hpp"
 #include "rclcpp_lifecycle/lifecycle_node.hpp"
@@ -57,6 +58,9 @@ struct SensorPassthrough
 
   /// Has the node stop as an exception does, from any thread; the reason goes to the log.
   std::function<void(const std::string &)> fail = [](const std::string &) {};
+
+  /// What the logic says of itself on /diagnostics, from any thread.
+  std::shared_ptr<LogicStatus> diagnostics = std::make_shared<LogicStatus>();
 
   /// The node of rclcpp, which outlives the logic, for what the spec cannot say: the logic looks
   /// after what it

@@ -28,6 +28,19 @@ public:
           passthrough_.fail(reason);
           return "null";
         }},
+      {"diagnose", [status = passthrough.diagnostics](const std::string & value) {
+          const auto comma = value.find(',');
+          const auto level = value.substr(0, comma);
+          const auto text = value.substr(comma + 1);
+          status->set_hardware_id(text);
+          status->set("said", text);
+          if (level == "ok") {
+            status->ok(text);
+          } else {
+            level == "error" ? status->error(text) : status->warning(text);
+          }
+          return "null";
+        }},
       {"turns", [this](const std::string & method) {
           const auto wall = std::chrono::steady_clock::now().time_since_epoch();
           const std::chrono::duration<double> seconds = wall;
