@@ -105,3 +105,15 @@ def test_what_is_imported_is_declared():
     found = {DISTRIBUTIONS.get(name, name) for name in imported - sys.stdlib_module_names}
     assert {"copier", "packaging", "pyyaml"} <= found
     assert found <= dependencies().keys()
+
+
+@pytest.mark.parametrize(
+    "model", ["cpp_model", "interfaces_model", "mixed_model", "runtime_model"]
+)
+def test_folder_of_a_model_in_a_clone(model, copier_command, tmp_path):
+    """Copier's own error, that `spec` is undefined, comes after what cures it."""
+    result = copier_command("copy", "--trust", "--defaults", ROOT / model, "arm", cwd=tmp_path)
+    assert result.returncode != 0
+    said = result.stdout + result.stderr
+    assert f"copy from the folder above, with -d model={model}\n" in said
+    assert not (tmp_path / "arm").exists()
