@@ -1,4 +1,8 @@
-"""Notes on types that the packages installed on this machine lack. None of it is recorded."""
+"""Notes on types that their packages lack. None of it is recorded.
+
+The packages are those installed on this machine; where one is not, those that come with ROS are
+known by `types.yaml`.
+"""
 
 from __future__ import annotations
 
@@ -9,9 +13,11 @@ from pathlib import Path
 from typing import Any
 
 from .advice import elements
+from .data import load_data
 from .dictionary import Dictionary
 from .formats import TYPES, split_type
 
+_KNOWN: Mapping[str, Mapping[str, str]] = load_data("types.yaml")
 _PATHS = {
     1: {"CMAKE_PREFIX_PATH": "share", "ROS_PACKAGE_PATH": ""},
     2: {"AMENT_PREFIX_PATH": "share"},
@@ -22,7 +28,10 @@ _PATHS = {
 def missing_types(
     context: Mapping[str, Any], dictionary: Dictionary, environment: Mapping[str, str]
 ) -> list[str]:
-    """Return a note for each type that its package, where it is installed, does not have."""
+    """Return a note for each type that its package does not have.
+
+    Of a package that is not installed, for one that looks like a slip.
+    """
     folders = [
         Path(prefix, inside)
         for variable, inside in _PATHS[context["ros"]].items()
@@ -37,7 +46,18 @@ def missing_types(
             near = difflib.get_close_matches(name, known, 1)
             meant = f"; is {near[0]} meant?" if near else ""
             notes.append(f"{package} in {installed[0].parent} has no {folder}/{name}{meant}")
+        elif not installed:
+            notes += _slips(package, folder, name)
     return notes
+
+
+def _slips(package: str, folder: str, name: str) -> Iterator[str]:
+    """Ask about a type, or a package, that is nearly one of ROS's own."""
+    if package not in _KNOWN and f"{package}s" in _KNOWN:
+        yield f"no package {package} comes with ROS; is {package}s meant?"
+    known = _KNOWN.get(package, {}).get(folder, "").split()
+    if name not in known and (near := difflib.get_close_matches(name, known, 1)):
+        yield f"{package} has no {folder}/{name} in any ROS known here; is {near[0]} meant?"
 
 
 def _types(context: Mapping[str, Any], dictionary: Dictionary) -> Iterator[tuple[str, str, str]]:

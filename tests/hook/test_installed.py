@@ -85,3 +85,30 @@ def test_the_note_is_shown_and_not_recorded(collection, copier_command, installe
     result = copier_command(*copy, cwd=tmp_path, AMENT_PREFIX_PATH=str(installed))
     assert "has no msg/Twst; is Twist meant?\n" in result.stderr
     assert "is Twist meant" not in (tmp_path / "out/.copier-answers.yml").read_text()
+
+
+@pytest.mark.parametrize("distro", VARIABLES)
+@pytest.mark.parametrize(
+    ("type_", "says"),
+    [
+        (
+            "geometry_msgs::Twst",
+            "geometry_msgs has no msg/Twst in any ROS known here; is Twist meant?",
+        ),
+        ("std_msg::String", "no package std_msg comes with ROS; is std_msgs meant?"),
+        ("geometry_msg::Twist", "no package geometry_msg comes with ROS; is geometry_msgs meant?"),
+        ("geometry_msgs::Twist", None),
+        ("geometry_msgs::SomethingOfNextYear", None),
+        ("arm_msgs::Twst", None),
+    ],
+)
+def test_slip_where_nothing_is_installed(distro, type_, says):
+    assert notes({}, distro, found("publisher", type_)) == ([says] if says else [])
+
+
+def test_slip_in_an_installed_package_is_told_once(tmp_path):
+    (tmp_path / "share/geometry_msgs/msg").mkdir(parents=True)
+    (tmp_path / "share/geometry_msgs/msg/Twist.msg").touch()
+    interface = found("publisher", "geometry_msgs::Twst")
+    (note,) = notes({"AMENT_PREFIX_PATH": str(tmp_path)}, "kilted", interface)
+    assert note.startswith(f"geometry_msgs in {tmp_path}")
