@@ -384,7 +384,7 @@ def _key(tokens: Tokens) -> str:
             name.insert(0, part)
         if _MACRO.fullmatch(name[-1]) and len(name) == 1:
             return plain
-        return "".join(name) + "()"
+        return "::".join("".join(name).split("::")[-2:]) + "()"  # with or without its namespace
     if "class" in head or "struct" in head:
         words = [word for word in head if word != "final"]
         places = [i for i, word in enumerate(words) if not word.startswith(("<", '"'))]

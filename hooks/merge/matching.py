@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import count, takewhile
 
 from .blocks import Block, is_condition
-from .lines import margin
+from .lines import margin, split
 
 Blocks = Sequence[Block]
 _NUMBER = re.compile(r" #\d+$")
@@ -21,31 +21,52 @@ _NUMBER = re.compile(r" #\d+$")
 def align(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Block], list[Block]]:
     """Return three versions in which a key is that of one thing, at one place."""
     match(new, old)
-    match(mine, old, new)
-    mine = _retitled(unsplit(mine, old, new), old, new)
-    return list(mine), wrap(old, mine, old, new), wrap(new, mine, old, new)
+    mine = identify(mine, old, new)
+    return mine, wrap(old, mine, old, new), wrap(new, mine, old, new)
+
+
+def identify(blocks: Blocks, old: Blocks, new: Blocks) -> list[Block]:
+    """Return the developer's blocks with the keys of what they are in other versions."""
+    match(blocks, old, new)
+    return _unsplit(_retitled(blocks, old, new), old, new)
 
 
 _HEADING = re.compile(r"#+ ")
-_TITLE = re.compile(r"#+ |/")
 
 
 def _rejoined(mine: Blocks, old: Blocks) -> list[Block]:
-    """Return blocks with comments above them that an empty line of the developer's parts off."""
+    """Return blocks with generated comments above them that the developer's lines part off."""
     base = {block.key: block for block in old}
     whole: list[Block] = []
     for block in mine:
-        was, above = base.get(block.key), whole[-1] if whole else block
-        is_own = above.key.startswith(("comment ", "header")) and above.key not in base
-        if was and is_own and ({*was.lines} - {*block.lines, "\n"}) & {*above.lines}:
-            block.lines = whole.pop().lines + block.lines
-        if was:
+        if was := base.get(block.key):
+            above = {*was.lines} - {*block.lines, "\n"}
+            own = [*takewhile(lambda part: part.key not in base, reversed(whole))][::-1]
+            first = next((n for n, part in enumerate(own) if above & {*part.lines}), len(own))
+            _join(block, own[first:], above)
+            whole = [part for part in whole if part.lines or part.children]
             block.children = _rejoined(block.children, was.children)
         whole.append(block)
     return whole
 
 
-def unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
+def _join(block: Block, own: Blocks, above: set[str]) -> None:
+    """Take what is above a block into it; of a function of the developer's, the comment alone.
+
+    Decision 141.
+    """
+    if any(re.match("def |class ", part.key) or part.key.endswith("()") for part in own):
+        taken = [line for line in own[0].lines if line in above]
+        own[0].lines = [line for line in own[0].lines if line not in above]
+    else:
+        taken = [line for part in own for line in split(part.text)]
+        for part in own:
+            part.lines, part.children = [], []
+    gap = [*takewhile(str.isspace, block.lines)] if own and own[0].lines else []
+    block.lines[: len(gap)] = gap + taken
+
+
+def _unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
     """Return blocks in which what the developer has put there does not part what is generated.
 
     So does a heading, and an empty line between an item and the comment above it.
@@ -69,20 +90,33 @@ def unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
 def _retitled(mine: Blocks, old: Blocks, new: Blocks) -> Blocks:
     """Match sections whose headings the developer has changed, and maybe the new version, too.
 
-    So with the names of nodes, as a file of parameters has them.
+    So with what else holds others at the top of a file: a class, the name of a node in a file of
+    parameters. What is below tells (decision 142).
     """
-    sides = ({b.key: b for b in side if _TITLE.match(b.key)} for side in (mine, old, new))
-    ours, base, theirs = sides
+    ours, base, theirs = ({b.key: b for b in side if _is_titled(b)} for side in (mine, old, new))
+    titles = {_title(block): key for key, block in theirs.items()}
     for key, block in ours.items():
         if key not in base and key not in theirs:
-            left = base.keys() - {one.key for one in mine}
-            was = _most_like(block, (o for k, o in base.items() if k in left))
+            have = {*(one.key for one in mine), *_names_in(block)}
+            was = _most_like(block, (o for k, o in base.items() if k not in have))
             came = _most_like(was, (n for k, n in theirs.items() if k not in base))
             if was and came and was.key not in theirs:
                 came.key = was.key
-            if was and (came or was.key in theirs):
-                block.key = was.key
+            same = titles.get(_title(block), key)
+            block.key = same if same not in have else (was or block).key
+            if block.key != key:
+                known = (side for side in (*old, *new) if side.key == block.key)
+                match(block.children, *(each.children for each in known))
     return mine
+
+
+def _is_titled(block: Block) -> bool:
+    is_container = bool(block.lines and block.children) and not is_condition(block)
+    return is_container or bool(_HEADING.match(block.key))
+
+
+def _title(block: Block) -> str:
+    return block.lines[-1 if block.children else 0]
 
 
 def _most_like(block: Block | None, others: Iterable[Block]) -> Block | None:

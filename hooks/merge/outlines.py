@@ -178,6 +178,8 @@ def _meaning(text: str) -> list[object]:
     for event in yaml.parse(text, yaml.SafeLoader):
         facts: list[object] = [type(event), getattr(event, "anchor", None)]
         facts.append(getattr(event, "tag", None))
+        if isinstance(event, yaml.DocumentStartEvent):
+            facts += [event.explicit, event.version]
         if isinstance(event, yaml.ScalarEvent):
             start, end = _index(event.start_mark), _index(event.end_mark)
             found += _comments(text[at:start])

@@ -15,7 +15,7 @@ from ..package import SUFFIX
 from .blocks import Block, is_comment, walk
 from .languages import TEXT, XML, Language, language
 from .lines import MARKS, plain, split
-from .matching import match, unsplit, wrap
+from .matching import identify, wrap
 from .origins import is_holder
 from .package import Result
 from .renaming import Renaming, rename
@@ -91,8 +91,7 @@ def _prove_file(
     if not _parses(known, ours):
         known = TEXT
     before, after = (_blocks(known, text, origin, renaming) for text in (old, ours))
-    match(after, before)
-    after = unsplit(after, before, before)
+    after = identify(after, before, before)
     lines = [
         (scope, line, _number(split(ours), number, line))
         for scope, line, number in _developer_lines(known, after, before)
@@ -111,8 +110,7 @@ def _prove_file(
     there = _blocks(known, text, "", Renaming())
     if known is XML and target in result.conflicts:
         rename(there, there, renaming.keys.get(origin, {}))  # whose text has the names of before
-    match(there, before, after)
-    there = unsplit(there, before, after)
+    there = identify(there, before, after)
     removed = result.removed.get(path, [])
     _read_back(proof, (path, target), known, lines, there, removed, of_people)
     changed = found is not None and target not in result.conflicts and text != ours

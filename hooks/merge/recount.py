@@ -81,7 +81,8 @@ def recount(
             sides = [_Text(text) for text in (ours, base, theirs, there)]
             parts = [*result.own.get(target, []), *result.missing.get(target, [])]
             excuse = excused.get(path, "") + _about(theirs, parts)
-            lines = _lines(sides, _Text(excuse), target in result.missing)
+            taken = _about(base, result.missing.get(target, []))
+            lines = _lines(sides, _Text(excuse), _Text(taken), target in result.missing)
             wrong += ((target, line) for line in lines)
         faults = _faults(target, there)
         for side in (ours, theirs) if faults else ():
@@ -129,10 +130,13 @@ def _about(text: str, parts: Iterable[str]) -> str:
     return "\n".join(found)
 
 
-def _lines(sides: Sequence[_Text], excused: _Text, has_missing: bool) -> Iterator[str]:
+def _lines(
+    sides: Sequence[_Text], excused: _Text, taken: _Text, has_missing: bool
+) -> Iterator[str]:
     """Yield the lines that are there too often, or not often enough.
 
-    `excused` has those that left, and those in whose place is what the developer has written.
+    `excused` has those that left, and those in whose place is what the developer has written;
+    `taken` those of generated parts that are perhaps the developer's under another name.
     """
     mine, old, new, found = sides
     is_deleted = False  # what stands above in the new version
@@ -153,7 +157,7 @@ def _lines(sides: Sequence[_Text], excused: _Text, has_missing: bool) -> Iterato
                 both = added and theirs > before
                 least = max(theirs, ours) if both else theirs + added - deleted
                 least = 0 if side is new and is_deleted else least - excused[tight]
-                if there > theirs + added or there < least:
+                if there > theirs + added + min(ours, taken[tight]) or there < least:
                     yield f"{line} ({there} times)"
 
 

@@ -1,6 +1,7 @@
 """Files as developers write them, read as blocks: each side's change is in the merged file."""
 
 import random
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -8,6 +9,7 @@ import pytest
 from hooks.merge.languages import CPP, MARKDOWN, PYTHON, language
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
+from hooks.merge.recount import recount
 from hooks.merge.renaming import Renaming
 from hooks.merge.tree import File, encode
 
@@ -545,3 +547,168 @@ def test_head_that_a_formatter_has_broken(one, other):
     assert PYTHON.same(one, other)
     assert not PYTHON.same(one, other.replace('"', "'c", 1))
     assert not PYTHON.same(one, other.replace("(", "(c, ", 1))
+
+
+TABLES = """# Arm
+
+Moves.
+
+## Nodes
+
+```sh
+run
+```
+
+| Node |
+|---|
+| reach |
+| watch |
+
+## Topics
+
+```sh
+echo
+```
+
+| Topic |
+|---|
+| goal |
+| pose |
+"""
+HEADINGS = {
+    "other words": ("## Topics\n", "## What it says\n"),
+    "more words": ("## Nodes\n", "## Nodes (mine)\n"),
+    "deeper": ("## Topics\n", "### Topics\n"),
+    "of a section that changes": ("# Arm\n", "# My arm\n"),
+    "words of another": ("## Topics\n", "## Nodes\n"),
+}
+
+
+@pytest.mark.parametrize("edit", HEADINGS.values(), ids=HEADINGS)
+@pytest.mark.parametrize("row", ["| reach |\n", "| watch |\n", "| goal |\n", "| pose |\n"])
+def test_section_keeps_the_heading_that_the_developer_gave_it(edit, row):
+    new = changed(TABLES, (row, ""), ("Moves.", "Turns."))
+    merges, found, result = merge("README.md", changed(TABLES, edit), TABLES, new)
+    assert merges
+    assert found == changed(new, edit)
+    assert not result.missing
+
+
+def test_section_with_another_heading_leaves_and_is_said():
+    new = TABLES[: TABLES.index("## Topics")]
+    mine = changed(TABLES, ("## Topics", "## What it says"))
+    merges, found, result = merge("README.md", mine, TABLES, new)
+    assert merges
+    assert found == new
+    assert result.removed == {"README.md": ["## Topics"]}
+
+
+PARAMETERS = "/**:\n  ros__parameters:\n    # Speed\n    speed: 1\n    gain: 2.0\n    rate: 3\n"
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["/robot/reach", "reach", "/**/reach", "# mine\n/**", "---\n/**", "%YAML 1.1\n---\n/**"],
+)
+@pytest.mark.parametrize("change", ["add", "remove", "describe"])
+def test_parameters_change_below_the_name_that_the_developer_gave_them(name, change):
+    edit = ("/**:", f"{name}:")
+    changes = {
+        "add": ("    rate: 3\n", "    rate: 3\n    limit: 4\n"),
+        "remove": ("    # Speed\n    speed: 1\n", ""),
+        "describe": ("# Speed", "# The speed"),
+    }
+    new = changed(PARAMETERS, changes[change])
+    merges, found, _ = merge("config/reach.yaml", changed(PARAMETERS, edit), PARAMETERS, new)
+    assert merges
+    assert found == changed(new, edit)
+
+
+def test_class_that_the_developer_calls_otherwise_gets_new_callbacks():
+    edit, home = ("class WorkerImpl", "class MyWorker"), "\n    def serve_home(self):\n        1\n"
+    merges, found, result = merge("arm/worker_impl.py", changed(PY, edit), PY, PY + home)
+    assert merges
+    assert found == changed(PY, edit) + home
+    assert not result.missing
+
+
+def test_function_in_cpp_that_names_its_namespace_is_what_it_was():
+    mine = changed(CPP_FILE, ("WorkerImpl::serve_reset(", "arm::WorkerImpl::serve_reset("))
+    words = ("// Service reset", "// The service reset")
+    merges, found, result = merge("src/a.cpp", mine, CPP_FILE, changed(CPP_FILE, words))
+    assert merges
+    assert found == changed(mine, words)
+    assert not result.missing
+    gone = changed(CPP_FILE, NO_RESET["cpp"])
+    merges, found, result = merge("src/a.cpp", mine, CPP_FILE, gone)
+    assert merges
+    assert found.split() == gone.split()
+    assert result.removed == {"src/a.cpp": ["WorkerImpl::serve_reset"]}
+
+
+ATTACHED = {
+    "pragma": ("cpp", "#pragma omp parallel\n"),
+    "two": ("cpp", "#pragma GCC push\n#pragma GCC ignored\n"),
+    "condition": ("cpp", "#ifdef A\n[[gnu::hot]]\n#endif\n"),
+    "macro": ("cpp", "#define LIMIT 1\n"),
+    "statement": ("cpp", "int mine = 0;\n\n"),
+    "member": ("hpp", "  int mine_ = 0;\n\n"),
+    "variable": ("py", "    mine = 1\n\n"),
+    "if": ("py", "    if DEBUG:\n        mine = 1\n\n"),
+}
+OWN_FUNCTIONS = {
+    "function": ("cpp", "int mine()\n{\n  return 1;\n}\n\n"),
+    "declaration": ("hpp", "  void mine();\n\n"),
+    "method": ("py", "    def mine(self):\n        return 1\n\n"),
+    "class": ("py", "    class Mine:\n        a = 1\n\n"),
+}
+
+
+def functions_of(suffix):
+    """Return the generated functions `load` and `reset`, each with the comment above it."""
+    text = SOURCES[suffix].rstrip("\n") + "\n\n"
+    margin, sign = {"hpp": ("  ", "//"), "cpp": ("", "//"), "py": ("    ", "#")}[suffix]
+    starts = [text.index(f"{margin}{sign} Service {name}") for name in ("load", "reset")]
+    end = {"hpp": "private:", "cpp": "}  // namespace"}.get(suffix)
+    starts.append(text.index(end) if end else len(text))
+    return [text[start:until] for start, until in pairwise(starts)]
+
+
+@pytest.mark.parametrize("change", ["remove", "add", "reorder"])
+@pytest.mark.parametrize("name", [*ATTACHED, *OWN_FUNCTIONS])
+def test_comment_stays_with_its_function_whatever_stands_between(name, change):
+    """A function of the developer's is another thing, and stays; all else belongs to both."""
+    suffix, own = (ATTACHED | OWN_FUNCTIONS)[name]
+    load, reset = functions_of(suffix)
+    comment, rest = reset.split("\n", 1)
+    edited = f"{comment}\n{own}{rest}" if name in ATTACHED else f"{own}{reset}"
+    new = {
+        "remove": (load + reset, load),
+        "add": (load + reset, load + load.replace("load", "home") + reset),
+        "reorder": (load + reset, reset + load),
+    }[change]
+    old = SOURCES[suffix].rstrip("\n") + "\n\n"
+    mine, new = changed(old, (reset, f"{comment}\n{own}{rest}")), changed(old, new)
+    merges, found, result = merge(f"arm/a.{suffix}", mine, old, new)
+    assert merges
+    if change == "remove":
+        wanted = new if name in ATTACHED else changed(new, (load, load + own))
+        assert bool(result.removed) == (name in ATTACHED)
+    elif name in ATTACHED or change == "add":
+        wanted = changed(new, (reset, edited))
+    else:
+        wanted = changed(new, (load, load + own))
+    assert sorted(found.split()) == sorted(wanted.split())
+    assert found.split() == wanted.split() or name in OWN_FUNCTIONS
+
+
+def test_function_that_the_developer_calls_otherwise_is_theirs():
+    """What the new version says of the one that is no longer there is not looked for in it."""
+    mine = changed(PY, ("def serve_load", "def fetch"))
+    new = changed(PY, ('"""Load."""', '"""Load it."""'), ('"""Reset."""', '"""Reset it."""'))
+    merges, found, result = merge("arm/a.py", mine, PY, new)
+    assert merges
+    assert found == changed(mine, ('"""Reset."""', '"""Reset it."""'))
+    assert result.missing == {"arm/a.py": ["serve_load"]}
+    trees = [{"arm/a.py": File(encode(text))} for text in (mine, PY, new)]
+    assert recount(*trees, Renaming(), {""}.__contains__, result, result.tree, []) == []

@@ -144,7 +144,9 @@ def plain(text):
 def functions(path, text):
     """Yield the name, the first and the last line number of each function, counted from 0."""
     lines = text.split("\n")
-    start = re.compile(r"    def (\w+)\(" if path.endswith(".py") else r"(?:\w+ )*\w+::(\w+)\(")
+    start = re.compile(
+        r"    def (\w+)\(" if path.endswith(".py") else r"(?:\w+ )*(?:\w+::)+(\w+)\("
+    )
     found = [(i, match[1]) for i, line in enumerate(lines) if (match := start.match(line))]
     for number, (first, name) in enumerate(found):
         last = found[number + 1][0] if number + 1 < len(found) else len(lines)
@@ -532,6 +534,36 @@ def _heading(random, edited, path, lines):
         lines[at:at] = [f"### {edited.mark(path)}", ""]
 
 
+def _title(random, edited, path, lines):
+    """Give a section, or the parameters of a node, another name."""
+    places = [i for i, line in enumerate(lines) if re.match(r"##? \w|/\*\*:$", line)]
+    if places:
+        at = random.choice(places)
+        edited.replaced.setdefault(path, []).append(lines[at])
+        start = "/robot/lab:  #" if path.endswith(".yaml") else lines[at]
+        lines[at] = f"{start} {edited.mark(path)}"
+
+
+def _between(random, edited, path, lines):
+    """Part a function from the comment above it."""
+    form = r"\s*(#|//) (Topic|Service|Action) \w+$"
+    places = [i for i, line in enumerate(lines) if re.match(form, line)]
+    if places:
+        python = path.endswith(".py")
+        form = (
+            "    value = 1  # {}" if python else random.choice(("#pragma lab {}", "int {} = 0;"))
+        )
+        lines.insert(random.choice(places) + 1, form.format(edited.mark(path)))
+
+
+def _qualified(random, edited, path, lines):
+    """Write the namespace before a class."""
+    if places := _definitions(path, lines):
+        at = random.choice(places)
+        edited.replaced.setdefault(path, []).append(lines[at])
+        lines[at] = f"{lines[at].replace(' ', ' lab::', 1)}  // {edited.mark(path)}"
+
+
 def _bracket(random, edited, path, lines):
     form = random.choice(("#[=[ {} ( ]=]", r"set({} a\(b)", 'set({} [[")]])'))
     at = random.choice([i for i, line in enumerate(lines) if re.match(r"[a-z_]+\(", line)])
@@ -550,6 +582,9 @@ SHAPES = (
     ((".md",), _fence),
     ((".md",), _heading),
     ((".txt",), _bracket),
+    ((".md", ".yaml"), _title),
+    (("_impl.py", "_impl.cpp"), _between),
+    (("_impl.cpp",), _qualified),
 )
 """What is written in another way than the model does it, by the ends of paths."""
 

@@ -158,11 +158,12 @@ def _has(text, function):
     return re.search(rf"(^\s*def |::){function}\(", text, re.MULTILINE)
 
 
+_BEFORE = r"LAB_TRACE\(\w+\)|(?:__attribute__\(\(hot\)\)|LAB_API(?:\(1\))?) "
+
+
 def without_macros(text):
-    """Return C++ without what the developer has put before functions."""
-    return re.sub(
-        r"(?m)^\s*(LAB_TRACE\(\w+\)|(__attribute__\(\(hot\)\)|LAB_API(\(1\))?) )", "", text
-    )
+    """Return C++ without what the developer has put before functions and classes."""
+    return re.sub(rf"(?m)^\s*(?:{_BEFORE})|\blab::(?=\w+::\w+\()", "", text)
 
 
 def enclosing(path, lines, at):
