@@ -156,8 +156,9 @@ def check_capital(type_: str) -> None:
 
 
 def _as_in_code(value: str) -> str:
-    """Ask whether a type is meant that stands as in Python, or as its file is called."""
-    words = [word for word in re.split(r"[.:/]+", value) if word not in ("msg", "srv", "action")]
+    """Ask whether a type is meant that is written as in Python, as its file, or as a list."""
+    plain = re.sub(r"\[.*|\s", "", value)
+    words = [word for word in re.split(r"[.:/]+", plain) if word not in ("msg", "srv", "action")]
     if len(words) == 1:
         return "it lacks its package; "
     return f'did you mean "{shown("::".join(words))}"? ' if len(words) == 2 else ""

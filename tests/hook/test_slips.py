@@ -156,6 +156,14 @@ NODE = ITEM.format('<node name="n" frequency="1">{}</node>')
             'not a type; did you mean "std_srvs::Trigger"? allowed: ',
         ),
         (
+            NODE.format('<publisher name="x" type=" std_msgs::String "/>'),
+            'not a type; did you mean "std_msgs::String"? allowed: ',
+        ),
+        (
+            NODE.format('<publisher name="x" type="sensor_msgs/Image[]"/>'),
+            'not a type; did you mean "sensor_msgs::Image"? allowed: ',
+        ),
+        (
             NODE.format('<publisher name="x" type="String.msg"/>'),
             '"String.msg" is not a type; it lacks its package; allowed: ',
         ),
