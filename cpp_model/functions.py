@@ -141,6 +141,11 @@ def message_packages(node: dict[str, Any]) -> list[str]:
     return sorted(packages)
 
 
+def cpp_bases(names: list[str]) -> str:
+    """Return what names the bases of a class; nothing for none."""
+    return f" : {', '.join(names)}" if names else ""
+
+
 def ros1_handle(name: str) -> str:
     """Return the node handle for a name: roscpp refuses `~/name` and wants another handle."""
     return "private_" if name.startswith("~") else "node_"

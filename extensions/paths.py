@@ -56,7 +56,8 @@ def value_of(item: Any, name: str, tag: str) -> Any:
 def all_of(spec: Mapping[str, Any], tag: str, known: Sequence[str] = ()) -> list[Any]:
     """Return the components of a tag, or what they have of a kind, each with its component.
 
-    A tag must be one of those that are known, if any are.
+    A tag must be one of those that are known, if any are. What components take from others is
+    among what they have.
     """
     if known and tag not in known:
         raise TemplateRuntimeError(f'unknown tag "{tag}"; allowed: {", ".join(known)}')
@@ -67,6 +68,6 @@ def all_of(spec: Mapping[str, Any], tag: str, known: Sequence[str] = ()) -> list
     return [
         {**item, component["tag"]: component}
         for component in components
-        if isinstance(component, Mapping)
+        if isinstance(component, Mapping) and "tag" in component
         for item in component.get(key, [])
     ]

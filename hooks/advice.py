@@ -46,9 +46,12 @@ def contradictions(context: Mapping[str, Any], dictionary: Dictionary) -> list[s
 def elements(
     context: Mapping[str, Any], dictionary: Dictionary
 ) -> Iterator[tuple[Component, str, Component | Interface, Mapping[str, Any]]]:
-    """Yield components and all interfaces: the component, its name, what it is, its values."""
+    """Yield components and all interfaces: the component, its name, what it is, its values.
+
+    What components take from others is among theirs.
+    """
     for component in dictionary.components.values():
-        for values in context[component.key]:
+        for values in () if component.is_shared else context[component.key]:
             owner = str(values[component.naming])
             yield component, owner, component, values
             for interface, item in _inside(component, values):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import types
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -24,14 +25,19 @@ def changed_answers(old: Values, new: Values) -> Iterator[str]:
 
 
 def changes(old: Values, new: Values, dictionary: Dictionary) -> Iterator[str]:
-    """Say in a line what came (+), left (-), changed (~) or was renamed (>)."""
+    """Say in a line what came (+), left (-), changed (~) or was renamed (>).
+
+    What components take from another is said of that alone.
+    """
     for pair in _pairs(old, new, dictionary):
+        if pair.origin:
+            continue
         if pair.before is None:
             yield f"+ {pair.label}"
         elif pair.after is None:
             yield f"- {pair.label}"
         else:
-            if pair.was != pair.name and pair.is_renamed:
+            if pair.is_renamed and not pair.is_reference:
                 yield f"> {pair.label}, was {pair.was}"
             yield from _attributes(pair, pair.before, pair.after)
 
@@ -41,7 +47,7 @@ def left(old: Values, new: Values, dictionary: Dictionary) -> Iterator[tuple[str
     owner = ""
     for pair in _pairs(old, new, dictionary):
         owner = pair.name if pair.level == "component" else owner
-        if pair.after is None and pair.name:
+        if pair.after is None and pair.name and not pair.is_reference:
             yield owner, pair.name
 
 
@@ -79,11 +85,13 @@ def marked(old: Values, new: Values, dictionary: Dictionary) -> tuple[dict[str, 
         if pair.level == "component":
             owner, number = pair, None
         is_gone = pair.after is None and (pair.level, pair.name) in taken
-        if not pair.is_renamed and not is_gone:
+        if pair.is_reference or (not pair.is_renamed and not is_gone):
             continue
         if pair.level == "interface" and owner and number is None:
             number = _mark(owner, marks, None)
+            _follow(owner, marks[number].before, context, dictionary)
         found = _mark(pair, marks, number if pair.level == "interface" else None)
+        _follow(pair, marks[found].before, context, dictionary)
         if pair.level == "component":
             number = found
     return context, marks
@@ -106,6 +114,21 @@ def _mark(pair: _Pair, marks: list[Mark], owner: int | None) -> int:
     return len(marks) - 1
 
 
+def _follow(pair: _Pair, name: str, context: Values, dictionary: Dictionary) -> None:
+    """Give what components take from an element of a name the mark that this name has now."""
+    kind = dictionary.components.get(pair.label.split()[0])
+    if pair.level != "component" or not kind or not kind.is_shared or not pair.before:
+        return
+    mark = pair.before[str(kind.naming)]
+    for component in dictionary.components.values():
+        for inner in component.interfaces.values():
+            key = inner.naming if inner.taken == kind.tag else kind.tag
+            for owner in component.of(context):
+                for item in inner.of(owner):
+                    if item.get(key) == name:
+                        item[key] = mark
+
+
 def places(spec: CheckedSpec, dictionary: Dictionary) -> dict[str, str]:
     """Return where each element of a spec is, for messages, by what `changes` calls it."""
     kinds: dict[str, Component | Interface] = {}
@@ -113,7 +136,7 @@ def places(spec: CheckedSpec, dictionary: Dictionary) -> dict[str, str]:
         kinds[component.tag] = component
         kinds |= {kind.kind: kind for kind in nested(component.interfaces)}
     found = {}
-    for item in spec.elements:
+    for item in [*spec.elements, *spec.shared]:
         owners = [each for each in item.owners.values() if each.tag in kinds]
         names = [_name(each.values, kinds[each.tag].naming) or each.tag for each in owners]
         kind = kinds.get(item.tag)
@@ -127,16 +150,19 @@ def check_names_before(
 ) -> None:
     """Insist that every `was` names something, and no two the same.
 
+    That of what components take counts where any of them has known it.
+
     Raises:
         SpecError: one does not; `places` says where it is, as the function of this name gives it.
 
     """
-    for pair in _pairs(old, new, dictionary):
+    pairs = list(_pairs(old, new, dictionary))
+    lines = {pair.label: places.get(pair.label, "").split(" (")[0] for pair in pairs}
+    right = {lines[pair.label] for pair in pairs if _is_right(pair)}
+    for pair in pairs:
         was = (pair.after or {}).get(WAS)
-        if was is None or pair.is_renamed or was == pair.name:
+        if was is None or lines[pair.label] in right:
             continue
-        if pair.before is not None and pair.before.get(WAS) == was:
-            continue  # carried out by an earlier update
         others = [name for name in pair.others if name != pair.name]
         remedy = f", or name one that is renamed: {', '.join(others)}" if others else ""
         raise SpecError(
@@ -144,6 +170,13 @@ def check_names_before(
             f" {pair.label.split()[0]}, or it has gone to another;"
             f" {nearest(str(was), others)}remove was{remedy}"
         )
+
+
+def _is_right(pair: _Pair) -> bool:
+    """Tell whether a name before is that of something, or has been carried out before."""
+    was = (pair.after or {}).get(WAS)
+    is_done = pair.before is not None and pair.before.get(WAS) == was
+    return was is not None and (pair.is_renamed or was == pair.name or is_done)
 
 
 def _label(kind: str, name: str, path: str) -> str:
@@ -165,6 +198,10 @@ class _Pair:
     others: tuple[str, ...] = ()
     label: str = PACKAGE
     level: str = "interface"
+    origin: str | None = None
+    """The tag of what components take it from."""
+    is_reference: bool = False
+    """It takes another element, whose name it says."""
 
     @property
     def was(self) -> str | None:
@@ -188,28 +225,58 @@ def _pairs(old: Values, new: Values, dictionary: Dictionary) -> Iterator[_Pair]:
         same = {**new, naming: name}
         package = replace(package, after=same)
     yield package
-    for component in dictionary.components.values():
+    components = sorted(dictionary.components.values(), key=lambda each: not each.is_shared)
+    renamed: dict[tuple[str, str], str] = {}
+    for component in components:
         for pair in _partners(old, new, component):
+            if component.is_shared and pair.was:
+                renamed[component.tag, pair.was] = pair.name
             yield replace(pair, label=_label(component.tag, pair.name, ""), level="component")
-            yield from _inside(pair, component, pair.name)
+            yield from _inside(pair, component, pair.name, renamed)
 
 
-def _inside(pair: _Pair, kind: Component | Interface, path: str) -> Iterator[_Pair]:
-    """Pair what stands inside of two items of a kind, where both are there; `path` names them."""
+def _inside(
+    pair: _Pair,
+    kind: Component | Interface,
+    path: str,
+    renamed: Mapping[tuple[str, str], str],
+    origin: str | None = None,
+) -> Iterator[_Pair]:
+    """Pair what stands inside of two items of a kind, where both are there; `path` names them.
+
+    `renamed` has the names of what components take, by tag and name before; `origin` is the tag
+    of what the pair was taken from.
+    """
     if pair.before is None or pair.after is None:
         return
+    tags = {inner.taken for inner in kind.interfaces.values() if inner.taken}
     for inner_kind in kind.interfaces.values():
-        for inner in _partners(pair.before, pair.after, inner_kind):
-            yield replace(inner, label=_label(inner_kind.kind, inner.name, path))
-            yield from _inside(inner, inner_kind, f"{path}.{inner.name or inner_kind.kind}")
+        tag = inner_kind.taken
+        names = {was: name for (of, was), name in renamed.items() if of == tag}
+        for inner in _partners(pair.before, pair.after, inner_kind, names):
+            sides = [side for side in (inner.before, inner.after) if side is not None]
+            own = next((t for t in tags if all(t in side for side in sides)), origin)
+            label = _label(inner_kind.kind, inner.name, path)
+            yield replace(inner, label=label, origin=own, is_reference=tag is not None)
+            within = f"{path}.{inner.name or inner_kind.kind}"
+            yield from _inside(inner, inner_kind, within, renamed, own)
 
 
-def _partners(old: Values, new: Values, kind: Component | Interface) -> Iterator[_Pair]:
+def _partners(
+    old: Values,
+    new: Values,
+    kind: Component | Interface,
+    renamed: Mapping[str, str] = types.MappingProxyType({}),
+) -> Iterator[_Pair]:
     """Pair what has the same name, or had it before; None where there is no partner.
 
-    A `was` counts once: the context that an update has recorded has it already.
+    A `was` counts once: the context that an update has recorded has it already. `renamed` has
+    the names now of those before that items of the kind refer to.
     """
-    left = {_name(item, kind.naming): item for item in kind.of(old)}
+    left: dict[str, Values] = {}
+    for item in kind.of(old):
+        name = _name(item, kind.naming)
+        left[renamed.get(name, name)] = item
     items = kind.of(new)
     partners: dict[int, Values | None] = {}
     for number, item in enumerate(items):

@@ -46,6 +46,10 @@ class CheckedSpec:
     types: list[tuple[Element, str, tuple[str, str, str]]] = field(default_factory=list)
     """Each type that the spec names: by which element and attribute; its parts."""
     elements: list[Checked] = field(default_factory=list)
+    shared: list[Checked] = field(default_factory=list)
+    """What stands in elements that others take; `elements` has it where it is taken."""
+    unused: list[tuple[Element, str]] = field(default_factory=list)
+    """Those of them that none takes, each with the tags that could."""
 
     @property
     def name(self) -> str:
@@ -54,13 +58,18 @@ class CheckedSpec:
 
     def place(self, element: Element) -> str:
         """Name an element for a message."""
+        used = f" (used at line {element.taker.line})" if element.taker else ""
+        return f"{self.own_place(element)}{used}"
+
+    def own_place(self, element: Element) -> str:
+        """Name an element for a message on the element alone, whatever takes it."""
         return f"{element.file or self.file}:{element.line}: {element.label}"
 
     @property
     def components(self) -> list[Checked]:
         """The components that make something, in the order of the file."""
         alone = [element for element in self.elements if len(element.owners) == 1]
-        return [element for element in alone if "class_name" in element.values]
+        return [element for element in alone if "tag" in element.values]
 
     @property
     def interfaces(self) -> list[Checked]:
@@ -106,6 +115,13 @@ class _Checker:
         self.holders: dict[Element, str] = {}
         """By element with a type, the declared type that it is a part of, or nothing."""
         self.declaring = ""
+        self.told: set[tuple[int, str]] = set()
+        self.is_sharing = False
+        """Whether what is being checked stands in an element that others take."""
+        self.shared: dict[tuple[str, str], Element] = {}
+        """The elements that others take, by tag and name."""
+        self.taken: set[Element] = set()
+        """Those that one takes."""
 
     def check_package(self, element: Element) -> None:
         if element.tag != PACKAGE:
@@ -116,16 +132,33 @@ class _Checker:
         package = self.checked(PACKAGE, element, values)
         values |= {component.key: [] for component in components.values()}
         unknown = False
-        for child in element.children:
-            tag = self.dictionary.aliases.get(child.tag, child.tag)
+        children = [
+            (self.dictionary.aliases.get(each.tag, each.tag), each) for each in element.children
+        ]
+        shared = {tag for tag, component in components.items() if component.is_shared}
+        shared_ones: list[tuple[Component, Element, Values]] = []
+        for tag, child in sorted(children, key=lambda pair: pair[0] not in shared):
             if tag == DEPEND:
                 self.check_depend(child)
+            elif tag in shared:
+                shared_ones.append(
+                    (
+                        components[tag],
+                        child,
+                        self.shared_component(child, components[tag], package),
+                    )
+                )
             elif tag in components:
                 component = self.component(child, components[tag], package)
                 values[components[tag].key].append(component)
             else:
                 unknown = True
                 self.unknown_tag(child, [*components, DEPEND])
+        for kind, child, found in shared_ones:
+            if child in self.taken:
+                values[kind.key].append(found)
+            else:
+                self.spec.unused.append((child, self.takers(kind.tag)))
         needed = [component for component in components.values() if not component.is_plain]
         if needed and not any(values[component.key] for component in needed) and not unknown:
             tags = " or ".join(f"<{component.tag}>" for component in needed)
@@ -134,13 +167,42 @@ class _Checker:
 
     def component(self, element: Element, component: Component, package: Checked) -> Values:
         self.declaring = ""
-        has_name = not component.is_plain
+        has_name = component.can_be_renamed
         values = given = self.values(element, component.attributes, (component.tag,), has_name)
-        if not component.is_plain:
+        if has_name:
             name = class_name(str(given.get(component.naming, "")))
-            values = {"tag": component.tag, **given, "class_name": name}
+            tag = {} if component.is_shared else {"tag": component.tag}
+            values = {**tag, **given, "class_name": name}
         owner = self.checked(component.tag, element, {**values}, package)
+        self.is_sharing = component.is_shared
         return values | self.interfaces(element, component, given, (package, owner))
+
+    def shared_component(self, element: Element, component: Component, package: Checked) -> Values:
+        """Return the values of an element that others take, and keep it for these."""
+        values = self.component(element, component, package)
+        self.is_sharing = False
+        self.shared.setdefault((component.tag, str(values[component.naming])), element)
+        return values
+
+    def takers(self, tag: str) -> str:
+        """Name the tags that take an element of a tag."""
+        components = self.dictionary.components.values()
+        kinds = [kind for each in components for kind in each.interfaces.values()]
+        return " or ".join(dict.fromkeys(f"<{kind.kind}>" for kind in kinds if kind.taken == tag))
+
+    def children(self, element: Element, kind: Component | Interface) -> Iterator[Element]:
+        """Yield what stands in an element; after one that takes another, what stands in that."""
+        taken = set()
+        for child in element.children:
+            yield child
+            inner = kind.interfaces.get(child.tag)
+            if inner and inner.taken:
+                name = child.attributes.get(str(inner.naming), "")
+                found = self.shared.get((inner.taken, name))
+                if found and found not in taken:
+                    taken.add(found)
+                    yield from (each.taken_by(child) for each in found.children)
+        self.taken |= taken
 
     def interfaces(
         self,
@@ -151,28 +213,30 @@ class _Checker:
     ) -> Values:
         """Return what stands inside of an element, which is one of `kind` with values `given`."""
         values: Values = {each.key: None if each.once else [] for each in kind.interfaces.values()}
-        for child in element.children:
+        for child in self.children(element, kind):
             if child.tag not in kind.interfaces:
                 self.unknown_tag(child, list(kind.interfaces))
                 continue
             inner = kind.interfaces[child.tag]
             scope = (element, inner.kind)
-            found = self.values(child, inner.attributes, scope, has_name=not inner.once)
-            if inner.requires and not any(
-                _is_said(name, element, given) for name in inner.requires
-            ):
+            found = self.values(child, inner.attributes, scope, has_name=inner.can_be_renamed)
+            requires = [] if self.is_sharing else inner.requires
+            if requires and not any(_is_said(name, element, given) for name in requires):
                 what = f"its <{element.tag}> at line {element.line} must have the attribute"
-                needed = (f'"{name}"{_doc(kind.attributes[name])}' for name in inner.requires)
+                needed = (f'"{name}"{_doc(kind.attributes[name])}' for name in requires)
                 instead = _instead(inner, kind.interfaces)
                 self.fault(child, f"{what} {' or '.join(needed)}{instead}")
             item = self.checked(inner.kind, child, {**found}, *owners)
             found |= self.interfaces(child, inner, found, (*owners, item))
+            if child.taker and not element.taker:  # it says where it was taken from
+                taker = kind.interfaces[child.taker.tag]
+                found[str(taker.taken)] = child.taker.attributes[str(taker.naming)]
             if not inner.once:
                 values[inner.key].append(found)
                 continue
             first = self.owners.setdefault((element, inner.kind), child)
             if first is not child:
-                self.fault(child, f"there is one at line {first.line}; put all into one")
+                self.fault(child, f"there is one at {first.where}; put all into one")
             values[inner.key] = found
         return values
 
@@ -239,7 +303,7 @@ class _Checker:
     def checked(self, tag: str, element: Element, values: Values, *owners: Checked) -> Checked:
         """Keep an element for the checks of the whole."""
         item = Checked(tag, element, values, {owner.tag: owner for owner in owners})
-        self.spec.elements.append(item)
+        (self.spec.shared if self.is_sharing else self.spec.elements).append(item)
         return item
 
     def check_depend(self, element: Element) -> None:
@@ -285,7 +349,8 @@ class _Checker:
                     if attribute.choices and value in self.lacks:
                         what = f"{self.distro.capitalize()} has no {quoted(value)}"
                         raise ValueError(f"{what}; {self.lacks[value]}")
-                    if attribute.format in TYPES and (parts := split_type(value)):
+                    is_type = attribute.format in TYPES and not self.is_sharing
+                    if is_type and (parts := split_type(value)):
                         self.spec.types.append((element, name, parts))
                         self.holders[element] = self.declaring
                     if attribute.declares:
@@ -318,7 +383,7 @@ class _Checker:
         if first is not element:
             other = first.attributes.get(attribute.name, value)
             by = f" by {quoted(other)}" if other != value else ""
-            taken = f"already taken{by} at line {first.line}"
+            taken = f"already taken{by} at {first.where}"
             raise ValueError(f"{quoted(value)} is {taken}; each must have its own")
 
     def unknown_tag(self, element: Element, known: list[str]) -> None:
@@ -337,6 +402,11 @@ class _Checker:
         self.fault(element, f"<{shown(tag)}> is not known here; {where}")
 
     def fault(self, element: Element, message: str) -> None:
+        """Keep a fault; that of an element is said once, however many take it."""
+        is_told = (element.place[1], message) in self.told
+        if is_told:
+            return
+        self.told.add((element.place[1], message))
         self.faults.append((element.place[1], f"{self.spec.place(element)}: {message}"))
 
 

@@ -80,14 +80,14 @@ def collisions(
                         f'"{shown(name)}" is {why} as {scope.label}; choose another',
                     )
                 elif first is not item.element:
-                    also = f"{first.label} at line {first.line}"
+                    also = f"{first.label} at {first.where}"
                     what = f'makes the {scope.label} "{shown(name)}"'
                     yield item.element, f"{what}, as {also} does; rename one of them"
         for (place, name), element in taken.items() if scope.parts else ():
             above = [name[:end] for end in range(len(name)) if name[end] == scope.parts]
             for group in above:
                 if other := taken.get((place, group)):
-                    what = f'"{shown(group)}" is a {scope.label} itself, at line {other.line}'
+                    what = f'"{shown(group)}" is a {scope.label} itself, at {other.where}'
                     yield element, f"{what}, so that nothing can be below it; rename one of them"
 
 

@@ -65,6 +65,8 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
         if kind and package and not (kind in _COVERED and package in found):
             others[kind].add(package)
     notes = [note for *_, note in translated if note] + list(_small_types(spec, generation))
+    for element, takers in spec.unused:
+        notes.append(f"{element.label} is not taken by any {takers}; nothing is made of it")
     return {
         **spec.package,
         "ros": generation,
@@ -79,12 +81,12 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
 def _check_kinds(spec: CheckedSpec) -> None:
     """Refuse a service of a package that has messages alone, and the like."""
     faults = [
-        f"{spec.place(element)}: {name}: {lacking}"
+        f"{spec.own_place(element)}: {name}: {lacking}"
         for element, name, (package, kind, _) in spec.types
         if (lacking := lacking_kind(package, kind))
     ]
     if faults:
-        raise SpecError(first_of(faults))
+        raise SpecError(first_of([*dict.fromkeys(faults)]))
 
 
 def _small_types(spec: CheckedSpec, generation: int) -> Iterator[str]:
@@ -95,11 +97,11 @@ def _small_types(spec: CheckedSpec, generation: int) -> Iterator[str]:
         try:
             check_capital(type_)
         except ValueError as error:
-            faults.append(f"{spec.place(element)}: {name}: {error}")
+            faults.append(f"{spec.own_place(element)}: {name}: {error}")
             meant = quoted(with_capital(type_))
             yield f"{element.label}: {quoted(type_)} begins with a small letter; is {meant} meant?"
     if faults and generation == 2:
-        raise SpecError(first_of(faults))
+        raise SpecError(first_of([*dict.fromkeys(faults)]))
 
 
 def _result(functions: Functions, name: str, place: str, *arguments: Any) -> Any:

@@ -10,7 +10,7 @@ import re
 import types
 import typing
 from collections.abc import Iterable, Iterator, Mapping, Set
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -82,12 +82,24 @@ class Interface:
     requires: list[str] = field(default_factory=list)
     """Attributes of its owner, of which one must be given."""
     once: bool = False
+    takes: bool = False
+    """Its owner has what stands in the element that it refers to (decision 134)."""
     interfaces: Mapping[str, Interface] = field(default_factory=dict)
 
     @property
     def naming(self) -> str | None:
         """The attribute that names one: the first, but none where there is one at most."""
         return None if self.once else naming(self.attributes)
+
+    @property
+    def taken(self) -> str | None:
+        """The tag of what it takes, if it does."""
+        return self.attributes[self.naming].refers_to if self.takes and self.naming else None
+
+    @property
+    def can_be_renamed(self) -> bool:
+        """It has a name of its own, so that it may say which it had before."""
+        return not self.once and not self.takes
 
     @property
     def key(self) -> str:
@@ -109,11 +121,18 @@ class Component:
     interfaces: Mapping[str, Interface]
     is_plain: bool = False
     """It says more of the package, and has no interface: the package needs none."""
+    is_shared: bool = False
+    """It holds what others take: its interface is said of these."""
 
     @property
     def naming(self) -> str:
         """The attribute that names one."""
         return naming(self.attributes)
+
+    @property
+    def can_be_renamed(self) -> bool:
+        """It makes something that has its name."""
+        return not self.is_plain or self.is_shared
 
     @property
     def key(self) -> str:
@@ -266,6 +285,7 @@ class _Reader:
             keys = frozenset() if component.is_plain else COMPONENT_KEYS
             self.check_inside(component.tag, component, keys)
         self.check_references(package, components)
+        components = self.shared(components)
         said = (plain(aliases), plain(skeleton), scopes, plain(holders))
         return Dictionary(package, components, *said, files)
 
@@ -281,6 +301,29 @@ class _Reader:
             for name, attribute in known.items():
                 if tag := attribute.refers_to:
                     self.check_word("", f"{owner} {name}", "tag to refer to", tags, tag)
+
+    def shared(self, components: dict[str, Component]) -> dict[str, Component]:
+        """Return the components; those that others take may hold what these may hold."""
+        found = dict(components)
+        for component in components.values():
+            held = {name: kind for name, kind in component.interfaces.items() if not kind.takes}
+            for kind in nested(component.interfaces):
+                if kind.takes and kind is not component.interfaces.get(kind.kind):
+                    raise self.fault("", kind.kind, "only a kind of a component takes")
+                if kind.takes and not kind.taken:
+                    what = "what a kind takes is named by refers_to of its first attribute"
+                    raise self.fault("", kind.kind, what)
+                if not (tag := kind.taken):
+                    continue
+                if tag not in components or not components[tag].is_plain:
+                    what = f"takes <{tag}>, which has an interface of its own"
+                    only = f"it needs {tag}_attributes alone"
+                    raise self.fault("", kind.kind, f"{what}; {only}")
+                for each in held.values():
+                    self.check_hidden(each.kind, each.attributes, {tag})
+                kinds = {**held, **found[tag].interfaces}
+                found[tag] = replace(components[tag], interfaces=kinds, is_shared=True)
+        return found
 
     def attributes(self, owner: str, items: Any) -> dict[str, Attribute]:
         if not isinstance(items, list):
@@ -389,7 +432,7 @@ class _Reader:
             raise self.fault(kind, kind, what)
         inside = self.interfaces(kind, item.get("interface"))
         attributes = self.attributes(kind, item.get("attributes", []))
-        options = {key: item[key] for key in ("doc", "requires", "once") if key in item}
+        options = {key: item[key] for key in _INTERFACE_KEYS[1:-1] if key in item}
         if isinstance(options.get("requires"), str):
             options["requires"] = [options["requires"]]
         for key, value in options.items():
@@ -488,7 +531,7 @@ class _Reader:
         return SpecError(": ".join(filter(None, (place, label, what))))
 
 
-_INTERFACE_KEYS = ("attributes", "doc", "requires", "once", "interface")
+_INTERFACE_KEYS = ("attributes", "doc", "requires", "once", "takes", "interface")
 _SHAPES = typing.get_type_hints(Attribute)
 _WORDS = {
     str: "a text",

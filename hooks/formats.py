@@ -91,7 +91,7 @@ def grouped_name(value: str) -> str:
     """Identifiers with dots between them; ROS 1 writes a stroke for a dot. No keyword."""
     word = "[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*"
     complaint = "not a valid name; allowed: a letter, then letters, digits and single underscores;"
-    complaint += ' a "." between the names of a group and of what is in it'
+    complaint += ' a "." between nested ones'
     _free(identifier_of(_match(rf"{word}([./]{word})*_?", value, complaint)[0]))
     return value.replace("/", ".")
 

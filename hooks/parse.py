@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NoReturn
 from xml.parsers import expat
 
@@ -28,11 +28,18 @@ class Element:
     place: Place
     file: str = ""
     """The file where it stands, if a spec has several."""
+    taker: Element | None = None
+    """What takes it from another element, for one that stands elsewhere, too."""
 
     @property
     def line(self) -> int:
         """The line on which the element starts."""
         return self.place[0]
+
+    @property
+    def where(self) -> str:
+        """The line for a message, with that of what takes the element."""
+        return f"line {self.line}" + (f", used at line {self.taker.line}" if self.taker else "")
 
     @property
     def attributes(self) -> dict[str, str]:
@@ -43,7 +50,12 @@ class Element:
     def children(self) -> list[Element]:
         """The elements inside, in the order of the file."""
         tags = (found for key, found in self.content.items() if key[0] not in "@#")
-        return sorted((child for found in tags for child in found), key=lambda c: c.place[1])
+        children = sorted((child for found in tags for child in found), key=lambda c: c.place[1])
+        return [child.taken_by(self.taker) for child in children] if self.taker else children
+
+    def taken_by(self, taker: Element | None) -> Element:
+        """Return the element as another one takes it, apart from what it is where it stands."""
+        return replace(self, taker=taker)
 
     @property
     def text(self) -> str:

@@ -78,8 +78,7 @@ class _Types:
         name = tag if tag not in self.contents else f"{owner}.{tag}"
         self.contents[name] = ""
         elements = [self.element(each.kind, each, name) for each in kind.interfaces.values()]
-        has_name = not (kind.is_plain if isinstance(kind, Component) else kind.once)
-        attributes = [*kind.attributes.values(), *([NAME_BEFORE] if has_name else [])]
+        attributes = [*kind.attributes.values(), *([NAME_BEFORE] if kind.can_be_renamed else [])]
         content = _content(attributes, elements)
         same = [known for known, other in self.contents.items() if other == content]
         if same:

@@ -49,9 +49,21 @@ def skeleton(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
     for component in dictionary.components.values():
         if component.is_plain:
             attributes = component.attributes.values()
-            lines += ["", *_comment(component.tag, "  ", attributes)]
+            lines += ["", *_comment(_title(component, dictionary), "  ", attributes)]
             lines += _tag(component.tag, attributes, "  <!-- ", "/> -->")
     return "\n".join([*lines, f"</{PACKAGE}>", ""])
+
+
+def _title(component: Component, dictionary: Dictionary) -> str:
+    """Return the tag of a component; of one that others take, also by what these do so."""
+    takers = [
+        f"each <{other.tag}> that has <{kind.kind}>"
+        for other in dictionary.components.values()
+        for kind in other.interfaces.values()
+        if kind.taken == component.tag
+    ]
+    said = f": what stands in it is in {', '.join(takers)}" if takers else ""
+    return f"{component.tag}{said}"
 
 
 def _component(component: Component, dictionary: Dictionary, told: list[Interface]) -> list[str]:

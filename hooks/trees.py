@@ -37,18 +37,22 @@ _SUFFIXES = (".yaml", ".yml", ".json")
 
 
 def tree(context: Mapping[str, Any], dictionary: Dictionary) -> Tree:
-    """Return what a spec must say to give a context: no default, and no name of before."""
+    """Return what a spec must say to give a context: no default, and no name of before.
+
+    What components take from others is said of each, as if it stood there.
+    """
     others = context["other_depends"].items()
     depends: list[tuple[dict[str, str], str]] = [({}, name) for name in context["declared"]]
     depends += [({DEPEND_KIND: kind}, name) for kind, names in others for name in names]
     inside: list[Tree] = [(DEPEND, attributes, name) for attributes, name in depends]
-    for component in dictionary.components.values():
+    own = [each for each in dictionary.components.values() if not each.is_shared]
+    for component in own:
         inside += [_tree(component.tag, component, item) for item in component.of(context)]
     return PACKAGE, _given(dictionary.package, context), inside
 
 
 def _tree(tag: str, kind: Component | Interface, item: Mapping[str, Any]) -> Tree:
-    kinds = kind.interfaces.values()
+    kinds = [each for each in kind.interfaces.values() if not each.takes]
     inside = [_tree(each.kind, each, one) for each in kinds for one in each.of(item)]
     return tag, _given(kind.attributes, item), inside
 

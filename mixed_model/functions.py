@@ -9,6 +9,8 @@ from typing import Any
 _ROOT = next(
     folder for folder in Path(__file__).parents if (folder / "cpp_model/functions.py").exists()
 )
+_SHARED = next(folder for folder in Path(__file__).parents if (folder / "shared").exists())
+_USED_BY = runpy.run_path(str(_SHARED / "shared/functions.py"))["used_by"]
 _MODELS = {
     language: runpy.run_path(str(_ROOT / f"{language}_model/functions.py"))
     for language in ("python", "cpp")
@@ -48,7 +50,8 @@ def parts(spec: dict[str, Any], language: str, ros_distro: str) -> list[dict[str
     own = set(spec["declared"]).union(*(_packages(node, ros_distro) for node in nodes))
     kinds = sorted({kind for kind, _ in _interfaces(nodes)})
     depends = [name for name in spec["depends"] if name in own]
-    return [{**spec, "nodes": nodes, "kinds": kinds, "depends": depends}]
+    groups = _USED_BY(spec["groups"], nodes)
+    return [{**spec, "nodes": nodes, "groups": groups, "kinds": kinds, "depends": depends}]
 
 
 def for_cmake(spec: dict[str, Any], ros_distro: str) -> dict[str, Any]:

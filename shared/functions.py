@@ -446,8 +446,41 @@ def check_interface(kind: str, attributes: dict[str, Any], ros_distro: str) -> N
     if attributes["type"].endswith("[]"):
         raise ValueError("dynamic_reconfigure has no lists; use <parameter>")
     if "." in attributes["name"]:
-        raise ValueError("dynamic_reconfigure has no groups of names; use <parameter>")
+        raise ValueError("dynamic_reconfigure has no nested names; use <parameter>")
     for name in ("value", "min", "max"):
         value = attributes[name]
         if isinstance(value, int) and not -(2**31) <= value < 2**31:
             raise ValueError(f"{name}: {value} does not fit the 32 bits of dynamic_reconfigure")
+
+
+def groups_of(spec: dict[str, Any], node: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return the groups that a node uses, in its order."""
+    groups = {group["name"]: group for group in spec["groups"]}
+    return [groups[use["group"]] for use in node["uses"]]
+
+
+def users_of(spec: dict[str, Any], group: dict[str, Any]) -> list[str]:
+    """Return the names of the nodes that use a group."""
+    uses = ((node["name"], use["group"]) for node in spec["nodes"] for use in node["uses"])
+    return [name for name, used in uses if used == group["name"]]
+
+
+def base(group: dict[str, Any], of: str) -> str:
+    """Return the type that nodes with a group have in common: its `Config`, `Data` or other.
+
+    Nothing where the group has nothing that it would hold.
+    """
+    kinds = {"Config": ["parameters", "dynParameters"], "Data": ["publishers", "subscribers"]}
+    is_there = of not in kinds or any(group[kind] for kind in kinds[of])
+    return f"{group['class_name']}{of}" if is_there else ""
+
+
+def in_brackets(names: list[str]) -> str:
+    """Return the bases of a class in Python; nothing for none."""
+    return f"({', '.join(names)})" if names else ""
+
+
+def used_by(groups: list[dict[str, Any]], nodes: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return those of the groups that some of the nodes use."""
+    names = {use["group"] for node in nodes for use in node["uses"]}
+    return [group for group in groups if group["name"] in names]

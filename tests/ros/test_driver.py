@@ -18,7 +18,7 @@ FILES = [
     "launch/old/driver.txt",
     "urdf/hand/finger.urdf",
 ]
-PROGRAMS = ["calibrate", "sensor-driver"]
+PROGRAMS = ["calibrate", "replay", "sensor-driver"]
 each_model = pytest.mark.parametrize("model", MODELS)
 
 
@@ -91,7 +91,7 @@ def test_driver_in_ros1(ros1, render, tmp_path, model):
     check_installed(tmp_path / "install")
     launch = f"roslaunch {package}/launch/driver.launch"
     nodes = ros1.run(f"{launch} --nodes namespace:=arm", tmp_path, tmp_path).stdout.split()
-    assert nodes == ["/arm/left/sensor", "/arm/right/sensor"]
+    assert sorted(nodes) == ["/arm/left/sensor", "/arm/replay", "/arm/right/sensor"]
     printed = ros1.run(f"{launch} --dump-params", tmp_path, tmp_path).stdout
     for parameter in ("device: /dev/ttyUSB0", "serial/baud: 9600", "serial/timeout: 0.5"):
         assert f"/left/sensor/{parameter}" in printed
@@ -130,6 +130,7 @@ def test_instances_of_the_launch_file(render, model):
     package = make(render, model, "kilted")
     root = ET.parse(package / "launch/driver.launch.xml").getroot()
     nodes = [*root.iter("node"), *root.iter("composable_node")]
+    nodes = [node for node in nodes if node.get("name") != "replay"]
     assert [node.get("name") for node in nodes] == ["sensor"] * (2 if model[0] == "p" else 4)
     for node, side in zip(nodes, ["left", "right"] * 2, strict=False):
         text = re.fullmatch(r"\$\(eval '(.*)'\)", node.get("namespace"))[1].replace("\\'", "'")

@@ -2,6 +2,7 @@
 
 import ast
 import re
+import types
 import unicodedata
 import warnings
 import xml.etree.ElementTree as ET
@@ -136,6 +137,9 @@ NUMBERS = [
 class Author(Random):
     """Writes specs: most of what it writes is right, and all of it from the dictionary."""
 
+    named = types.MappingProxyType({})
+    """The names of the elements written so far, by tag."""
+
     def seldom(self, times):
         return self.randrange(times) == 0
 
@@ -198,6 +202,8 @@ class Author(Random):
     def attribute(self, given, made, others):
         if self.seldom(300):
             return self.anything()
+        if given.refers_to in self.named:
+            return self.choice(self.named[given.refers_to])
         if given.choices:
             pairs = given.choices.items()
             return self.choice([word for one, more in pairs for word in (one, *more)])
@@ -239,6 +245,7 @@ class Author(Random):
         if made and self.seldom(500):
             made.pop(self.choice(list(made)))
         shown = "".join(f" {name}={quoteattr(text)}" for name, text in made.items())
+        self.named.setdefault(tag, []).append(next(iter(made.values()), ""))
         return f"<{tag}{shown}>{inside}</{tag}>\n"
 
     def inside(self, owner):
@@ -255,12 +262,18 @@ class Author(Random):
     def spec(self, dictionary):
         """Return the XML of a spec that a dictionary may allow."""
         parts = []
-        for _ in range(self.choice([1, 1, 2, 3])):
-            component = self.choice(list(dictionary.components.values()))
+        self.named = {}
+        shared = set()  # what the interfaces require that components may take
+        components = self.choices(
+            list(dictionary.components.values()), k=self.choice([1, 1, 2, 4])
+        )
+        for component in sorted(components, key=lambda each: not each.is_shared):
             kinds, inside = self.inside(component)
             attributes = component.attributes
+            required = {name for kind in kinds for name in kind.requires}
+            shared |= required if component.is_shared else set()
             if not self.seldom(10):  # what the interfaces require
-                required = {name for kind in kinds for name in kind.requires}
+                required |= shared if any(kind.takes for kind in kinds) else set()
                 attributes = {
                     name: replace(given, optional=given.optional and name not in required)
                     for name, given in attributes.items()

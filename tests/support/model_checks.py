@@ -116,7 +116,9 @@ class Model:
         found = [Owner(dictionary.package)]
         for component in dictionary.components.values():
             found.append(Owner(component.attributes, (component.tag,)))
-            found += self.inside(component, (component.tag,))
+            # What others take may hold the kinds of these, and no others.
+            inside = not component.is_shared
+            found += self.inside(component, (component.tag,)) if inside else []
         return found
 
     def inside(self, owner, path):
@@ -183,6 +185,7 @@ class Model:
         has_one = any(owner.component in made for owner, _ in own)
         holders |= {owner.path[:1] for owner, _ in own}
         holders |= set() if has_one else {(tag,) for tag in made}
+        holders |= self._takers({path[0] for path in holders})
         holders |= self._referred(
             [*elements, *(item for item in needed if item[0].path in holders)]
         )
@@ -198,6 +201,16 @@ class Model:
         self._refer(root)
         ET.indent(root)
         return ET.tostring(root, encoding="unicode") + "\n"
+
+    def _takers(self, tags):
+        """Return the paths of what takes elements of some tags, so that these make something."""
+        return {
+            path
+            for component in self.hook.dictionary.components.values()
+            for kind in component.interfaces.values()
+            if kind.taken in tags
+            for path in [(component.tag,), (component.tag, kind.kind)]
+        }
 
     def _referred(self, elements):
         """Return the paths of what elements refer to, with all that this needs."""

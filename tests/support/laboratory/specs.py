@@ -1,6 +1,7 @@
 """Random specs, and the ways they change."""
 
 import copy
+from random import Random
 from xml.sax.saxutils import quoteattr
 
 CALLBACKS = {
@@ -23,6 +24,7 @@ TYPES = OTHERS | {kind: types for kind, (_, types) in CALLBACKS.items()}
 NAMES = """load store estop home reset range map pose arm_state grip plan scan cloud track speed
     goal level mode tool power""".split()
 NODES = "lab reach watch drive grasp map_server".split()
+GROUPS = "common base output rest spare".split()
 PARTS = {
     "message": ("",),
     "service": ("request", "response"),
@@ -37,8 +39,8 @@ def random_spec(random, callbacks_only=False):
     return {
         "description": "A package",
         "nodes": [
-            {"name": name, "frequency": random.choice((1, 10, 50)), "items": items}
-            for name in names
+            {"name": name, "frequency": random.choice((1, 10, 50)), "items": items, "group": group}
+            for name, group in zip(names, GROUPS, strict=False)
             for items in [random_items(random, callbacks_only)]
         ],
     }
@@ -47,8 +49,16 @@ def random_spec(random, callbacks_only=False):
 def random_items(random, callbacks_only):
     kinds = sorted(CALLBACKS if callbacks_only else TYPES)
     names = random.sample(NAMES, k=random.randint(3, 8))
+    own = Random(str(names))  # so that what is drawn from `random` stays what it was
+    share = own.choice((0, 0, 0.5))
     return [
-        {"kind": random.choice(kinds), "name": name, "type": random.randint(0, 1), "text": ""}
+        {
+            "kind": random.choice(kinds),
+            "name": name,
+            "type": random.randint(0, 1),
+            "text": "",
+            "is_shared": own.random() < share,  # it stands in the group of the node
+        }
         for name in names
     ]
 
@@ -107,7 +117,10 @@ def change(random, spec, callbacks_only=False, ways=None):
     if "types" in spec:
         return change_interfaces(random, spec)
     spec = copy.deepcopy(spec)
-    ways = ways or "add remove reorder replace retype describe rename swap frequency node".split()
+    ways = (
+        ways
+        or "add remove reorder replace retype describe rename swap share frequency node".split()
+    )
     for _ in range(random.randint(1, 3)):
         _change(random, spec, random.choice(ways), callbacks_only)
     return spec
@@ -133,6 +146,8 @@ def _change(random, spec, how, callbacks_only):
         random.shuffle(items)
     elif how == "replace" and free:
         items[items.index(one)] = one | {"name": random.choice(free), "was": None}
+    elif how == "share":
+        one["is_shared"] = not one["is_shared"]
     elif how == "retype":
         one["type"] = 1 - one["type"]
     elif how == "describe":
@@ -155,7 +170,10 @@ def _change_nodes(random, spec, callbacks_only):
         nodes.remove(random.choice(nodes))
     elif how == "add" and free:
         items = random_items(random, callbacks_only)
-        nodes.append({"name": random.choice(free), "frequency": 10, "items": items})
+        group = next(name for name in GROUPS if name not in {n["group"] for n in nodes})
+        nodes.append(
+            {"name": random.choice(free), "frequency": 10, "items": items, "group": group}
+        )
     elif how == "rename" and free:
         node = random.choice(nodes)
         if not node.get("was"):
@@ -198,22 +216,30 @@ def xml(spec, model=""):
         f" description={quoteattr(spec['description'])}>"
     ]
     for node in spec["nodes"]:
+        if shared := [item for item in node["items"] if item.get("is_shared")]:
+            lines += [f'  <group name="{node["group"]}">', *map(_item, shared), "  </group>"]
+    for node in spec["nodes"]:
         was = f' was="{node["was"]}"' if node.get("was") else ""
         language = ("python", "cpp")[len(node.get("was") or node["name"]) % 2] if is_mixed else ""
         was += f' language="{language}"' if language else ""
         lines.append(f'  <node name="{node["name"]}" frequency="{node["frequency"]}"{was}>')
-        for item in node["items"]:
-            kind = item["kind"]
-            types = CALLBACKS[kind][1] if kind in CALLBACKS else OTHERS[kind]
-            text = f'    <{kind} name="{item["name"]}" description={quoteattr(item["text"])}'
-            text += f' type="{types[item["type"]]}"' if types[0] else ""
-            text += ' value="1"' if "arameter" in kind else ""
-            text += f' was="{item["was"]}"' if item.get("was") else ""
-            lines.append(text + "/>")
+        is_shared = [item.get("is_shared") for item in node["items"]]
+        lines += [f'    <use group="{node["group"]}"/>'] if any(is_shared) else []
+        lines += [_item(item) for item in node["items"] if not item.get("is_shared")]
         lines.append("  </node>")
     for type_ in spec.get("types", ()):
         lines += _type(type_)
     return "\n".join([*lines, "</package>", ""])
+
+
+def _item(item):
+    kind = item["kind"]
+    types = CALLBACKS[kind][1] if kind in CALLBACKS else OTHERS[kind]
+    text = f'    <{kind} name="{item["name"]}" description={quoteattr(item["text"])}'
+    text += f' type="{types[item["type"]]}"' if types[0] else ""
+    text += ' value="1"' if "arameter" in kind else ""
+    text += f' was="{item["was"]}"' if item.get("was") else ""
+    return text + "/>"
 
 
 def _type(type_):

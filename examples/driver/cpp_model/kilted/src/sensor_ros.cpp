@@ -102,6 +102,7 @@ public:
         std::atomic_store(config_.get(), read_config());
       });
     fixed_ = {
+      "scale",
       "device",
       "serial.baud",
       "serial.timeout",
@@ -122,6 +123,10 @@ private:
   {
     using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
     const SensorConfig config;
+    declare(
+      "scale",
+      config.scale,
+      Descriptor().set__description("How long one unit of the sensor is, m"));
     declare(
       "device",
       config.device,
@@ -146,6 +151,7 @@ private:
   std::shared_ptr<const SensorConfig> read_config() const
   {
     const auto config = std::make_shared<SensorConfig>();
+    get_parameter("scale", config->scale);
     get_parameter("device", config->device);
     get_parameter("serial.baud", config->serial_baud);
     get_parameter("serial.timeout", config->serial_timeout);

@@ -37,6 +37,7 @@ class SensorNode(ManagedNode):
     """
 
     fixed_parameters = [
+        'scale',
         'device',
         'serial.baud',
         'serial.timeout',
@@ -45,6 +46,13 @@ class SensorNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters and create what lives as long as the node."""
         super().__init__('sensor', **options)
+        self._declare(
+            'scale',
+            1.0,
+            ParameterDescriptor(
+                description='How long one unit of the sensor is, m',
+            ),
+        )
         self._declare(
             'device',
             '/dev/ttyUSB0',
@@ -87,6 +95,7 @@ class SensorNode(ManagedNode):
     def _read_config(self) -> SensorConfig:
         """Return the current parameters."""
         return SensorConfig(
+            scale=self.get_parameter('scale').value,
             device=self.get_parameter('device').value,
             serial_baud=self.get_parameter('serial.baud').value,
             serial_timeout=self.get_parameter('serial.timeout').value,

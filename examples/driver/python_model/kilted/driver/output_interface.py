@@ -1,0 +1,52 @@
+# Copyright 2026 Ada Lovelace
+# SPDX-License-Identifier: Apache-2.0
+
+"""
+What the nodes with the group output have in common.
+
+Generated from driver.ros_package; change the interface there.
+"""
+
+from dataclasses import dataclass
+from typing import Callable
+
+from driver.ros.protocols import (
+    Log,
+    Publisher,
+    Stamp,
+)
+import std_msgs.msg
+
+# Message, service and action types, under the same names in ROS 1 and ROS 2.
+PubReading = std_msgs.msg.Float64
+
+
+@dataclass(frozen=True)
+class OutputConfig:
+    """A snapshot of the parameters of the group."""
+
+    # How long one unit of the sensor is, m
+    scale: float = 1.0
+
+
+@dataclass
+class OutputPassthrough:
+    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
+
+    # The node's logger: log.debug(text), log.info, log.warning, log.error.
+    log: Log
+
+    # Returns the ROS time in seconds.
+    now: Callable[[], float]
+
+    # Returns the ROS time as a stamp for messages.
+    stamp: Callable[[], Stamp]
+
+    # Waits that many seconds of ROS time; returns False at once when the node stops.
+    sleep: Callable[[float], bool]
+
+    # Has the node stop as an exception does, from any thread; the reason goes to the log.
+    fail: Callable[[str], None]
+
+    # What was measured, m
+    pub_reading: Publisher[PubReading]
