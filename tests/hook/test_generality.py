@@ -25,7 +25,7 @@ EVERYDAY |= {"result", "feedback", "field", "fields", "constant", "constants", "
 EVERYDAY |= {"folder", "folders", "group", "groups", "use", "uses"}
 HOLDERS = {"passthrough"}  # and `config` and `data`, which are everyday words
 # What syntax trees, YAML, C++ and ROS's own files consist of, which the merge reads.
-SYNTAX = {"node", "nodes", "template", "type", "value", "holds"}
+SYNTAX = {"node", "nodes", "template", "type", "value", "holds", "group"}
 
 
 def our_words():

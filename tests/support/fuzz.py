@@ -250,11 +250,17 @@ class Author(Random):
 
     def inside(self, owner):
         """Return interface kinds, and the XML of one of each inside of an owner."""
-        known = list(owner.interfaces.values())
+        known = [
+            kind
+            for kind in owner.interfaces.values()
+            if not kind.takes or kind.taken in self.named or self.seldom(50)
+        ]
         kinds = self.choices(known, k=self.randint(0, 8)) if known else []
         if not self.seldom(30):
             kinds = [
-                kind for i, kind in enumerate(kinds) if not kind.once or kind not in kinds[:i]
+                kind
+                for i, kind in enumerate(kinds)
+                if not (kind.once or kind.takes) or kind not in kinds[:i]
             ]
         inside = (self.element(k.kind, k.attributes, self.inside(k)[1]) for k in kinds)
         return kinds, "".join(inside)
