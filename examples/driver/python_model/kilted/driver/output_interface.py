@@ -33,7 +33,8 @@ class OutputConfig:
 class OutputPassthrough:
     """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
 
-    # The node's logger: log.debug(text), log.info, log.warning, log.error.
+    # The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
+    # log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
     log: Log
 
     # Returns the ROS time in seconds.

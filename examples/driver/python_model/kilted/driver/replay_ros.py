@@ -16,8 +16,10 @@ from driver.replay_interface import (
     ReplayConfig,
     ReplayPassthrough,
 )
+from driver.ros.log import Log
 from driver.ros.managed_node import ManagedNode
 from driver.ros.process import run
+from driver.ros.publisher import Publisher
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 import std_msgs.msg
@@ -64,15 +66,17 @@ class ReplayNode(ManagedNode):
         """Create publishers and clients, then the logic."""
         self._impl = ReplayImpl(
             ReplayPassthrough(
-                log=self.get_logger(),
+                log=Log(self.get_logger()),
                 now=self._time.now,
                 stamp=self._time.stamp,
                 sleep=self._time.sleep,
                 fail=self.fail_because,
-                pub_reading=self._advertise(
-                    std_msgs.msg.Float64,
-                    'reading',
-                    QoSProfile(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5),
+                pub_reading=Publisher(
+                    self._advertise(
+                        std_msgs.msg.Float64,
+                        'reading',
+                        QoSProfile(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5),
+                    ),
                 ),
             ),
         )

@@ -8,14 +8,14 @@ Generated from driver.ros_package; change the interface there.
 """
 
 from dataclasses import dataclass
-from typing import Callable
 
+from driver.output_interface import (
+    OutputConfig,
+    OutputPassthrough,
+)
 from driver.ros.logic_status import LogicStatus
 from driver.ros.protocols import (
-    Log,
     Node,
-    Publisher,
-    Stamp,
 )
 import std_msgs.msg
 
@@ -24,7 +24,7 @@ PubReading = std_msgs.msg.Float64
 
 
 @dataclass(frozen=True)
-class SensorConfig:
+class SensorConfig(OutputConfig):
     """A snapshot of the node's parameters."""
 
     # Where the sensor is
@@ -38,30 +38,11 @@ class SensorConfig:
 
 
 @dataclass
-class SensorPassthrough:
+class SensorPassthrough(OutputPassthrough):
     """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
-
-    # The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
-    # log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
-    log: Log
-
-    # Returns the ROS time in seconds.
-    now: Callable[[], float]
-
-    # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Stamp]
-
-    # Waits that many seconds of ROS time; returns False at once when the node stops.
-    sleep: Callable[[float], bool]
-
-    # Has the node stop as an exception does, from any thread; the reason goes to the log.
-    fail: Callable[[str], None]
 
     # What the logic says of itself on /diagnostics, from any thread.
     diagnostics: LogicStatus
 
     # The node of rclpy, for what the spec cannot say: the logic looks after what it makes of it.
     node: Node
-
-    # What was measured, m
-    pub_reading: Publisher[PubReading]

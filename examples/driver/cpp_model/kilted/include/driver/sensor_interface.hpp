@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 
+#include "driver/output_interface.hpp"
 #include "driver/ros/logger.hpp"
 #include "driver/ros/logic_status.hpp"
 #include "driver/ros/publisher.hpp"
@@ -26,12 +27,12 @@ namespace driver
 namespace sensor_types
 {
 
-using PubReading = std_msgs::msg::Float64;
+using PubReading = output_types::PubReading;
 
 }  // namespace sensor_types
 
 /// A snapshot of the node's parameters.
-struct SensorConfig
+struct SensorConfig : OutputConfig
 {
   /// Where the sensor is
   std::string device = "/dev/ttyUSB0";
@@ -44,21 +45,8 @@ struct SensorConfig
 };
 
 /// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
-struct SensorPassthrough
+struct SensorPassthrough : OutputPassthrough
 {
-  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
-  /// log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
-  Logger log;
-
-  /// Returns the ROS time; it converts to a message's stamp and back.
-  std::function<Time()> now = [] {return Time();};
-
-  /// Waits that many seconds of ROS time; returns false at once when the node stops.
-  std::function<bool(double)> sleep = [](double) {return true;};
-
-  /// Has the node stop as an exception does, from any thread; the reason goes to the log.
-  std::function<void(const std::string &)> fail = [](const std::string &) {};
-
   /// What the logic says of itself on /diagnostics, from any thread.
   std::shared_ptr<LogicStatus> diagnostics = std::make_shared<LogicStatus>();
 
@@ -66,10 +54,6 @@ struct SensorPassthrough
   /// after what it
   /// makes of it.
   rclcpp_lifecycle::LifecycleNode * node = nullptr;
-
-  /// What was measured, m
-  std::shared_ptr<Publisher<sensor_types::PubReading>> pub_reading =
-    std::make_shared<Publisher<sensor_types::PubReading>>();
 };
 
 }  // namespace driver

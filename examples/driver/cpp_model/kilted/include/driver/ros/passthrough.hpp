@@ -16,8 +16,8 @@ namespace driver
 /// Clock and logger; a base of the passthrough of every node that uses a group, once.
 struct Passthrough
 {
-  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write at most every
-  /// two seconds: log.info_throttle(2.0, text).
+  /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
+  /// log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
   Logger log;
 
   /// Returns the ROS time; it converts to a message's stamp and back.
