@@ -32,6 +32,7 @@ _NODE = {
     "dynParameters": [_PARAMETER],
     "serviceClients": [_SERVICE],
     "serviceServers": [_SERVICE],
+    "actionServers": [{"accept": True}],
 }
 
 

@@ -1563,6 +1563,49 @@ def test_goal_reject(stage):
     assert stage.result(second) == ["succeeded", [2]]
 
 
+def test_goal_that_the_logic_refuses(stage):
+    """It is rejected, before it replaces another; the logic judges in a thread of its own."""
+    node = stage.active("accept: refuse")
+    assert stage.goal("choice", 1) is None
+    node.tell()
+    first = stage.goal("choice", 900)
+    node.wait("choice")
+    node.tell("accept: refuse")
+    assert stage.goal("choice", 2) is None
+    node.tell()
+    time.sleep(0.1)
+    assert [event["event"] for event in node.events("choice")][-1] == "end", node.story()
+    assert stage.result(stage.goal("choice", 3)) == ["succeeded", [3]]
+    assert stage.result(first)[0] == ("aborted" if stage.variant.is_ros2 else "canceled")
+    judged = node.events("accept", "begin")
+    assert [event["value"] for event in judged] == [1, 900, 2, 3]
+    assert {event["thread"] for event in judged} == {node.wait("choice")["thread"]}
+    assert {event["id"] for event in judged}.isdisjoint(e["id"] for e in node.events("choice"))
+
+
+def test_exception_while_accepting(stage):
+    """The goal is rejected, and the node ends as by any exception."""
+    node = stage.active("accept: throw")
+    assert stage.goal("choice", 1) is None
+    assert node.exit(SOON) == 1, node.story()
+    assert "thrown on purpose" in node.log()
+    assert node.methods() == LIFE
+    node.expect("Traceback", "[ERROR]", "Exception")
+
+
+def test_stop_while_accepting(stage):
+    """A logic that does not say whether it accepts a goal delays the stop by stop_timeout."""
+    node = stage.active("once accept: block 60", stop_timeout=0.5)
+    goal = stage.peer.begin("goal", action=stage.name("choice"), order=1)
+    wait_for(lambda: _told(node, "accept"), lambda: f"not blocked: {node.story()}")
+    node.send_signal()
+    assert node.exit(SOON) == 1, node.story()
+    assert re.search(r"Still running when the node stops: .*choice\b", node.log()), node.story()
+    with contextlib.suppress(Exception):
+        assert goal.result(0.0) is None
+    node.ended_well = False
+
+
 def test_goal_with_an_id_that_is_known(stage):
     """What a client does wrong harms nobody else."""
     only_ros2(stage, "a goal of ROS 1 is told apart by its client's name as well")

@@ -16,8 +16,8 @@ from support.packages import shared_runtime, without_tf
 
 CONTRACT = Path(__file__).parents[1] / "contract"
 METHODS = ("configure", "activate", "update", "deactivate", "cleanup")
-GOALS = ("work", "line", "single")
-CALLBACKS = ("receive", "serve", *GOALS, "read", "poll")
+GOALS = ("work", "line", "single", "choice")
+CALLBACKS = ("receive", "serve", "accept", *GOALS, "read", "poll")
 NOISE = (
     "Traceback",
     "Exception",

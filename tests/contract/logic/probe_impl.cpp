@@ -238,6 +238,16 @@ void ProbeImpl::execute_single(Goal<probe_types::SingleAction> & goal)
   execute("single", goal);
 }
 
+void ProbeImpl::execute_choice(Goal<probe_types::ChoiceAction> & goal)
+{
+  execute("choice", goal);
+}
+
+bool ProbeImpl::accept_choice(const probe_types::ChoiceAction::Goal & request)
+{
+  return behaviour_.run("accept", std::to_string(request.order));
+}
+
 template<typename Goal>
 void ProbeImpl::execute(const std::string & name, Goal & goal)
 {

@@ -26,6 +26,8 @@ public:
   void execute_work(Goal<probe_types::WorkAction> & goal);
   void execute_line(Goal<probe_types::LineAction> & goal);
   void execute_single(Goal<probe_types::SingleAction> & goal);
+  void execute_choice(Goal<probe_types::ChoiceAction> & goal);
+  bool accept_choice(const probe_types::ChoiceAction::Goal & request);
   void deactivate();
   void cleanup();
 

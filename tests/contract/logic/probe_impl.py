@@ -143,6 +143,12 @@ class ProbeImpl:
     def execute_single(self, goal):
         self.execute("single", goal)
 
+    def execute_choice(self, goal):
+        self.execute("choice", goal)
+
+    def accept_choice(self, request):
+        return self.run("accept", request.order)
+
     def execute(self, name, goal):
         """Succeed at once, or, if the order is above 100, when a cancel is asked for."""
         order = goal.request.order

@@ -64,6 +64,12 @@ void WorkerImpl::execute_compute(
   goal.succeed();
 }
 
+bool WorkerImpl::accept_compute(
+  [[maybe_unused]] const worker_types::ComputeAction::Goal & request)
+{
+  return true;
+}
+
 // Thread read
 void WorkerImpl::read()
 {

@@ -164,7 +164,8 @@ public:
           "compute",
           GoalPolicy::replace,
           impl_,
-          &WorkerImpl::execute_compute));
+          &WorkerImpl::execute_compute,
+          &WorkerImpl::accept_compute));
     }
     for (const auto & server : action_servers_) {
       server->start();

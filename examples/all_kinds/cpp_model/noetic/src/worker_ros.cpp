@@ -223,7 +223,8 @@ private:
       "compute",
       "execute_compute",
       GoalPolicy::replace,
-      &WorkerImpl::execute_compute);
+      &WorkerImpl::execute_compute,
+      &WorkerImpl::accept_compute);
     run_beside(
       "read",
       [this] {
@@ -434,6 +435,36 @@ private:
         [this, execute](auto & goal) {
           (impl_.get()->*execute)(goal);
         }));
+  }
+
+  /// Create an action server whose goals the logic accepts or refuses, in another thread.
+  template<typename Action>
+  void serve_action(
+    const ros::NodeHandle & node,
+    const std::string & name,
+    const std::string & method,
+    GoalPolicy policy,
+    void (WorkerImpl::* execute)(Goal<Action> &),
+    bool (WorkerImpl::* accept)(const typename Action::Goal &))
+  {
+    const auto thread = std::make_shared<CallbackThread>(node, name);
+    receivers_.push_back(
+      std::make_shared<ActionServer<Action>>(
+        thread->node(),
+        name,
+        method,
+        policy,
+        supervisor_,
+        [this, execute](auto & goal) {
+          (impl_.get()->*execute)(goal);
+        },
+        [this, accept, name](const auto & request) {
+          bool is_accepted = false;
+          supervisor_.guard(
+            "accept of " + name, [&] {is_accepted = (impl_.get()->*accept)(request);});
+          return is_accepted;
+        }));
+    receivers_.push_back(thread);  // last: the server uses its queue until it is destroyed
   }
 
   /// Run what the logic does again and again in a thread of its own.

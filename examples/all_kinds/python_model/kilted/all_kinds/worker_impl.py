@@ -9,6 +9,7 @@ Edit this file: worker_interface.py declares what the logic can use.
 
 from all_kinds.worker_interface import (
     ComputeGoal,
+    ComputeGoalRequest,
     EnableRequest,
     EnableResponse,
     ResetRequest,
@@ -78,6 +79,13 @@ class WorkerImpl:
     ) -> None:
         """Execute a goal and set its outcome, in a thread of its own; this stub only succeeds."""
         goal.succeed()
+
+    def accept_compute(
+        self,
+        request: ComputeGoalRequest,
+    ) -> bool:
+        """Return whether to accept a goal, in a thread of its own; this stub accepts all."""
+        return True
 
     # Thread read
     def read(self) -> None:

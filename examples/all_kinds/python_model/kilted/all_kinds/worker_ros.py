@@ -125,6 +125,7 @@ class WorkerNode(ManagedNode):
             'compute',
             'execute_compute',
             new_goal='replace',
+            accept='accept_compute',
         )
         self._received: dict[str, Any] = {}
         self._received_lock = Lock()

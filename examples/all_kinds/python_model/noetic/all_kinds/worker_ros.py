@@ -168,6 +168,7 @@ class WorkerNode(ManagedNode):
             test_msgs.msg.FibonacciAction,
             'execute_compute',
             new_goal='replace',
+            accept='accept_compute',
         )
         self._logic.repeat('read', self._impl.read)
         self._call_at(4, 'poll')

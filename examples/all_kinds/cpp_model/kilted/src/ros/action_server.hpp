@@ -138,6 +138,27 @@ class ActionServer : public ActionServerBase
 {
 public:
   using Execute = std::function<void (Goal<Action> &)>;
+  using Accept = std::function<bool (const typename Action::Goal &)>;
+
+  /// Call a method of the logic with each goal that another one accepts.
+  template<typename Logic, typename Method>
+  ActionServer(
+    ManagedNode & node,
+    const std::string & name,
+    GoalPolicy policy,
+    const std::shared_ptr<Logic> & logic,
+    Method method,
+    bool (Logic::* accept)(const typename Action::Goal &))
+  : ActionServer(
+      node, name, policy, logic, method,
+      [logic, accept, calls = node.calls(), label = "action " + name](const auto & request) {
+        bool is_accepted = false;
+        calls->run(
+          calls->pass(), label, [&] {is_accepted = (logic.get()->*accept)(request);});
+        return is_accepted;
+      })
+  {
+  }
 
   /// Call a method of the logic with each goal.
   template<typename Logic, typename Method>
@@ -146,7 +167,8 @@ public:
     const std::string & name,
     GoalPolicy policy,
     const std::shared_ptr<Logic> & logic,
-    Method method)
+    Method method,
+    const Accept & accepts = nullptr)
   : goals_(std::make_shared<Goals<Action>>(policy)),
     worker_(std::make_shared<JobThread>(name))
   {
@@ -182,9 +204,11 @@ public:
           node.get_node_logging_interface(),
           name,
           rcl_action_server_get_default_options(),
-          [goals = goals_](const auto &, const auto &) {
+          [goals = goals_, accepts](const auto &, const auto & request) {
             using Response = rclcpp_action::GoalResponse;
-            return goals->is_open() ? Response::ACCEPT_AND_EXECUTE : Response::REJECT;
+            const bool is_accepted = goals->is_open() &&
+            (!accepts || (accepts(*request) && goals->is_open()));
+            return is_accepted ? Response::ACCEPT_AND_EXECUTE : Response::REJECT;
           },
           [](const auto &) {
             return rclcpp_action::CancelResponse::ACCEPT;

@@ -257,6 +257,24 @@ class NodeTests:
             self.assertIsNone(self.peer.goal(self.node, type_, name, request))
             self.assertTrue(self.peer.change(self.node, 'activate'))
 
+    def test_accepted_goals(self):
+        """The logic gets the goals to accept; one that it refuses leaves the current one alone."""
+        for member, name, type_, policy in self.each('accept_'):
+            request = sample((type_.Goal, type_.Feedback, type_.Result)[0], 3)
+            self.node.order(member, 'refuse')
+            self.assertIsNone(self.peer.goal(self.node, type_, name, request))
+            self.assertTrue(eventually(lambda: self.got(member, type(request)) == [request]), name)
+            self.node.order(member.replace('accept', 'execute', 1), 'await', 'end=canceled')
+            awaited = len(self.node.got('await'))
+            goal = self.peer.goal(self.node, type_, name, request)
+            if policy != 'reject':
+                self.node.order(member, 'refuse')
+            self.assertIsNone(self.peer.goal(self.node, type_, name, request))
+            self.cycles(more=3)
+            self.assertEqual(len(self.node.got('await')), awaited)
+            goal.cancel()
+            self.assertEqual(goal.end()[0], 'canceled')
+
     def test_action_clients(self):
         """Every client sends its goals and cancels, and gets feedback, results and states."""
         node = self.node

@@ -59,6 +59,10 @@ public:
   void execute_compute(
     Goal<worker_types::ComputeAction> & goal);
 
+  /// Return whether to accept a goal, in a thread of its own; the stub accepts all.
+  bool accept_compute(
+    const worker_types::ComputeAction::Goal & request);
+
   // Thread read
   /// Do one piece of work in a thread of its own; called again, the stub once a second.
   void read();

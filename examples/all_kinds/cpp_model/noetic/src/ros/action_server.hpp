@@ -37,20 +37,25 @@ class ActionServer : public Receiver
 {
 public:
   using Execute = std::function<void (Goal<Action> &)>;
+  using Accept = std::function<bool (const typename Action::Goal &)>;
 
   /// Call `execute` with each goal; `method` is its name in the log.
+  ///
+  /// Goals that `accept` refuses are rejected; it is called in the thread of the node handle.
   ActionServer(
     const ros::NodeHandle & node,
     const std::string & name,
     const std::string & method,
     GoalPolicy policy,
     Supervisor & supervisor,
-    Execute execute)
+    Execute execute,
+    Accept accept = nullptr)
   : Receiver(name),
     method_(method),
     policy_(policy),
     supervisor_(supervisor),
     execute_(std::move(execute)),
+    accept_(std::move(accept)),
     server_(
       node,
       name,
@@ -125,6 +130,10 @@ private:
   {
     if (is_refused()) {
       handle.setRejected(Result(), "Another goal is executed, or the node stops.");
+      return;
+    }
+    if (accept_ && !(accept_(*handle.getGoal()) && !is_refused())) {
+      handle.setRejected(Result(), "The logic refuses the goal, or the node stops.");
       return;
     }
     handle.setAccepted();
@@ -235,6 +244,7 @@ private:
   GoalPolicy policy_;
   Supervisor & supervisor_;
   Execute execute_;
+  Accept accept_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Handle> waiting_;

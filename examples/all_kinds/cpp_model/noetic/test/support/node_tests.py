@@ -258,6 +258,24 @@ class NodeTests:
             self.assertEqual(goal.end(), ('aborted', result))
             self.assertEqual((node.exit_code(), node.life()), (0, LIFE), node.log)
 
+    def test_accepted_goals(self):
+        """The logic gets the goals to accept; one that it refuses leaves the current one alone."""
+        for member, name, type_, policy in self.each('accept_'):
+            request = sample(parts(type_)[0], 3)
+            self.node.order(member, 'refuse')
+            self.assertIsNone(self.peer.goal(self.node, type_, name, request))
+            self.assertTrue(eventually(lambda: self.got(member, type(request)) == [request]), name)
+            self.node.order(member.replace('accept', 'execute', 1), 'await', 'end=canceled')
+            awaited = len(self.node.got('await'))
+            goal = self.peer.goal(self.node, type_, name, request)
+            if policy != 'reject':
+                self.node.order(member, 'refuse')
+            self.assertIsNone(self.peer.goal(self.node, type_, name, request))
+            self.cycles(more=3)
+            self.assertEqual(len(self.node.got('await')), awaited)
+            goal.cancel()
+            self.assertEqual(goal.end()[0], 'canceled')
+
     def test_action_clients(self):
         """Every client sends its goals and cancels, and gets feedback, results and states."""
         for member, name, type_ in self.each('action_'):

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from concurrent.futures import Future
-from typing import Any
+from typing import Any, Optional
 
 from all_kinds.ros.callbacks import CallbackThread
 from all_kinds.ros.stop import Stop
@@ -95,6 +95,7 @@ class ActionServer:
 
     new_goal: how to treat a goal that comes while another is executed: let it `replace` the other,
     put it into a `queue`, or `reject` it.
+    asks: the thread of the method that says which goals the logic accepts, if it does.
     """
 
     def __init__(
@@ -105,12 +106,14 @@ class ActionServer:
         thread: CallbackThread,
         stop: Stop,
         new_goal: str,
+        asks: Optional[CallbackThread] = None,
     ) -> None:
         """Advertise the action, whose goals the thread executes."""
         self._action_type = action_type
         self._thread = thread
         self._stop = stop
         self._new_goal = new_goal
+        self._asks = asks
         self._open = False
         self._goals: list[Goal] = []  # the first is being executed
         self._server = RosActionServer(
@@ -133,10 +136,14 @@ class ActionServer:
         for goal in self._goals.copy():
             goal.give_up()
 
-    def _answer(self, _request: Any) -> GoalResponse:
-        if not self._open or (self._goals and self._new_goal == 'reject'):
-            return GoalResponse.REJECT
-        return GoalResponse.ACCEPT
+    async def _answer(self, request: Any) -> GoalResponse:
+        is_accepted = self._is_welcome()
+        if is_accepted and self._asks:
+            is_accepted = bool(await self._asks.run(request)) and self._is_welcome()
+        return GoalResponse.ACCEPT if is_accepted else GoalResponse.REJECT
+
+    def _is_welcome(self) -> bool:
+        return self._open and not (self._goals and self._new_goal == 'reject')
 
     def _accept(self, handle: ServerGoalHandle[Any, Any, Any]) -> None:
         if self._new_goal == 'replace':

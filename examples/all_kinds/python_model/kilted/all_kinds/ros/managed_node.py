@@ -379,10 +379,12 @@ class ManagedNode(LifecycleNode):
         name: str,
         method: str,
         new_goal: str,
+        accept: str = '',
     ) -> ActionServer:
         """Create a server of an action; it stays until the node is destroyed."""
         callback = self._callback(name, method)
-        server = ActionServer(self, action_type, name, callback, self.stop, new_goal)
+        asks = self._callback(name, accept) if accept else None
+        server = ActionServer(self, action_type, name, callback, self.stop, new_goal, asks)
         self._action_servers.append(server)
         return server
 

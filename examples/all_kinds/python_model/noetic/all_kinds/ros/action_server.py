@@ -8,7 +8,7 @@ from __future__ import annotations
 from contextlib import suppress
 from io import BytesIO
 from threading import Event, RLock, Thread
-from typing import Any, List
+from typing import Any, List, Optional
 
 import actionlib
 from actionlib import GoalStatus, ServerGoalHandle
@@ -112,6 +112,7 @@ class ActionServer:
 
     new_goal: how to treat a goal that comes while another is executed: let it `replace` the other,
     put it into a `queue`, or `reject` it.
+    asks: the thread of the method that says which goals the logic accepts, if it does.
     """
 
     def __init__(
@@ -121,14 +122,17 @@ class ActionServer:
         thread: CallbackThread,
         stop: Stop,
         new_goal: str,
+        asks: Optional[CallbackThread] = None,
     ) -> None:
         """Advertise the action, whose goals the thread executes."""
         self._action_type = action_type
         self._thread = thread
         self._stop = stop
         self._new_goal = new_goal
+        self._asks = asks
+        self._undecided: List[ServerGoalHandle] = []
         self._goals: List[Goal] = []  # the first is being executed
-        self._server = RosActionServer(name, action_type, self._accept, auto_start=False)
+        self._server = RosActionServer(name, action_type, self._take, auto_start=False)
         self._server.start()
 
     def close(self) -> None:
@@ -137,13 +141,34 @@ class ActionServer:
 
     def give_up(self) -> None:
         """End the goals without waiting for the logic."""
+        for handle in self._undecided.copy():
+            self._decide(handle, False)
         for goal in self._goals.copy():
             goal.give_up()
 
-    def _accept(self, handle: ServerGoalHandle) -> None:
-        if self._stop.requested or (self._goals and self._new_goal == 'reject'):
+    def _take(self, handle: ServerGoalHandle) -> None:
+        if not self._is_welcome():
             handle.set_rejected()
+        elif self._asks:  # in its own thread: actionlib has locked the server
+            self._undecided.append(handle)
+            self._asks.ask(handle.get_goal(), lambda accepts: self._decide(handle, accepts))
+        else:
+            self._accept(handle)
+
+    def _decide(self, handle: ServerGoalHandle, accepts: bool) -> None:
+        try:
+            self._undecided.remove(handle)
+        except ValueError:  # decided when the node stopped
             return
+        if accepts and self._is_welcome():
+            self._accept(handle)
+        else:
+            handle.set_rejected()
+
+    def _is_welcome(self) -> bool:
+        return not (self._stop.requested or (self._goals and self._new_goal == 'reject'))
+
+    def _accept(self, handle: ServerGoalHandle) -> None:
         if self._new_goal == 'replace':
             for goal in self._goals.copy():  # the first may end meanwhile
                 goal.replace()

@@ -62,6 +62,14 @@ class CallbackThread:
 
         self._worker.submit(execute, name=self._name)
 
+    def ask(self, request: Any, answer: Callable[[bool], object]) -> None:
+        """Run the callback that says which goals to accept, then answer(whether it does)."""
+
+        def ask() -> None:
+            answer(not self._node.stop.requested and bool(self._call(request)))
+
+        self._worker.submit(ask, name=self._name)
+
     def running(self) -> Dict[Future[Any], str]:
         """Return the calls that have not returned, with the name of the thread."""
         return self._worker.pending()

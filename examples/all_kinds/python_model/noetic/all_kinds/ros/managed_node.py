@@ -139,10 +139,20 @@ class ManagedNode:
         self._action_clients.append(client)
         return client
 
-    def _action_server(self, name: str, action_type: Any, method: str, new_goal: str) -> None:
+    def _action_server(
+        self,
+        name: str,
+        action_type: Any,
+        method: str,
+        new_goal: str,
+        accept: str = '',
+    ) -> None:
         """Create a server of an action that a method of the logic executes."""
         thread = self._callback(name, method)
-        self._action_servers.append(ActionServer(name, action_type, thread, self.stop, new_goal))
+        asks = self._callback(name, accept) if accept else None
+        self._action_servers.append(
+            ActionServer(name, action_type, thread, self.stop, new_goal, asks)
+        )
 
     def _start(self) -> None:
         if not self._begin('configure', self._connect_and_configure):

@@ -123,7 +123,7 @@ class _Recorder:
         self._do(steps, data)
 
     def __getattr__(self, method):
-        is_called = method.startswith(('receive_', 'serve_', 'execute_'))
+        is_called = method.startswith(('receive_', 'serve_', 'execute_', 'accept_'))
         return partial(self._call_back if is_called else self._take_turn, method)
 
     def _take_turn(self, method):
@@ -140,7 +140,9 @@ class _Recorder:
         report(method, encode(item.request if method.startswith('execute_') else item))
         responses = list(response)
         is_accepted = self._obey(method, responses or item)
-        return responses[0] if responses and is_accepted else None
+        if not responses:
+            return is_accepted
+        return responses[0] if is_accepted else None
 
     def _do_raise(self, *_):
         raise RuntimeError('told to raise')

@@ -137,6 +137,13 @@ public:
     recorder_.run(recorder_.next("execute_compute"), executes(goal));
   }
 
+  bool accept_compute(
+    const worker_types::ComputeAction::Goal & request)
+  {
+    report("accept_compute", encode(request));
+    return recorder_.run(recorder_.next("accept_compute"));
+  }
+
   void read()
   {
     recorder_.take_turn("read");
