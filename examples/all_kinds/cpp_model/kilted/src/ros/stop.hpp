@@ -29,7 +29,7 @@ constexpr milliseconds RETURN{100};  // for a method to return, once its waits h
 constexpr milliseconds RECONFIGURE{2000};  // for reconfigure to return: the executor waits for it
 // For subscribers and clients to receive what was sent last. Fast DDS 3.2 acknowledges every 3 s.
 constexpr milliseconds RECEIVE{500};
-constexpr milliseconds SETTLE{1};  // between two checks whether a transition or a callback has ended
+constexpr milliseconds SETTLE{1};  // between checks whether a transition or a callback has ended
 constexpr milliseconds CALLBACK{1000};  // for a thread of callbacks to end
 constexpr milliseconds QUIET{10000};  // between two warnings of the same kind
 constexpr milliseconds LATE{5000};  // for which a late cycle makes the status a warning
