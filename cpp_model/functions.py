@@ -146,6 +146,21 @@ def cpp_bases(names: list[str]) -> str:
     return f" : {', '.join(names)}" if names else ""
 
 
+def cpp_topic(topic: dict[str, Any], ros: int = 2, config: str = "config_") -> str:
+    """Return the name of a topic, or the parameter that has it, as code of a node."""
+    if not (parameter := topic["topic_parameter"]):
+        return f'"{ros1_name(topic["name"]) if ros == 1 else topic["name"]}"'
+    member = parameter.replace(".", "_")
+    if ros == 1:
+        return f"ros::names::resolve({config}->{member}, false)"
+    return f"std::atomic_load(config_.get())->{member}"
+
+
+def cpp_topic_handle(topic: dict[str, Any]) -> str:
+    """Return the node handle for a topic; the name in a parameter is resolved."""
+    return "node_" if topic["topic_parameter"] else ros1_handle(topic["name"])
+
+
 def ros1_handle(name: str) -> str:
     """Return the node handle for a name: roscpp refuses `~/name` and wants another handle."""
     return "private_" if name.startswith("~") else "node_"

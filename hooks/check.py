@@ -288,9 +288,12 @@ class _Checker:
                     str(each.values[str(self.kinds(each)[-1].naming)])
                     for each in self.spec.elements
                     if each.tag == tag and any(owner is home for owner in each.owners.values())
+                    if all(each.values.get(key) in words for key, words in attribute.whose.items())
                 ]
                 if value not in names:
                     fault = f"{quoted(str(value))} is no <{tag}> of this <{home.tag}>"
+                    for key, words in attribute.whose.items():
+                        fault += f" whose {key} is {' or '.join(words)}"
                     self.fault(item.element, f"{name}: {fault}; {allowed(str(value), names)}")
 
     def kinds(self, item: Checked) -> list[Component | Interface]:

@@ -52,6 +52,8 @@ class Attribute:
     """The attribute that lists the values it may have."""
     refers_to: str | None = None
     """The tag of the elements one of which it names."""
+    whose: Mapping[str, list[str]] = field(default_factory=dict)
+    """What these must say in other attributes."""
     as_written: bool = False
     choices: Mapping[str, list[str]] = field(default_factory=dict)
     pattern: str | None = None

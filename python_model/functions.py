@@ -50,6 +50,17 @@ def logic_file(node: dict[str, Any], package: str) -> str:
     return f"{package}/{node['name']}_impl.py"
 
 
+def topic_name(topic: dict[str, Any], ros: int = 2) -> str:
+    """Return the name of a topic, or the parameter that has it, as code of a node.
+
+    rospy 1.15 takes `~/pose` for `/pose`, but not `~pose`.
+    """
+    if parameter := topic["topic_parameter"]:
+        code = f"self._config.{parameter.replace('.', '_')}"
+        return f"{code}.replace('~/', '~', 1)" if ros == 1 else code
+    return repr(topic["name"].replace("~/", "~", 1) if ros == 1 else topic["name"])
+
+
 def cfg_name(node: dict[str, Any]) -> str:
     """Return what dynamic_reconfigure calls the parameters of a node."""
     return str(node["class_name"])

@@ -803,6 +803,43 @@ def test_parameter_in_a_group(stage, tmp_path):
     node.expect("[ERROR]", "[FATAL]")
 
 
+def test_topics_named_by_parameters(stage):
+    """Of every kind; relative, absolute and private. The logic knows them by their own names."""
+    group = "hear.topic" if stage.variant.is_ros2 else "hear/topic"
+    names = {
+        "count_topic": stage.name("x/count"),
+        "number_topic": "a/number",
+        "kept_topic": "~/kept",
+    }
+    node = stage.active("receive: keep heard", **names, **{group: "ear"})
+    counted = stage.hear("x/count", INT64)
+    kept = stage.hear("probe/kept", durability="transient_local")
+    wait_for(counted, node.story)
+    stage.publish("a/number", 7, INT64)
+    wait_for(lambda: 7 in numbers(node), node.story)
+    stage.publish("ear", "x")
+    wait_for(lambda: kept() == ["heard"], node.story)
+    assert node.stop() == 0
+    if stage.variant.is_ros2:  # another name in the next configuration
+        node = stage.start("probe", "receive: keep heard", autostart=False)
+        assert stage.transition("configure", "cleanup")
+        assert stage.peer.set_parameter(node=stage.name("probe"), name=group, value="ear")
+        assert stage.transition("configure", "activate")
+        stage.publish("ear", "x")
+        node.wait("receive")
+
+
+@pytest.mark.parametrize("name", ["a b", "1a"])
+def test_parameter_that_names_no_topic(stage, name):
+    """The node refuses to configure, and says why."""
+    node = stage.start("probe", kept_topic=name)
+    assert node.exit() == 1, node.story()
+    line = rf"Parameter kept_topic must be the name of a topic, not '{name}'\."
+    assert re.search(line, node.log()), node.story()
+    assert node.methods() == []
+    node.expect("[ERROR]", "[FATAL]")
+
+
 def test_parameter_without_a_default(stage):
     """Unless it is set, the node refuses to configure, and names it."""
     node = stage.start("dial")

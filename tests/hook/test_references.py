@@ -21,7 +21,8 @@ node_interface:
         attributes:
           - to: {doc: where it leads, refers_to: state, example: work}
       alarm: {attributes: [name, topic: {refers_to: topic}]}
-  topic: [name]
+  topic: [name, kind: {optional: true}]
+  horn: [name, sound: {refers_to: topic, whose: {kind: [loud]}}]
 skeleton: [state]
 """
 SPEC = """<package name="pkg" main="brain">
@@ -29,6 +30,8 @@ SPEC = """<package name="pkg" main="brain">
     <state label="idle"><arrow to="work"/></state>
     <state label="work"><arrow to="work"/><alarm name="x" topic="/sound"/></state>
     <topic name="/sound"/>
+    <topic name="/horn" kind="loud"/>
+    <horn name="h" sound="/horn"/>
   </node>
   <node name="arm" after="brain"><state label="rest"/></node>
 </package>"""
@@ -61,7 +64,16 @@ def test_values_that_name_an_element(model):
         ),
         ('to="work"', 'to="rest"', 'to: "rest" is no <state> of this <node>; allowed: idle, work'),
         ('topic="/sound"', 'topic="/snd"', 'topic: "/snd" is no <topic> of this <node>; did you'),
-        ('    <topic name="/sound"/>\n', "", '"/sound" is no <topic> of this <node>; none is al'),
+        (
+            '    <topic name="/sound"/>\n',
+            "",
+            '"/sound" is no <topic> of this <node>; allowed: /horn',
+        ),
+        (
+            'sound="/horn"',
+            'sound="/sound"',
+            '"/sound" is no <topic> of this <node> whose kind is loud; a',
+        ),
         ('main="brain"', 'main="pkg"', 'spec.xml:1: <package name="pkg">: main: "pkg" is no <no'),
         ('after="brain"', 'after="leg"', 'after: "leg" is no <node> of this <package>; allowed'),
     ],

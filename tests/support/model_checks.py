@@ -232,14 +232,16 @@ class Model:
         """Let each value that refers to an element be the name of one that is there."""
         around = {child: parent for parent in root.iter() for child in parent}
         for owner in self.owners:
-            refers = [(name, a.refers_to) for name, a in owner.attributes.items() if a.refers_to]
+            refers = [(name, a) for name, a in owner.attributes.items() if a.refers_to]
             found = root.findall("/".join(owner.path)) if owner.path else [root]
-            for element, (name, kind) in product(found, refers):
-                home, tag = around.get(element, root), f".//{kind}"
+            for element, (name, attribute) in product(found, refers):
+                home, tag = around.get(element, root), f".//{attribute.refers_to}"
                 while home.find(tag) is None and home is not root:
                     home = around[home]
                 if name in element.attrib and home.find(tag) is not None:
                     element.set(name, next(iter(home.find(tag).attrib.values()), ""))
+                    for other, words in attribute.whose.items():
+                        home.find(tag).set(other, words[0])
 
     def faulty(self, owner):
         """Yield specs with a fault that a schema can know: what is unknown, missing, no choice."""

@@ -81,7 +81,7 @@ public:
       std::make_shared<RosPublisher<worker_types::PubEcho>>(
       topics_.advertise<worker_types::PubEcho>(
         node,
-        "echo"));
+        std::atomic_load(config_.get())->echo_topic));
     passthrough.pub_empty =
       std::make_shared<RosPublisher<worker_types::PubEmpty>>(
       topics_.advertise<worker_types::PubEmpty>(
@@ -270,7 +270,11 @@ public:
       });
     fixed_ = {
       "prefix",
+      "echo_topic",
       "weights",
+    };
+    topic_parameters_ = {
+      "echo_topic",
     };
   }
 
@@ -295,6 +299,10 @@ private:
       "prefix",
       config.prefix,
       Descriptor().set__description("What stands before a status, e.g. \"a\" < 'b' and so on"));
+    declare(
+      "echo_topic",
+      config.echo_topic,
+      Descriptor().set__description("Where things are said again"));
     declare(
       "weights",
       config.weights,
@@ -328,6 +336,7 @@ private:
   {
     const auto config = std::make_shared<WorkerConfig>();
     get_parameter("prefix", config->prefix);
+    get_parameter("echo_topic", config->echo_topic);
     get_parameter("weights", config->weights);
     get_parameter("gain", config->gain);
     get_parameter("step", config->step);

@@ -29,7 +29,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'out_status': ('/status', std_msgs.msg.String, 'publisher', 'reliable', 'volatile', 10),
         'in_speed': ('speed', geometry_msgs.msg.Twist, 'subscription', 'reliable', 'volatile', 10),
         'in_counter': ('counter', std_msgs.msg.Int64, 'subscription', 'reliable', 'volatile', 10),
-        'pub_echo': ('echo', std_msgs.msg.String, 'publisher', 'reliable', 'volatile', 10),
+        'pub_echo': ('{echo_topic}', std_msgs.msg.String, 'publisher', 'reliable', 'volatile', 10),
         'pub_empty': ('~/empty', std_msgs.msg.Empty, 'publisher', 'reliable', 'volatile', 10),
         'receive_say': ('say', std_msgs.msg.String, 'subscription', 'reliable', 'volatile', 10),
         'serve_reset': ('reset', std_srvs.srv.Empty),
@@ -44,6 +44,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     transforms = ['publisher', 'subscription']  # of /tf
     parameters = {  # default, other values, refused ones
         'prefix': ('it\'s "said" <so> & für immer', ['other', 'another'], [True]),
+        'echo_topic': ('echo', ['other', 'another'], [True]),
         'weights': ([0.5, 1.0, 2000.0], [[0.0]], [True]),
     }
     dynamic_parameters = {  # default, other values, refused ones

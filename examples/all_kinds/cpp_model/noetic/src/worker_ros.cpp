@@ -115,6 +115,8 @@ private:
     supervisor_.set_stop_timeout(stop_timeout);
     WorkerConfig config;
     read_parameter(private_, "prefix", config.prefix);
+    read_parameter(private_, "echo_topic", config.echo_topic);
+    check_topic("echo_topic", config.echo_topic);
     read_parameter(private_, "weights", config.weights);
     read_parameter(private_, "gain", config.gain);
     read_parameter(private_, "step", config.step);
@@ -143,7 +145,7 @@ private:
       10);
     passthrough.pub_echo = advertise<worker_types::PubEcho>(
       node_,
-      "echo",
+      ros::names::resolve(config_->echo_topic, false),
       10);
     passthrough.pub_empty = advertise<worker_types::PubEmpty>(
       private_,

@@ -50,7 +50,12 @@ class WorkerNode(ManagedNode):
 
     fixed_parameters = [
         'prefix',
+        'echo_topic',
         'weights',
+    ]
+
+    topic_parameters = [
+        'echo_topic',
     ]
 
     reconfigures = True
@@ -63,6 +68,13 @@ class WorkerNode(ManagedNode):
             'it\'s "said" <so> & für immer',
             ParameterDescriptor(
                 description='What stands before a status, e.g. "a" < \'b\' and so on',
+            ),
+        )
+        self._declare(
+            'echo_topic',
+            'echo',
+            ParameterDescriptor(
+                description='Where things are said again',
             ),
         )
         self._declare_list(
@@ -146,6 +158,7 @@ class WorkerNode(ManagedNode):
         """Return the current parameters."""
         return WorkerConfig(
             prefix=self.get_parameter('prefix').value,
+            echo_topic=self.get_parameter('echo_topic').value,
             weights=tuple(self.get_parameter('weights').value),
             gain=self.get_parameter('gain').value,
             step=self.get_parameter('step').value,
@@ -181,7 +194,7 @@ class WorkerNode(ManagedNode):
                 pub_echo=Publisher(
                     self._advertise(
                         std_msgs.msg.String,
-                        'echo',
+                        self._config.echo_topic,
                     ),
                 ),
                 pub_empty=Publisher(

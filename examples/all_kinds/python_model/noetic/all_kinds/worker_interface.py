@@ -60,6 +60,9 @@ class WorkerConfig:
     # What stands before a status, e.g. "a" < 'b' and so on
     prefix: str = 'it\'s "said" <so> & für immer'
 
+    # Where things are said again
+    echo_topic: str = 'echo'
+
     # Weights of the inputs
     weights: Sequence[float] = (0.5, 1.0, 2000.0)
 

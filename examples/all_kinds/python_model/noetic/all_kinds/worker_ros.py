@@ -19,7 +19,13 @@ from all_kinds.ros import timeouts
 from all_kinds.ros.diagnostics import Diagnostics
 from all_kinds.ros.log import Log
 from all_kinds.ros.loop import Loop
-from all_kinds.ros.managed_node import check_range, ManagedNode, read_list, read_parameter
+from all_kinds.ros.managed_node import (
+    check_range,
+    check_topic,
+    ManagedNode,
+    read_list,
+    read_parameter,
+)
 from all_kinds.ros.process import run
 from all_kinds.ros.publisher import Publisher
 from all_kinds.ros.service_client import ServiceClient
@@ -52,12 +58,14 @@ class WorkerNode(ManagedNode):
         default = WorkerConfig()
         self._config = WorkerConfig(
             prefix=read_parameter('prefix', default.prefix),
+            echo_topic=read_parameter('echo_topic', default.echo_topic),
             weights=read_list('weights', float, default.weights),
             gain=read_parameter('gain', default.gain),
             step=read_parameter('step', default.step),
             verbose=read_parameter('verbose', default.verbose),
             label=read_parameter('label', default.label),
         )
+        check_topic('echo_topic', self._config.echo_topic)
         self._data = WorkerData()
         self._received: Dict[str, Any] = {}
         self._received_lock = Lock()
@@ -98,7 +106,7 @@ class WorkerNode(ManagedNode):
                 diagnostics=self._diagnostics.renew(),
                 pub_echo=Publisher(
                     rospy.Publisher(
-                        'echo',
+                        self._config.echo_topic.replace('~/', '~', 1),
                         std_msgs.msg.String,
                         queue_size=10,
                     ),

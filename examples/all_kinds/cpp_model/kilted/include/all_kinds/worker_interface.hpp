@@ -61,6 +61,9 @@ struct WorkerConfig
   /// What stands before a status, e.g. "a" < 'b' and so on
   std::string prefix = "it's \"said\" <so> & für immer";
 
+  /// Where things are said again
+  std::string echo_topic = "echo";
+
   /// Weights of the inputs
   std::vector<double> weights = {0.5, 1.0, 2000.0};
 

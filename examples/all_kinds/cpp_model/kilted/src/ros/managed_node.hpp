@@ -181,7 +181,7 @@ public:
 
   CallbackReturn on_configure(const rclcpp_lifecycle::State &) override
   {
-    if (!may_start("configure")) {
+    if (!may_start("configure") || !has_topics()) {
       return CallbackReturn::FAILURE;
     }
     known_failures_ = calls_->failures();
@@ -337,6 +337,9 @@ protected:
   /// Parameters that can be changed only while the node is unconfigured.
   std::set<std::string> fixed_;
 
+  /// Parameters that have names of topics.
+  std::vector<std::string> topic_parameters_;
+
 private:
   using State = lifecycle_msgs::msg::State;
 
@@ -419,6 +422,23 @@ private:
   {
     has_failed_ = true;
     life_cycle_.post([this] {recover();});
+  }
+
+  /// Return whether the parameters that have names of topics do so.
+  bool has_topics()
+  {
+    for (const auto & name : topic_parameters_) {
+      const auto value = get_parameter(name).as_string();
+      try {
+        get_node_topics_interface()->resolve_topic_name(value);
+      } catch (const std::exception &) {
+        RCLCPP_ERROR(
+          get_logger(), "Parameter %s must be the name of a topic, not '%s'.", name.c_str(),
+          value.c_str());
+        return false;
+      }
+    }
+    return true;
   }
 
   /// Return whether the thread of the logic is free for a method.

@@ -60,7 +60,7 @@ class NodeTests:
         if override:
             given['use_sim_time'] = True
             given = {**cls.others(), **given}
-            for _, topic, _, kind, *qos, _ in cls.each(*TOPICS, node=node):
+            for _, topic, _, kind, *qos, _ in cls.each(*TOPICS, node=node, given=True):
                 for policy, value in zip(('reliability', 'durability'), qos):
                     if value:
                         given[f'qos_overrides.{topic}.{kind}.{policy}'] = OTHER[value]
@@ -68,6 +68,7 @@ class NodeTests:
         for name, value in given.items():
             command += ['-p', f'{name}:={json.dumps(value)}']
         for name, *_ in cls.interfaces.values():
+            name = cls.named(name, override)
             command += ['-r', f'{name}:={space}/absolute{name}'] if name[0] == '/' else []
         running = RunningNode(node, command, *orders)
         cls.addClassCleanup(running.kill)
@@ -80,20 +81,31 @@ class NodeTests:
         return {name: others[0] for name, (_, others, _) in every if others}
 
     @classmethod
-    def each(cls, *members, node=None):
+    def each(cls, *members, node=None, given=False):
         """Return member, full name, type and more of each interface, or all of a kind."""
         node = node or cls.node.name
         kinds = tuple(each for each in members if each.endswith('_'))
         for member, (name, *rest) in cls.interfaces.items():
             if member in members or member.startswith(kinds):
+                name = cls.named(name, given)
                 space = {'~': node, '/': node.rpartition('/')[0] + '/absolute'}
                 start = space.get(name[0], node.rpartition('/')[0] + '/')
                 yield (member, start + name.lstrip('~'), *rest)
 
+    @classmethod
+    def named(cls, name, given):
+        """Return a name, or that in the parameter which stands for it: {topic}."""
+        if name[0] != '{':
+            return name
+        default, others, _ = cls.parameters[name[1:-1]]
+        return others[0] if given or default is None else default
+
     def test_topics(self):
         """Every topic has its name, type and QoS, or the QoS that is given."""
         for node, policy in ((self.node, lambda value: value), (self.given, OTHER.get)):
-            for _, topic, type_, kind, *qos, depth in self.each(*TOPICS, node=node.name):
+            for _, topic, type_, kind, *qos, depth in self.each(
+                *TOPICS, node=node.name, given=node is self.given
+            ):
                 expected = (node, kind, topic, type_, *map(policy, qos))
                 self.assertTrue(eventually(lambda: self.peer.has(*expected)), (topic, *expected))
                 override = f'qos_overrides.{topic}.{kind}.depth'

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "ros/names.h"
 #include "ros/node_handle.h"
 #include "xmlrpcpp/XmlRpcValue.h"
 
@@ -75,6 +76,16 @@ void read_parameter(const ros::NodeHandle & node, const std::string & name, Valu
   // Twice, as a signal makes a call of roscpp 1.15 to the master fail.
   if (node.hasParam(name) && !is_read() && !is_read()) {
     throw std::runtime_error("Parameter " + node.resolveName(name) + " has a wrong type.");
+  }
+}
+
+/// Throw if the value of a parameter is not the name of a topic.
+inline void check_topic(const std::string & name, const std::string & value)
+{
+  std::string error;
+  if (value.empty() || !ros::names::validate(value, error)) {
+    throw std::runtime_error(
+      "Parameter " + name + " must be the name of a topic, not '" + value + "'.");
   }
 }
 

@@ -50,6 +50,7 @@ class ManagedNode(LifecycleNode):
     The base of the nodes; calls their logic in other threads, and limits the time to wait.
 
     fixed_parameters: parameters that only change while the node is unconfigured.
+    topic_parameters: parameters that have names of topics.
     loop: calls update while the node is active, if there is one.
     reconfigures: whether the logic gets changed parameters, which it may refuse.
     failed: whether the logic failed or refused to autostart.
@@ -59,6 +60,8 @@ class ManagedNode(LifecycleNode):
     """
 
     fixed_parameters: Sequence[str] = ()
+
+    topic_parameters: Sequence[str] = ()
 
     reconfigures = False
 
@@ -172,6 +175,14 @@ class ManagedNode(LifecycleNode):
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Create publishers and clients, then configure the logic."""
+        for name in self.topic_parameters:
+            value = self.get_parameter(name).value
+            try:
+                self.resolve_topic_name(value)
+            except Exception:  # RCLError, which rclpy 9.1.2 has in a private module
+                reason = f'Parameter {name} must be the name of a topic, not {value!r}.'
+                self.get_logger().error(reason)
+                return TransitionCallbackReturn.FAILURE
         result = self._begin('configure', self._connect_and_configure)
         if result == TransitionCallbackReturn.FAILURE:
             self._clean_up()
@@ -470,8 +481,8 @@ class ManagedNode(LifecycleNode):
     def _connect_and_configure(self) -> bool:
         self.has_error = False
         self.failure = ''
-        self._connect_senders()
         self._config = self._read_config()
+        self._connect_senders()
         if not self._logic.is_ending:
             self._is_configured = bool(self._impl.configure(self._config))
         return self._is_configured

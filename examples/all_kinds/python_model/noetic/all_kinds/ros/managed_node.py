@@ -22,6 +22,7 @@ from all_kinds.ros.loop import Loop
 from all_kinds.ros.ros_time import RosTime
 from all_kinds.ros.stop import Stop
 from all_kinds.ros.worker import Worker
+from rosgraph.names import is_legal_name
 import rospy
 
 
@@ -258,6 +259,13 @@ def checked(name: str, value: Any, type_: type) -> Any:
         wanted = type_.__name__
         raise rospy.ROSInitException(f'Parameter {name} must be of type {wanted}, not {value!r}.')
     return value
+
+
+def check_topic(name: str, value: str) -> None:
+    """Raise if the value of a parameter is not the name of a topic."""
+    if not value or not is_legal_name(value):
+        wanted = 'the name of a topic'
+        raise rospy.ROSInitException(f'Parameter {name} must be {wanted}, not {value!r}.')
 
 
 def check_range(name: str, value: float, low: float, high: float) -> None:

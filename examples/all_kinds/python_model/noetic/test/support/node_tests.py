@@ -58,6 +58,7 @@ class NodeTests:
         cls.peer.give(node, given, use_sim_time=override)
         command = [*(command or cls.recorder), '__ns:=' + space]
         for name, *_ in cls.interfaces.values():
+            name = cls.named(name, override)
             command += [f'{name}:={space}/absolute{name}'] if name[0] == '/' else []
         running = RunningNode(node, command, *orders)
         cls.addClassCleanup(running.kill)
@@ -70,15 +71,24 @@ class NodeTests:
         return {name: others[0] for name, (_, others, _) in every if others}
 
     @classmethod
-    def each(cls, *members, node=None):
+    def each(cls, *members, node=None, given=False):
         """Return member, full name, type and more of each interface, or all of a kind."""
         node = node or cls.node.name
         kinds = tuple(each for each in members if each.endswith('_'))
         for member, (name, *rest) in cls.interfaces.items():
             if member in members or member.startswith(kinds):
+                name = cls.named(name, given)
                 space = {'~': node, '/': node.rpartition('/')[0] + '/absolute'}
                 start = space.get(name[0], node.rpartition('/')[0] + '/')
                 yield (member, start + name.lstrip('~'), *rest)
+
+    @classmethod
+    def named(cls, name, given):
+        """Return a name, or that in the parameter which stands for it: {topic}."""
+        if name[0] != '{':
+            return name
+        default, others, _ = cls.parameters[name[1:-1]]
+        return others[0] if given or default is None else default
 
     def name_of(self, member, node):
         """Return the full name of an interface of a node."""
@@ -87,7 +97,9 @@ class NodeTests:
     def test_topics(self):
         """Every topic has its name and type; that of a publisher is latched or not."""
         for node in self.node, self.given:
-            for _, topic, type_, kind, *qos, _ in self.each(*TOPICS, node=node.name):
+            for _, topic, type_, kind, *qos, _ in self.each(
+                *TOPICS, node=node.name, given=node is self.given
+            ):
                 expected = (node, kind, topic, type_, *qos)
                 self.assertTrue(eventually(lambda: self.peer.has(*expected)), expected)
 

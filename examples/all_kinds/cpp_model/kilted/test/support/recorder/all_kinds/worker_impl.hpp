@@ -161,6 +161,7 @@ private:
   {
     const std::string text = "{"
       "\"prefix\": " + to_json(config.prefix) +
+      ", \"echo_topic\": " + to_json(config.echo_topic) +
       ", \"weights\": " + to_json(config.weights) +
       ", \"gain\": " + to_json(config.gain) +
       ", \"step\": " + to_json(config.step) +

@@ -1,0 +1,55 @@
+"""Topics that have their name from a parameter."""
+
+import re
+
+import pytest
+
+from hooks.faults import SpecError
+from hooks.model import Model
+from support.packages import MODELS
+from support.repository import ROOT
+from support.soundness import check_sound
+
+SPEC = """<package name="arm" author="A" author_email="a@example.org" description="d"
+         license="MIT">
+  <node name="reach" frequency="10">
+    {}
+  </node>
+</package>"""
+KINDS = ("publisher", "subscriber", "directPublisher", "directSubscriber")
+
+
+def spec(name, type_="string"):
+    stem = name[:-1].replace(".", "_")
+    topics = "\n".join(
+        f'<{kind} name="{stem}{number}" type="std_msgs::String" topic_parameter="{name}"/>'
+        for number, kind in enumerate(KINDS)
+    )
+    return SPEC.format(f'{topics}<parameter name="{name}" type="{type_}" value="1"/>')
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("distro", ["noetic", "humble", "kilted"])
+def test_code_is_sound(render, model, distro):
+    """However long the name, the code is folded."""
+    package = render(spec("a" * 60), model=model, ros_distro=distro)
+    if model == "python_model":
+        check_sound(package)
+    for path in package.rglob("*_ros.*pp"):
+        lines = path.read_text().splitlines()
+        assert not [line for line in lines if len(line) > 100], path
+
+
+def test_readme_names_the_parameter(render):
+    text = (render(spec("rooms.topic"), name="arm") / "README.md").read_text()
+    assert len(re.findall(r'named_reach_rooms_topic\(\["parameter rooms.topic"\]\)', text)) == 4
+    assert text.count(", by the name in `rooms.topic`") == len(KINDS)
+
+
+@pytest.mark.parametrize("type_", ["int", "string[]"])
+@pytest.mark.parametrize("model", MODELS)
+def test_it_must_be_a_text(model, type_):
+    text = spec("topic", type_).replace('value="1"', "")
+    message = 'topic_parameter: "topic" is no <parameter> of this <node> whose type is string'
+    with pytest.raises(SpecError, match=re.escape(message)):
+        Model(ROOT / model, ROOT).context(text.encode(), "spec", "kilted")
