@@ -33,7 +33,7 @@ class LogicStatus:
         self.values: Dict[str, str] = {}
         self._lock = Lock()
 
-    def set(self, key: str, value: object) -> None:
+    def set(self, key: str, value: object) -> None:  # noqa: A003
         """Set a value, which is published as text."""
         with self._lock:
             self.values[key] = str(value)
