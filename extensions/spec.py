@@ -7,13 +7,14 @@ own template. This module keeps nothing.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import hashlib
 import importlib.util
 import os
 import re
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -136,16 +137,18 @@ class SpecExtension(Extension):
     ) -> Callable[[Path], bool]:
         """Make a package; see `hooks.run.Copy`."""
         try:
-            worker = copier.run_copy(
-                source,
-                folder,
-                data=dict(answers),
-                answers_file=answers_file,
-                vcs_ref=version,
-                defaults=True,
-                unsafe=True,
-                quiet=True,
-            )
+            with _without_index():
+                worker = copier.run_copy(
+                    source,
+                    folder,
+                    data=dict(answers),
+                    answers_file=answers_file,
+                    vcs_ref=version,
+                    exclude=[answers_file],
+                    defaults=True,
+                    unsafe=True,
+                    quiet=True,
+                )
         except CopierError as error:
             raise self.hooks.faults.UnrenderedError(str(error)) from error
         return worker.match_skip
@@ -192,6 +195,24 @@ class SpecExtension(Extension):
                 raise
             where = place if is_file else templates.found(place, self.root) or f'"{place}"'
             raise UserMessageError(f"{where}: {templates.what(error)}") from error
+
+
+@contextlib.contextmanager
+def _without_index() -> Iterator[None]:
+    """Keep Copier from looking for the index of git, which a temporary folder does not have.
+
+    Copier (9.19) runs git for each file that it writes, to learn whether core.fileMode is false
+    (decision 123).
+    """
+    copier_main: Any = sys.modules.get("copier._main")
+    found = getattr(copier_main, "is_git_available", None)
+    if found:
+        copier_main.is_git_available = lambda: False
+    try:
+        yield
+    finally:
+        if found:
+            copier_main.is_git_available = found
 
 
 def _check_copier(version: str) -> None:

@@ -47,6 +47,7 @@ class Run:
 Copy = Callable[[str, Path, Mapping[str, Any], str, str | None], Callable[[Path], bool]]
 """Makes a package: from a source, in a folder, of answers, with an answers file, at a version.
 
-It returns what says of a path whether it is the developer's: written once, never again. It raises
-`UnrenderedError` where the template or the answers have a fault.
+It is in a temporary folder, without the answers file (decision 123). It returns what says of a
+path whether it is the developer's: written once, never again. It raises `UnrenderedError` where
+the template or the answers have a fault.
 """

@@ -133,7 +133,6 @@ class Renderer:
             data = {key: value for key, value in answers.items() if not key.startswith("_")}
             is_kept = self.copy(source, target, data, self.answers_file, version)
             tree = read_folder(target)
-            tree.pop(self.answers_file, None)
             kept = {path for path in tree if is_kept(Path(path))}
         return Render(tree, kept.__contains__)
 

@@ -5,6 +5,7 @@ import re
 import tempfile
 
 import copier
+import copier._main
 import jinja2.environment
 import pytest
 from jinja2 import Environment, FileSystemLoader
@@ -31,6 +32,19 @@ def test_renders_of_an_update(arm, update, monkeypatch, spec, expected):
     monkeypatch.setattr(copier, "run_copy", lambda *a, **b: made.append(a) or copy(*a, **b))
     update(arm)
     assert len(made) == expected
+
+
+def test_own_renders_ask_git_of_no_file(arm, update, monkeypatch):
+    """Copier does, for each file that it writes, and goes on to do so where there is an index."""
+    asked = []
+    monkeypatch.setattr(
+        copier._main.Worker,
+        "_sync_git_index_executable_bit",
+        lambda worker, *_: asked.append(worker.dst_path.parent.name),
+    )
+    update(arm)
+    assert arm.parent.name in asked
+    assert not [name for name in asked if name.startswith("ros_package.")]
 
 
 @pytest.mark.parametrize(
