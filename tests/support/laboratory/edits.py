@@ -643,23 +643,27 @@ def move(random, edited):
     if found:
         path = random.choice(found)
         target = str(PurePosixPath(path).parent / "mine" / PurePosixPath(path).name)
-        edited.texts[target] = edited.texts.pop(path)
-        edited.moved[target] = path
-        for about in (edited.replaced, edited.repeated):
-            if path in about:
-                about[target] = about.pop(path)
-        for about in (edited.formatted, edited.ahead, edited.crlf):
-            if path in about:
-                about.remove(path)
-                about.add(target)
-        edited.deleted = {
-            (target, part[1]) if isinstance(part, tuple) and part[0] == path else part
-            for part in edited.deleted
-        }
-        edited.lines = {
-            mark: (target if at == path else at, function)
-            for mark, (at, function) in edited.lines.items()
-        }
+        _move(edited, path, target)
+
+
+def _move(edited, path, target):
+    edited.texts[target] = edited.texts.pop(path)
+    edited.moved[target] = path
+    for about in (edited.replaced, edited.repeated):
+        if path in about:
+            about[target] = about.pop(path)
+    for about in (edited.formatted, edited.ahead, edited.crlf):
+        if path in about:
+            about.remove(path)
+            about.add(target)
+    edited.deleted = {
+        (target, part[1]) if isinstance(part, tuple) and part[0] == path else part
+        for part in edited.deleted
+    }
+    edited.lines = {
+        mark: (target if at == path else at, function)
+        for mark, (at, function) in edited.lines.items()
+    }
 
 
 def delete_file(random, edited):
@@ -702,15 +706,8 @@ def delete_function(random, edited):
 def replace_by_link(random, edited):
     """Move the README elsewhere, and leave a link to it."""
     if "README.md" in edited.texts and "docs/README.md" not in edited.texts:
-        edited.texts["docs/README.md"] = edited.texts.pop("README.md")
+        _move(edited, "README.md", "docs/README.md")
         edited.links["README.md"] = "docs/README.md"
-        edited.moved["docs/README.md"] = "README.md"
-        for about in (edited.crlf, edited.formatted):
-            about.discard("README.md")
-        edited.lines = {
-            mark: ("docs/README.md" if path == "README.md" else path, function)
-            for mark, (path, function) in edited.lines.items()
-        }
 
 
 def link(random, edited):
