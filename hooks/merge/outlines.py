@@ -41,6 +41,9 @@ def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Itera
     is_map = isinstance(node, yaml.MappingNode)
     entries = node.value if is_map else [(item, item) for item in node.value]
     starts = [text.count("\n", 0, _index(key.start_mark)) for key, _ in entries]
+    above = [text.count("\n", 0, _index(node.start_mark)) - 1, *starts]
+    if any(one >= other for one, other in itertools.pairwise(above)):
+        return  # a member is an alias, of which the parser says where the anchor is
     for (key, value), start, end in zip(entries, starts, [*starts[1:], until], strict=True):
         column = margin(lines[start])
         written = 0  # the lines of a text, where a number sign begins no comment
@@ -54,13 +57,26 @@ def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Itera
         inner = [*_keys(text, lines, value, end)] if is_here else []
         is_named = is_map and isinstance(key, yaml.ScalarNode)
         name = key.value if is_named else squeezed("".join(lines[start:end]))
-        if not is_map and inner and inner[0].end == inner[0].start + 1:
-            name = squeezed(lines[start])  # a member of a list is known by its first entry
+        if not is_map and (first := _first_entry(text, value, bool(inner))):
+            name = squeezed(first)
             inner = inner[1:]
         if inner and inner[0].start > start:
             yield Span(name, start, end, (start + 1, end), tuple(inner))
         else:
             yield Span(name, start, end)
+
+
+def _first_entry(text: str, member: yaml.Node, is_nested: bool) -> str:
+    """Return what a member of a list is known by: its first line, without the comment on it.
+
+    Nothing where the first entry of a nested one is longer.
+    """
+    entry = member.value[0] if is_nested else member
+    parts = entry if isinstance(entry, tuple) else (entry,)
+    start = text.rfind("\n", 0, _index(member.start_mark)) + 1
+    until = max(_index(part.end_mark) for part in parts)
+    rest = re.split(r"\s#|\n", text[until:], maxsplit=1)[0]  # of an alias
+    return "" if "\n" in text[start:until] else text[start:until] + rest
 
 
 _COMMAND = re.compile(

@@ -331,6 +331,12 @@ LIST = """publishers:
 """
 
 
+@pytest.mark.parametrize("text", ["a: &x 1\nb:\n  - 2\n  - *x\n", "- &x 1\n- *x\n- 2\n"])
+def test_aliases_in_a_list_are_where_they_are_written(text):
+    blocks = language("a.yaml", text).blocks(text)
+    assert "".join(block.text for block in blocks) == text
+
+
 def test_members_of_a_list_are_known_by_their_first_entries():
     """What a member says of itself changes within it, whichever is before it."""
     state = "  - name: state\n    type: std_msgs/msg/String\n"
@@ -342,6 +348,32 @@ def test_members_of_a_list_are_known_by_their_first_entries():
     merges, found, _ = merge("a.yaml", mine, LIST, new)
     assert merges
     assert found == changed(new, (state, f"{state}    description: mine\n"))
+
+
+@pytest.mark.parametrize(
+    "edit",
+    [
+        ("  - name: scan\n", "  - name: scan\n    # mine\n\n"),
+        ("  - name: scan\n", "  - name: scan  # mine\n"),
+        ("  - name: scan\n", "  - name: scan\n      # mine\n"),
+        ("  - tool\n", "  - tool  # mine\n"),
+    ],
+)
+@pytest.mark.parametrize("leaves", [True, False])
+def test_a_comment_in_a_member_of_a_list_leaves_with_it_or_stays(edit, leaves):
+    members = "  - name: scan\n    type: Scan\n  - name: map\n    type: Map\n"
+    old = f"all:\n{members}used:\n  - tool\n  - arm\n"
+    mine = changed(old, edit)
+    gone = "  - name: scan\n    type: Scan\n" if "scan" in edit[0] else edit[0]
+    base = changed(old, (gone, gone.replace("scan", "plan").replace("tool", "door")))
+    new = base if leaves else changed(old, ("type: Map", "type: Grid"))
+    merges, found, result = merge("a.yaml", mine, old, new)
+    assert merges
+    if leaves:
+        assert found == new
+        assert result.removed == {"a.yaml": ["- name: scan" if "scan" in gone else "- tool"]}
+    else:
+        assert found == changed(new, edit)
 
 
 README = """# arm
