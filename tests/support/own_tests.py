@@ -12,6 +12,7 @@ UNTESTED = {
     "instance name": "of the launch file",
     "reconfigure": "it needs a dynamic parameter; tests/data/mutants has its faults",
     "listener name": "the logic alone knows it",
+    "use": "a node has the elements of a group as its own",
     "topic_parameter": "it needs a parameter; tests/data/mutants has its faults",
 }
 """Interface kinds and attributes without a test in a package, and why."""

@@ -15,6 +15,7 @@ from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
 TIMEOUT = 30.0
+QOS_OF_SERVICES = {"enable": {"reliability": "best_effort"}}  # as all_kinds.ros_package has it
 TRANSITIONS = {"configure": 1, "cleanup": 2, "activate": 3, "deactivate": 4}
 RESULTS = {
     GoalStatus.STATUS_SUCCEEDED: "succeeded",
@@ -120,7 +121,10 @@ class Peer:
         type_ = load(type_name)
         client = self.clients.get(service)
         if client is None:
-            client = self.node.create_client(type_, service, callback_group=self.group)
+            qos = profile(10, QOS_OF_SERVICES.get(service, {}))
+            client = self.node.create_client(
+                type_, service, qos_profile=qos, callback_group=self.group
+            )
             assert client.wait_for_service(TIMEOUT), f"no service {service}"
             be_discovered(self.node, service)
             self.clients[service] = client
