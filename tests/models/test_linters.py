@@ -52,7 +52,8 @@ def long_names(model, size):
     """Return the elements of a spec with one of each interface, with names of so many letters."""
     package = model.owners[0]
     elements = [(package, model.base(package))]
-    elements += [item for item in model.small() if item[0].component == "node"]
+    small = [item for item in model.small() if item[0].component == "node"]
+    elements += [item for item in small if "name" in item[0].attributes]
     for number, (owner, values) in enumerate(elements):
         name = (string.ascii_lowercase[number] + WORD)[:size].rstrip("_").ljust(size, "x")
         is_private = owner.attributes["name"].format == "ros_name" and number % 3 == 0
