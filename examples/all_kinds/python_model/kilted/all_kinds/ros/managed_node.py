@@ -33,8 +33,7 @@ from rclpy.duration import Duration
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 from rclpy.parameter import Parameter
 from rclpy.publisher import Publisher
-from rclpy.qos import QoSPolicyKind
-from rclpy.qos import qos_profile_services_default, QoSProfile
+from rclpy.qos import qos_profile_services_default, QoSPolicyKind, QoSProfile
 from rclpy.qos_overriding_options import QoSOverridingOptions
 
 OVERRIDABLE_QOS = (

@@ -8,9 +8,9 @@ from __future__ import annotations
 from time import monotonic
 from typing import Any, Optional, Protocol
 
-from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from all_kinds.ros import timeouts
 from all_kinds.ros.logic_status import LogicStatus
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 
 LEVELS = ['OK', 'WARN', 'ERROR']
 
