@@ -14,6 +14,8 @@ from xml.sax.saxutils import quoteattr
 import yaml
 from hypothesis import strategies as st
 
+from hooks.dictionary import nested
+
 WORDS = """
     a b x n out pub client action service message config goal state status pose arm arm_driver
     driver test_n_impl test_x_node on off yes no null y max min id type input filter list self cls
@@ -138,7 +140,9 @@ class Author(Random):
     """Writes specs: most of what it writes is right, and all of it from the dictionary."""
 
     named = types.MappingProxyType({})
-    """The names of the elements written so far, by tag."""
+    """What may be referred to: the attributes of the elements written so far, by tag."""
+    held = types.MappingProxyType({})
+    """The same of what stands in each element that others take, by the name of it."""
 
     def seldom(self, times):
         return self.randrange(times) == 0
@@ -202,8 +206,9 @@ class Author(Random):
     def attribute(self, given, made, others):
         if self.seldom(300):
             return self.anything()
-        if given.refers_to in self.named:
-            return self.choice(self.named[given.refers_to])
+        if given.refers_to:
+            names = self.names(given) or [self.word()]
+            return self.word() if self.seldom(50) else self.choice(names)
         if given.choices:
             pairs = given.choices.items()
             return self.choice([word for one, more in pairs for word in (one, *more)])
@@ -217,7 +222,8 @@ class Author(Random):
         if given.format == "number":
             return self.choice(NUMBERS) if self.seldom(30) else self.choice(["1", "12.5", "1000"])
         rights = {
-            "ros_name": self.ros_name,
+            "ros_name": lambda: self.ros_name().lstrip("/~" if given.pattern else ""),
+            "grouped_name": lambda: self.choice(["", "", f"{self.word()}."]) + self.word(),
             "identifier": self.word,
             "component_name": self.word,
             "interface_name": lambda: self.word().replace("_", "").capitalize(),
@@ -235,17 +241,32 @@ class Author(Random):
         }
         return rights.get(given.format, self.text)()
 
+    def names(self, given):
+        """Return the names that an attribute may refer to."""
+        return [
+            next(iter(made.values()))
+            for made in self.named.get(given.refers_to, [])
+            if made and all(made.get(name) in words for name, words in given.whose.items())
+        ]
+
     def element(self, tag, attributes, inside=""):
         made = {}
         for name, given in attributes.items():
             unfit = any(made.get(other) not in words for other, words in given.when.items())
             unfit |= given.format == "literal" and made.get(given.of) in NO_VALUES
+            unfit |= bool(given.refers_to) and not self.names(given)
             if not given.ignored and (not given.optional or self.seldom(100 if unfit else 2)):
                 made[name] = self.attribute(given, made, attributes)
         if made and self.seldom(500):
             made.pop(self.choice(list(made)))
         shown = "".join(f" {name}={quoteattr(text)}" for name, text in made.items())
-        self.named.setdefault(tag, []).append(next(iter(made.values()), ""))
+        plain_words = {
+            name: next(
+                (one for one, more in attributes[name].choices.items() if text in more), text
+            )
+            for name, text in ((name, text.strip()) for name, text in made.items())
+        }
+        self.named.setdefault(tag, []).append(plain_words)
         return f"<{tag}{shown}>{inside}</{tag}>\n"
 
     def inside(self, owner):
@@ -262,18 +283,29 @@ class Author(Random):
                 for i, kind in enumerate(kinds)
                 if not (kind.once or kind.takes) or kind not in kinds[:i]
             ]
-        inside = (self.element(k.kind, k.attributes, self.inside(k)[1]) for k in kinds)
-        return kinds, "".join(inside)
+        texts = {}
+        for place in sorted(range(len(kinds)), key=lambda place: _turn(kinds[place])):
+            kind = kinds[place]
+            texts[place] = self.element(kind.kind, kind.attributes, self.inside(kind)[1])
+            taken = self.named[kind.kind][-1].get(kind.naming) if kind.takes else None
+            for tag, held in self.held.get(taken, {}).items():
+                self.named.setdefault(tag, []).extend(held)
+        return kinds, "".join(texts[place] for place in sorted(texts))
 
     def spec(self, dictionary):
         """Return the XML of a spec that a dictionary may allow."""
         parts = []
-        self.named = {}
+        self.named, self.held = {}, {}
         shared = set()  # what the interfaces require that components may take
         components = self.choices(
             list(dictionary.components.values()), k=self.choice([1, 1, 2, 4])
         )
+        needed = [each for each in dictionary.components.values() if not each.is_plain]
+        if needed and all(each.is_plain for each in components) and not self.seldom(4):
+            components.append(self.choice(needed))
         for component in sorted(components, key=lambda each: not each.is_shared):
+            tags = {kind.kind for kind in nested(component.interfaces)}
+            self.named = {tag: made for tag, made in self.named.items() if tag not in tags}
             kinds, inside = self.inside(component)
             attributes = component.attributes
             required = {name for kind in kinds for name in kind.requires}
@@ -285,6 +317,9 @@ class Author(Random):
                     for name, given in attributes.items()
                 }
             parts.append(self.element(component.tag, attributes, f"\n{inside}"))
+            if component.is_shared:
+                name = self.named[component.tag][-1].get(component.naming)
+                self.held[name] = {tag: self.named[tag] for tag in tags & self.named.keys()}
         if self.seldom(4):
             parts.append(
                 f"<depend>{self.choice(['roscpp', 'rclpy', 'nav_msgs', 'tf'])}</depend>\n"
@@ -371,6 +406,11 @@ def styles(dictionary):
 
 def specs(dictionary):
     return authors().map(lambda author: author.spec(dictionary))
+
+
+def _turn(kind):
+    """Return when a kind is written: what is referred to comes before what refers to it."""
+    return (not kind.takes, any(given.refers_to for given in kind.attributes.values()))
 
 
 def _in_list(text):
