@@ -139,6 +139,8 @@ class ActionServer : public ActionServerBase
 public:
   using Execute = std::function<void (Goal<Action> &)>;
   using Accept = std::function<bool (const typename Action::Goal &)>;
+  template<typename Logic>
+  using AcceptMethod = bool (Logic::*)(const typename Action::Goal &);
 
   /// Call a method of the logic with each goal that another one accepts.
   template<typename Logic, typename Method>
@@ -148,7 +150,7 @@ public:
     GoalPolicy policy,
     const std::shared_ptr<Logic> & logic,
     Method method,
-    bool (Logic::* accept)(const typename Action::Goal &))
+    AcceptMethod<Logic> accept)
   : ActionServer(
       node, name, policy, logic, method,
       [logic, accept, calls = node.calls(), label = "action " + name](const auto & request) {

@@ -84,8 +84,8 @@ inline void check_topic(const std::string & name, const std::string & value)
 {
   std::string error;
   if (value.empty() || !ros::names::validate(value, error)) {
-    throw std::runtime_error(
-      "Parameter " + name + " must be the name of a topic, not '" + value + "'.");
+    const auto text = "Parameter " + name + " must be the name of a topic, not '" + value + "'.";
+    throw std::runtime_error(text);
   }
 }
 
