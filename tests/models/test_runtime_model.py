@@ -1,6 +1,7 @@
 """runtime_model makes the runtime that the packages of the other models hold, as a package."""
 
 import re
+import xml.etree.ElementTree as ET
 
 import pytest
 
@@ -18,7 +19,10 @@ def context(model, xml, distro):
 
 def held(renderers, model, distro):
     """Return the runtime of a package that uses all of it, as it is in its own folders."""
-    spec = context(model, all_kinds().replace("all_kinds", NAME), distro)
+    root = ET.fromstring(all_kinds().replace("all_kinds", NAME))
+    ET.SubElement(root, "group", name="common")
+    ET.SubElement(root.find("node"), "use", group="common")
+    spec = context(model, ET.tostring(root, encoding="unicode"), distro)
     spec |= {"copyright": "2026 Ada Lovelace", "license": "Apache-2.0"}
     spec["nodes"][0] |= {"diagnostics": True, "client_library": True, "reconfigure": True}
     every = {"name": "a.b", "type": "int[]", "value": None, "min": 1, "max": 2, "choices": [1]}
