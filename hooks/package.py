@@ -57,14 +57,15 @@ class Package:
         if len(found) > 1:
             names = ", ".join(path.name for path in found)
             raise SpecError(f"{shown(self.folder)}: one spec is allowed, found {names}")
-        if given:
+        if given and found:
             other = b"" if Path(given).is_dir() else _text(read(given))
-            if found and other != _text(read(found[0])):
+            if other != _text(read(found[0])):
                 copy = f" or copy {given} over it," if other.lstrip().startswith(b"<") else ""
                 raise SpecError(
                     f"{shown(found[0])} is the spec of this package; change that file,"
                     f"{copy} and leave spec_file out"
                 )
+        if given:
             return Path(given)
         if not found and self.is_made:
             lost = f"the package has lost its spec (*{SUFFIX}); {self._remedy()}"

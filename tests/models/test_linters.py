@@ -55,8 +55,6 @@ def long_names(model, size):
     small = [item for item in model.small() if item[0].component == "node"]
     elements += [item for item in small if "name" in item[0].attributes]
     for number, (owner, values) in enumerate(elements):
-        if "name" not in owner.attributes:  # it takes that of what it refers to
-            continue
         name = (string.ascii_lowercase[number] + WORD)[:size].rstrip("_").ljust(size, "x")
         is_private = owner.attributes["name"].format == "ros_name" and number % 3 == 0
         values["name"] = f"~/{name}" if is_private else name
