@@ -212,9 +212,7 @@ public:
             (!accepts || (accepts(*request) && goals->is_open()));
             return is_accepted ? Response::ACCEPT_AND_EXECUTE : Response::REJECT;
           },
-          [](const auto &) {
-            return rclcpp_action::CancelResponse::ACCEPT;
-          },
+          [](const auto &) {return rclcpp_action::CancelResponse::ACCEPT;},
           accept),
         std::move(destroy));
     }
