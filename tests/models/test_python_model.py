@@ -83,7 +83,8 @@ def test_readme_shows_every_interface(render):
     for element in ET.parse(SPECS["all kinds"]).getroot().iter():
         if element.tag not in ("package", "node"):
             parameter = element.get("topic_parameter")
-            name = f"`{element.get('name')}`" + (f", by the name in `{parameter}`" if parameter else "")
+            name = f"`{element.get('name')}`"
+            name += f", by the name in `{parameter}`" if parameter else ""
             assert f"| {name} |" in readme, name
     assert "```mermaid" in readme
     assert 'topic_speed(["speed"]) --> node_worker' in readme
