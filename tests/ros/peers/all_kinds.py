@@ -96,7 +96,7 @@ class Scenario:
     def check_missing_server(self):
         """A service that is not there costs no more than the time limit."""
         start = time.monotonic()
-        answer = self.peer.call("enable", "std_srvs/srv/SetBool", data=True)
+        answer = self.peer.call("enable", "std_srvs/srv/SetBool", "best_effort", data=True)
         assert (answer.success, answer.message) == (False, "no answer"), answer
         assert time.monotonic() - start < 3.0, "the time limit did not hold"
 
@@ -105,7 +105,7 @@ class Scenario:
         self.peer.serve("permit", "std_srvs/srv/Trigger", success=True, message="you may")
 
         def permitted():
-            answer = self.peer.call("enable", "std_srvs/srv/SetBool", data=False)
+            answer = self.peer.call("enable", "std_srvs/srv/SetBool", "best_effort", data=False)
             return answer.success and answer.message == "you may"
 
         wait_for(permitted, "no permission came through")
@@ -119,7 +119,7 @@ class Scenario:
         wait_for(lambda: self.counter[-1].data < stopped, "the counter was not reset")
 
     def enable(self, value):
-        return self.peer.call("enable", "std_srvs/srv/SetBool", data=value).success
+        return self.peer.call("enable", "std_srvs/srv/SetBool", "best_effort", data=value).success
 
     def check_action_server(self):
         """A goal gives feedback and a result; a goal can be cancelled, and replaced."""

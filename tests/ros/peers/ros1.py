@@ -82,7 +82,8 @@ class Peer:
     def publisher(self, topic, type_name, **_qos):
         return Publisher(rospy.Publisher(topic, load(type_name), queue_size=10))
 
-    def call(self, service, type_name, **fields):
+    def call(self, service, type_name, reliability="", **fields):
+        """Call a service; reliability is of ROS 2 alone."""
         rospy.wait_for_service(service, TIMEOUT)
         return rospy.ServiceProxy(service, load(type_name))(**fields)
 

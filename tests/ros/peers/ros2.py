@@ -15,7 +15,6 @@ from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
 TIMEOUT = 30.0
-QOS_OF_SERVICES = {"enable": {"reliability": "best_effort"}}  # as all_kinds.ros_package has it
 TRANSITIONS = {"configure": 1, "cleanup": 2, "activate": 3, "deactivate": 4}
 RESULTS = {
     GoalStatus.STATUS_SUCCEEDED: "succeeded",
@@ -117,11 +116,11 @@ class Peer:
         profiles = [item.qos_profile for item in found]
         return [(qos.reliability.name, qos.durability.name) for qos in profiles]
 
-    def call(self, service, type_name, **fields):
+    def call(self, service, type_name, reliability="reliable", **fields):
         type_ = load(type_name)
         client = self.clients.get(service)
         if client is None:
-            qos = profile(10, QOS_OF_SERVICES.get(service, {}))
+            qos = profile(10, {"reliability": reliability})
             client = self.node.create_client(
                 type_, service, qos_profile=qos, callback_group=self.group
             )
