@@ -126,7 +126,7 @@ def test_private_names_in_ros1(render):
     package = render(SPECS["all kinds"], ros_distro="noetic")
     text = (package / "all_kinds/worker_ros.py").read_text()
     assert "'~empty'" in text
-    assert not re.search(r"'~/\w", text)
+    assert "~/" not in text.replace(".replace('~/', '~', 1)", "")
 
 
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])

@@ -271,7 +271,7 @@ WANTED = {
         r"PUBLIC\n[^)]*    \$\{PROJECT_NAME\}_core\n",
         r"PUBLIC\n[^)]*    \$\{tf2_geometry_msgs_TARGETS\}\n",
         r"\ntarget_link_libraries\(\$\{PROJECT_NAME\}_core Eigen3::Eigen\)\n[\s\S]*if\(BUILD_TES",
-        r"    launch\n(?:    nodl\n)?    maps\n(?:    nodl\n)?  DESTINATION share/\$\{PROJ",
+        r"    launch\n    maps\n    nodl\n  DESTINATION share/\$\{PROJECT_NAME\}",
         r"# For pluginlib\ninstall\(FILES plugin.xml\n  DESTINATION share/\$\{PROJECT_NAME\}\)",
         r"install\(PROGRAMS scripts/tool DESTINATION lib/\$\{PROJECT_NAME\}\)[\s\S]*ament_package",
     ),
