@@ -34,18 +34,18 @@ def identify(blocks: Blocks, old: Blocks, new: Blocks) -> list[Block]:
 _HEADING = re.compile(r"#+ ")
 
 
-def _rejoined(mine: Blocks, old: Blocks) -> list[Block]:
+def _rejoined(mine: Blocks, *versions: Blocks) -> list[Block]:
     """Return blocks with generated comments above them that the developer's lines part off."""
-    base = {block.key: block for block in old}
+    known = _by_key(versions)
     whole: list[Block] = []
     for block in mine:
-        if was := base.get(block.key):
-            above = {*was.lines} - {*block.lines, "\n"}
-            own = [*takewhile(lambda part: part.key not in base, reversed(whole))][::-1]
+        if block.key in known:
+            above = {line for was in known[block.key] for line in was.lines} - {*block.lines, "\n"}
+            own = [*takewhile(lambda part: part.key not in known, reversed(whole))][::-1]
             first = next((n for n, part in enumerate(own) if above & {*part.lines}), len(own))
             _join(block, own[first:], above)
             whole = [part for part in whole if part.lines or part.children]
-            block.children = _rejoined(block.children, was.children)
+            block.children = _rejoined(block.children, *(was.children for was in known[block.key]))
         whole.append(block)
     return whole
 
@@ -71,7 +71,7 @@ def _unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
 
     So does a heading, and an empty line between an item and the comment above it.
     """
-    mine = _rejoined(_rejoined(mine, old), new)
+    mine = _rejoined(mine, old, new)
     base = {block.key: {*block.lines} - {"\n"} for block in old}
     taken = {*base, *(block.key for block in new)}
     whole: list[Block] = []

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from concurrent.futures import Future
-from typing import Any, Optional
+from typing import Any, Optional, cast
 
 from all_kinds.ros.callbacks import CallbackThread
 from all_kinds.ros.stop import Stop
@@ -121,7 +121,8 @@ class ActionServer:
             action_type,
             name,
             self._execute,
-            goal_callback=self._answer,
+            # rclpy 9.1 awaits its answer, which the type of this argument does not say.
+            goal_callback=cast(Any, self._answer),
             handle_accepted_callback=self._accept,
             cancel_callback=lambda _: CancelResponse.ACCEPT,
             callback_group=ReentrantCallbackGroup(),
