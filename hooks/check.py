@@ -31,6 +31,8 @@ from .parse import Element
 from .ros import DEPENDENCY_KINDS, DISTROS, lacks
 
 Values = dict[str, Any]
+_MOST_HOMES = 4
+"""How many tags a message names that have an attribute."""
 
 
 @dataclass
@@ -153,7 +155,7 @@ class _Checker:
                 values[components[tag].key].append(component)
             else:
                 unknown = True
-                self.unknown_tag(child, [*components, DEPEND])
+                self.unknown_tag(child, [*components, DEPEND], self.dictionary.package)
         for kind, child, found in shared_ones:
             if child in self.taken:
                 values[kind.key].append(found)
@@ -215,7 +217,7 @@ class _Checker:
         values: Values = {each.key: None if each.once else [] for each in kind.interfaces.values()}
         for child in self.children(element, kind):
             if child.tag not in kind.interfaces:
-                self.unknown_tag(child, list(kind.interfaces))
+                self.unknown_tag(child, list(kind.interfaces), kind.attributes)
                 continue
             inner = kind.interfaces[child.tag]
             scope = (element, inner.kind)
@@ -335,7 +337,7 @@ class _Checker:
         known = {**known, WAS: NAME_BEFORE} if has_name else known
         for name in element.attributes:
             if name not in known:
-                hint = _meant(name, known) or allowed(name, known)
+                hint = _meant(name, known) or self.belongs(name, known)
                 self.fault(element, f"unknown attribute {quoted(name)}; {hint}")
         values: Values = {}
         for name, attribute in known.items():
@@ -348,7 +350,7 @@ class _Checker:
                 self.fault(element, f'attribute "{name}" is missing{_doc(attribute)}')
             elif given is not None and not self.is_misplaced(element, attribute, values):
                 try:
-                    values[name] = value = _value(attribute, given, values, self.formats)
+                    values[name] = value = _value(attribute, given, values, self.formats, known)
                     if attribute.choices and value in self.lacks:
                         what = f"{self.distro.capitalize()} has no {quoted(value)}"
                         raise ValueError(f"{what}; {self.lacks[value]}")
@@ -389,19 +391,57 @@ class _Checker:
             taken = f"already taken{by} at {first.where}"
             raise ValueError(f"{quoted(value)} is {taken}; each must have its own")
 
-    def unknown_tag(self, element: Element, known: list[str]) -> None:
-        tag, components = element.tag, self.dictionary.components
-        homes = [
-            owner
-            for name, component in components.items()
-            for owner, kinds in _holders(name, component)
-            if tag in kinds
-        ]
-        homes = [PACKAGE] if tag in {DEPEND, *components} else homes
+    def belongs(self, name: str, known: Mapping[str, Attribute]) -> str:
+        """Say of what a name is an attribute, or that it is a tag; else what is allowed."""
+        components = self.dictionary.components
+        owners = {PACKAGE: self.dictionary.package}
+        owners |= {tag: component.attributes for tag, component in components.items()}
+        owners |= {kind.kind: kind.attributes for kind in self.dictionary.kinds}
+        homes = [tag for tag, attributes in owners.items() if name in attributes]
+        if 0 < len(homes) <= _MOST_HOMES:
+            where = " or ".join(f"<{home}>" for home in homes)
+            return f"it belongs to {where}; allowed: {', '.join(known)}"
+        if homes := self.homes(name):
+            where = " or ".join(f"<{home}>" for home in homes)
+            return f"it is an element: <{name}> inside {where}"
+        return allowed(name, known)
+
+    def homes(self, tag: str) -> list[str]:
+        """Return the tags in which an element may stand."""
+        components = self.dictionary.components
+        if tag in {DEPEND, *components}:
+            return [PACKAGE]
+        return list(
+            dict.fromkeys(
+                owner
+                for name, component in components.items()
+                for owner, kinds in _holders(name, component)
+                if tag in kinds
+            )
+        )
+
+    def unknown_tag(
+        self, element: Element, known: list[str], attributes: Mapping[str, Attribute]
+    ) -> None:
+        """Report an element that may not stand in another, which has these attributes."""
+        tag, homes = element.tag, self.homes(element.tag)
         homes = [home for home in homes if home in known] or homes
-        tags = " or ".join(f"<{home}>" for home in dict.fromkeys(homes))
-        where = f"it belongs inside {tags}; " if homes else ""
-        where += allowed(tag, known)
+        tags = " or ".join(f"<{home}>" for home in homes)
+        kinds = {kind.kind for kind in self.dictionary.kinds if tag in kind.elsewhere}
+        meant = [f'"{kind}"' for kind in known if kind in kinds]
+        kind_of_dependency = tag.removesuffix(f"_{DEPEND}")
+        if homes:
+            where = f"it belongs inside {tags}; {allowed(tag, known)}"
+        elif tag in attributes:
+            where = f'did you mean {tag}="..."?'
+        elif hint := _meant(tag, attributes):
+            where = hint
+        elif DEPEND in known and kind_of_dependency in DEPENDENCY_KINDS:
+            where = f'did you mean <{DEPEND} {DEPEND_KIND}="{kind_of_dependency}">?'
+        elif meant:
+            where = f"did you mean {' or '.join(meant)}? allowed: {', '.join(known)}"
+        else:
+            where = allowed(tag, known)
         self.fault(element, f"<{shown(tag)}> is not known here; {where}")
 
     def fault(self, element: Element, message: str) -> None:
@@ -416,10 +456,26 @@ class _Checker:
 def _meant(name: str, known: Mapping[str, Attribute]) -> str | None:
     """Return what is meant by the name that another tool has for an attribute."""
     for attribute in known.values():
-        if name in attribute.elsewhere:
-            written = attribute.elsewhere[name] or f'{attribute.name}="..."'
-            return f"did you mean {written}?"
+        for word, meant in attribute.elsewhere.items():
+            if _plain(word) == _plain(name):
+                written = meant or f'{attribute.name}="..."'
+                return f"did you mean {written}?"
     return None
+
+
+def _meant_by(text: str, attribute: Attribute, known: Mapping[str, Attribute]) -> str | None:
+    """Return what is meant by a text that is no word of an attribute, but of one beside it."""
+    if meant := attribute.elsewhere.get(text):
+        return f"did you mean {meant}?"
+    for other in known.values():
+        is_count = other.optional and other.format == "int" and text.isdecimal()
+        if text in other.choices or is_count:
+            return f'did you mean {other.name}="{text}"?'
+    return None
+
+
+def _plain(name: str) -> str:
+    return re.sub("[_-]", "", name).lower()
 
 
 def _reached(parts: Mapping[str, set[str]], start: str) -> set[str]:
@@ -453,14 +509,19 @@ def _holders(tag: str, kind: Component | Interface) -> Iterator[tuple[str, Itera
 
 
 def _value(
-    attribute: Attribute, text: str, values: Values, formats: Mapping[str, Callable[[str], Any]]
+    attribute: Attribute,
+    text: str,
+    values: Values,
+    formats: Mapping[str, Callable[[str], Any]],
+    known: Mapping[str, Attribute],
 ) -> Any:
     """Return the value that a text gives; `values` are those of the attributes before it."""
     if attribute.choices:
         for word, others in attribute.choices.items():
             if text.strip(BLANKS) in (word, *others):
                 return word
-        raise ValueError(f"unknown {quoted(text)}; {allowed(text, attribute.choices)}")
+        hint = _meant_by(text.strip(BLANKS), attribute, known)
+        raise ValueError(f"unknown {quoted(text)}; {hint or allowed(text, attribute.choices)}")
     if attribute.pattern and not re.fullmatch(attribute.pattern, text):
         raise ValueError(f"{quoted(text)} does not match the pattern {attribute.pattern}")
     if attribute.format == "literal":

@@ -81,6 +81,8 @@ class Interface:
     kind: str
     attributes: Mapping[str, Attribute]
     doc: str = ""
+    elsewhere: list[str] = field(default_factory=list)
+    """What people write for it who know other tools."""
     requires: list[str] = field(default_factory=list)
     """Attributes of its owner, of which one must be given."""
     once: bool = False
@@ -180,6 +182,11 @@ class Dictionary:
     def naming(self) -> str:
         """The attribute that names a package."""
         return naming(self.package)
+
+    @property
+    def kinds(self) -> list[Interface]:
+        """The interface kinds of all components, each followed by those inside of it."""
+        return [kind for each in self.components.values() for kind in nested(each.interfaces)]
 
     @property
     def tags(self) -> list[str]:
@@ -533,7 +540,7 @@ class _Reader:
         return SpecError(": ".join(filter(None, (place, label, what))))
 
 
-_INTERFACE_KEYS = ("attributes", "doc", "requires", "once", "takes", "interface")
+_INTERFACE_KEYS = ("attributes", "doc", "elsewhere", "requires", "once", "takes", "interface")
 _SHAPES = typing.get_type_hints(Attribute)
 _WORDS = {
     str: "a text",

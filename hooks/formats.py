@@ -22,6 +22,11 @@ from .names import identifier as identifier_of
 from .words import CPP_NAMES, DEVICES, KEYWORDS, MODULES, PACKAGES, meaning
 
 _LICENSES = {name: spdx for spdx, names in load_data("licenses.yaml").items() for name in names}
+TYPES_OF_ROS: dict[str, dict[str, list[str]]] = {
+    package: {folder: names.split() for folder, names in folders.items()}
+    for package, folders in load_data("types.yaml").items()
+}
+"""The types that come with ROS: by package and folder, their names."""
 BLANKS = " \t\r\n"
 """What is a blank in XML: around a word, it has no meaning."""
 _LONGEST_NAME = 100
@@ -155,13 +160,26 @@ def check_capital(type_: str) -> None:
         raise ValueError(f"{quoted(type_)}: {rule}")
 
 
-def _as_in_code(value: str) -> str:
-    """Ask whether a type is meant that is written as in Python, as its file, or as a list."""
-    plain = re.sub(r"\[.*|\s", "", value)
-    words = [word for word in re.split(r"[.:/]+", plain) if word not in ("msg", "srv", "action")]
+_FOLDERS = {"msg": "a message", "srv": "a service", "action": "an action"}
+_CODE = r"\[.*|[&*]|\bconst\b|\bstd::|(::)?(Const|Shared|Unique)*Ptr\b"
+"""What code has around a type."""
+
+
+def _as_in_code(value: str, folder: str) -> str:
+    """Say what a type is that is written as in code, as its file, or as a list."""
+    words = re.findall(r"[^.:/\\\s-]+", re.sub(_CODE, "", value))
+    others = [word for word in words if word in _FOLDERS and word != folder]
+    words = [word for word in words if word not in _FOLDERS]
+    if others and len(words) == 2:
+        return f"the type of {_FOLDERS[others[0]]}, where that of {_FOLDERS[folder]} belongs; "
+    why = "not a type; "
     if len(words) == 1:
-        return "it lacks its package; "
-    return f'did you mean "{shown("::".join(words))}"? ' if len(words) == 2 else ""
+        why += "it lacks its package; "
+        word = _IN_CODE.get(words[0], words[0])
+        name = class_name(word).replace("Uint", "UInt") if word in PRIMITIVES else word
+        words = [package for package, of in TYPES_OF_ROS.items() if name in of.get(folder, ())]
+        words.append(name)
+    return why + (f'did you mean "{shown("::".join(words))}"? ' if len(words) == 2 else "")
 
 
 def _type(folder: str, example: str) -> Callable[[str], str]:
@@ -170,8 +188,10 @@ def _type(folder: str, example: str) -> Callable[[str], str]:
 
     def parse(value: str) -> str:
         pattern = rf"([A-Za-z]\w*)(::|/)(?:{folder}\2)?([A-Za-z]\w*)"
-        match = _match(pattern, value, f"not a type; {_as_in_code(value)}allowed: {forms}")
+        match = _match(pattern, value, f"{_as_in_code(value, folder)}allowed: {forms}")
         package = _free(match[1], (*CPP_NAMES, *MODULES))
+        if match[1] == "std":
+            raise ValueError(f"{quoted(value)} is {_as_in_code(value, folder)}allowed: {forms}")
         if meaning(match[3], CPP_NAMES):
             check_capital(value)
         return f"{package}/{folder}/{_free(match[3], CPP_NAMES)}"

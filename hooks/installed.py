@@ -13,11 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from .advice import elements
-from .data import load_data
 from .dictionary import Dictionary
-from .formats import TYPES, split_type
+from .formats import TYPES, TYPES_OF_ROS, split_type
 
-_KNOWN: Mapping[str, Mapping[str, str]] = load_data("types.yaml")
 _PATHS = {
     1: {"CMAKE_PREFIX_PATH": "share", "ROS_PACKAGE_PATH": ""},
     2: {"AMENT_PREFIX_PATH": "share"},
@@ -53,9 +51,9 @@ def missing_types(
 
 def _slips(package: str, folder: str, name: str) -> Iterator[str]:
     """Ask about a type, or a package, that is nearly one of ROS's own."""
-    if package not in _KNOWN and f"{package}s" in _KNOWN:
+    if package not in TYPES_OF_ROS and f"{package}s" in TYPES_OF_ROS:
         yield f"no package {package} comes with ROS; is {package}s meant?"
-    known = _KNOWN.get(package, {}).get(folder, "").split()
+    known = TYPES_OF_ROS.get(package, {}).get(folder, [])
     if name not in known and (near := difflib.get_close_matches(name, known, 1)):
         yield f"{package} has no {folder}/{name} in any ROS known here; is {near[0]} meant?"
 

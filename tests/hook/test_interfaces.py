@@ -109,7 +109,7 @@ def test_type_that_a_ros_lacks():
         ("string<=0", "a size must be from 1"),
         ("geometry_msgs::point", 'did you mean "geometry_msgs::Point"?'),
         ("std_msgs::bool", 'did you mean "std_msgs::Bool"?'),
-        ("geometry_msgs::srv::Point", "not a type"),
+        ("geometry_msgs::srv::Point", "the type of a service"),
         ("a::b::c::D", "not a type"),
         ("Point", '"Point" is not declared in this package; allowed: Pose'),
         (

@@ -165,11 +165,163 @@ NODE = ITEM.format('<node name="n" frequency="1">{}</node>')
         ),
         (
             NODE.format('<publisher name="x" type="String.msg"/>'),
-            '"String.msg" is not a type; it lacks its package; allowed: ',
+            '"String.msg" is not a type; it lacks its package; did you mean "std_msgs::String"? ',
         ),
         (
             NODE.format('<publisher name="x" type="String"/>'),
-            '"String" is not a type; it lacks its package; allowed: ',
+            '"String" is not a type; it lacks its package; did you mean "std_msgs::String"? ',
+        ),
+        # What stands in another place there, or is called otherwise.
+        (
+            NODE.format('<serviceServer name="x" type="a::B" durability="volatile"/>'),
+            '"durability"; it belongs to <publisher> or <subscriber> or <directPublisher> or ',
+        ),
+        (ITEM.format('<node name="n" group="g"/>'), '"group"; it belongs to <use>; allowed: '),
+        (
+            NODE.format('<publisher name="x" type="a::B" qos="best_effort"/>'),
+            'did you mean reliability="best_effort"?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="a::B" qos="keep_all"/>'),
+            'did you mean history="keep_all"?',
+        ),
+        (NODE.format('<publisher name="x" type="a::B" qos="10"/>'), 'did you mean depth="10"?'),
+        (NODE.format('<subscriber name="x" type="a::B" history="5"/>'), 'did you mean depth="5"?'),
+        (
+            NODE.format('<subscriber name="x" type="a::B" durability="reliable"/>'),
+            'did you mean reliability="reliable"?',
+        ),
+        (
+            NODE.format('<subscriber name="x" type="a::B" qos="rmw_qos_profile_sensor_data"/>'),
+            'did you mean qos="sensor_data"?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="a::B" durability="latch"/>'),
+            'did you mean durability="transient_local"?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="a::B" queueSize="1"/>'),
+            '"queueSize"; did you mean depth="..."?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="a::B" history_depth="1"/>'),
+            'did you mean depth="..."?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="a::B" qos_profile="x"/>'),
+            'did you mean qos="..."?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="a::B" namespace="x"/>'),
+            'did you mean name="NAMESPACE/NAME"?',
+        ),
+        (
+            ITEM.format('<node name="n" ns="left"/>'),
+            'did you mean <instance name="NAMESPACE/NAME"/>?',
+        ),
+        (
+            NODE.format('<timer name="x" period="0.1"/>'),
+            '"period"; did you mean frequency="...", in Hz?',
+        ),
+        (
+            NODE.format('<timer name="x" interval="0.1"/>'),
+            '"interval"; did you mean frequency="...", in Hz?',
+        ),
+        (
+            ITEM.format('<node name="n" loop_rate="10"/>'),
+            '"loop_rate"; did you mean frequency="..."?',
+        ),
+        (
+            ITEM.format('<node name="n"><rate>10</rate></node>'),
+            '<rate> is not known here; did you mean frequency="..."?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="a::B" frequency="5"/>'),
+            '"frequency"; it belongs to <node> or <timer>; allowed: name',
+        ),
+        (
+            NODE.format('<actionClient name="x" type="a::B" goal="queue"/>'),
+            '"goal"; it belongs to <actionServer>; allowed: name',
+        ),
+        (
+            NODE.format('<actionServer name="x" type="a::B" goal="preempt"/>'),
+            'did you mean goal="replace"?',
+        ),
+        (
+            NODE.format('<parameter name="x" type="double_array" value="[]"/>'),
+            'did you mean type="double[]"?',
+        ),
+        (
+            NODE.format('<parameter name="x" type="std::vector&lt;int>" value="[]"/>'),
+            'did you mean type="int[]"?',
+        ),
+        (
+            NODE.format('<parameter name="x" type="int" value="1" lower_bound="0"/>'),
+            'did you mean min="..."?',
+        ),
+        (
+            ITEM.format('<license>MIT</license><node name="n"/>'),
+            '<license> is not known here; did you mean license="..."?',
+        ),
+        (
+            NODE.format('<publisher name="x"><type>a::B</type></publisher>'),
+            '<type> is not known here; did you mean type="..."?',
+        ),
+        (
+            ITEM.format('<exec_depend>a</exec_depend><node name="n"/>'),
+            'did you mean <depend kind="exec">?',
+        ),
+        (ITEM.format('<run_depend>a</run_depend><node name="n"/>'), 'did you mean "depend"?'),
+        (
+            ITEM.format('<node name="n" timer="0.1"/>'),
+            '"timer"; it is an element: <timer> inside <node> or <group>',
+        ),
+        (
+            ITEM.format("<node/>").replace("<package", '<package url="x"'),
+            '"url"; it is an element: <url> inside <package>',
+        ),
+        (NODE.format('<topic name="x"/>'), 'did you mean "publisher" or "subscriber"?'),
+        (NODE.format('<tf name="x"/>'), 'did you mean "listener" or "broadcaster"?'),
+        (NODE.format('<srv name="x"/>'), 'did you mean "serviceServer" or "serviceClient"?'),
+        (NODE.format('<rosparam name="x"/>'), 'did you mean "parameter"?'),
+        (NODE.format('<advertise name="x"/>'), 'did you mean "publisher"?'),
+        (
+            NODE.format('<publisher name="x" type="std_srvs/srv/Trigger"/>'),
+            '"std_srvs/srv/Trigger" is the type of a service, where that of a message belongs',
+        ),
+        (
+            NODE.format('<serviceServer name="x" type="std_msgs.msg.String"/>'),
+            "is the type of a message, where that of a service belongs",
+        ),
+        (
+            NODE.format('<actionServer name="x" type="a::msg::FibonacciAction"/>'),
+            "is the type of a message, where that of an action belongs",
+        ),
+        (
+            NODE.format('<publisher name="x" type="std::string"/>'),
+            'did you mean "std_msgs::String"?',
+        ),
+        (NODE.format('<publisher name="x" type="double"/>'), 'did you mean "std_msgs::Float64"?'),
+        (NODE.format('<publisher name="x" type="uint8"/>'), 'did you mean "std_msgs::UInt8"?'),
+        (
+            NODE.format('<publisher name="x" type="Twist"/>'),
+            'it lacks its package; did you mean "geometry_msgs::Twist"?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="std_msgs::msg::String::SharedPtr"/>'),
+            'did you mean "std_msgs::String"?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="const std_msgs::StringConstPtr &amp;"/>'),
+            'did you mean "std_msgs::String"?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="std_msgs-String"/>'),
+            'did you mean "std_msgs::String"?',
+        ),
+        (
+            NODE.format('<publisher name="x" type="std_msgs String"/>'),
+            'did you mean "std_msgs::String"?',
         ),
     ],
 )
