@@ -27,13 +27,6 @@ def dependencies_from_template(ros_distro: str) -> list[str]:
     ]
 
 
-def dependencies_from_component(
-    kind: str, attributes: dict[str, Any], ros_distro: str
-) -> list[str]:
-    """Return the packages that a node needs besides those of its interfaces."""
-    return ["diagnostic_msgs"] if attributes["diagnostics"] else []
-
-
 def dependencies_from_interface(
     kind: str, attributes: dict[str, Any], ros_distro: str
 ) -> list[str]:
@@ -225,11 +218,6 @@ def cpp_escape(text: str) -> str:
         for letter in text
     )
     return "".join(letters).replace("??", r"?\?")
-
-
-def launched(node: dict[str, Any]) -> list[str]:
-    """Return the names by which the launch file starts a node."""
-    return [instance["name"] for instance in node["instances"]] or [node["name"]]
 
 
 def logic_file(node: dict[str, Any], package: str) -> str:

@@ -7,7 +7,6 @@ import getpass
 import os
 import re
 import shlex
-import subprocess
 from collections.abc import Callable
 from datetime import date
 from pathlib import Path
@@ -16,6 +15,7 @@ from typing import Any
 from . import faults, formats
 from .data import load_yaml
 from .faults import SpecError
+from .git import git
 
 SUFFIX = ".ros_package"
 
@@ -81,7 +81,7 @@ class Package:
     def _remedy(self) -> str:
         """Return the command that brings a lost spec back from git, where it is there."""
         log = ("log", "-1", "--diff-filter=AMR", "--format=%h")
-        commit = _git(self.folder, *log, "--", f":(glob)*{SUFFIX}").strip()
+        commit = git(self.folder, *log, "--", f":(glob)*{SUFFIX}", check=False).strip()
         if not commit:
             return "git does not have it either; write it again"
         folder = shlex.quote(shown(self.folder))
@@ -98,8 +98,8 @@ class Package:
 
     def clone(self, folder: Path) -> Package:
         """Clone the package's repository into an empty folder; return the package there."""
-        top = Path(_git(self.folder, "rev-parse", "--show-toplevel").strip())
-        _git(top, "clone", "--quiet", "--shared", str(top), str(folder))
+        top = Path(git(self.folder, "rev-parse", "--show-toplevel").rstrip("\n"))
+        git(top, "clone", "--quiet", "--shared", str(top), str(folder))
         return Package(folder / self.folder.resolve().relative_to(top), self.answers_file)
 
     def about(self) -> dict[str, str]:
@@ -164,13 +164,5 @@ def _valid(parse: Callable[[str], str], text: str, other: str) -> str:
 
 
 def _setting(key: str) -> str:
-    return _git(Path.cwd(), "config", "--get", key).strip()
-
-
-def _git(folder: Path, *arguments: str) -> str:
-    command = ["git", *arguments]
-    try:
-        result = subprocess.run(command, cwd=folder, capture_output=True, check=False)
-    except OSError:  # there is no git, or no such folder
-        return ""
-    return result.stdout.decode(errors="replace")
+    value = git(Path.cwd(), "config", "--get", key, check=False).strip()
+    return os.fsencode(value).decode(errors="replace")

@@ -10,7 +10,7 @@ _ROOT = next(
     folder for folder in Path(__file__).parents if (folder / "cpp_model/functions.py").exists()
 )
 _SHARED = next(folder for folder in Path(__file__).parents if (folder / "shared").exists())
-_USED_BY = runpy.run_path(str(_SHARED / "shared/functions.py"))["used_by"]
+_COMMON = runpy.run_path(str(_SHARED / "shared/functions.py"))
 _MODELS = {
     language: runpy.run_path(str(_ROOT / f"{language}_model/functions.py"))
     for language in ("python", "cpp")
@@ -27,7 +27,7 @@ def dependencies_from_component(
 ) -> list[str]:
     """Return the packages that a node needs in its language."""
     model = _MODELS[attributes["language"]]
-    own = model["dependencies_from_component"](kind, attributes, ros_distro)
+    own = _COMMON["dependencies_from_component"](kind, attributes, ros_distro)
     return [*model["dependencies_from_template"](ros_distro), *own]
 
 
@@ -50,7 +50,7 @@ def parts(spec: dict[str, Any], language: str, ros_distro: str) -> list[dict[str
     own = set(spec["declared"]).union(*(_packages(node, ros_distro) for node in nodes))
     kinds = sorted({kind for kind, _ in _interfaces(nodes)})
     depends = [name for name in spec["depends"] if name in own]
-    groups = _USED_BY(spec["groups"], nodes)
+    groups = _COMMON["used_by"](spec["groups"], nodes)
     return [{**spec, "nodes": nodes, "groups": groups, "kinds": kinds, "depends": depends}]
 
 

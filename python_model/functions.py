@@ -12,13 +12,6 @@ def dependencies_from_template(ros_distro: str) -> list[str]:
     return ["builtin_interfaces", "launch_ros", "launch_xml", "rcl_interfaces", "rclpy"]
 
 
-def dependencies_from_component(
-    kind: str, attributes: dict[str, Any], ros_distro: str
-) -> list[str]:
-    """Return the packages that a node needs besides those of its interfaces."""
-    return ["diagnostic_msgs"] if attributes["diagnostics"] else []
-
-
 def dependencies_from_interface(
     kind: str, attributes: dict[str, Any], ros_distro: str
 ) -> list[str]:
@@ -38,11 +31,6 @@ def dependencies_from_interface(
     }.get(kind, [])
     type_ = attributes.get("type", "")
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
-
-
-def launched(node: dict[str, Any]) -> list[str]:
-    """Return the names by which the launch file starts a node."""
-    return [instance["name"] for instance in node["instances"]] or [node["name"]]
 
 
 def logic_file(node: dict[str, Any], package: str) -> str:

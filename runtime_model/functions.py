@@ -16,6 +16,7 @@ _MODELS = {
     for language in ("python", "cpp")
 }
 _SHARED = next(folder for folder in Path(__file__).parents if (folder / "shared").exists())
+_COMMON = runpy.run_path(str(_SHARED / "shared/functions.py"))
 _KINDS = sorted(
     yaml.safe_load((_SHARED / "shared/dictionary.yaml").read_text("utf-8"))["node_interface"]
 )
@@ -47,7 +48,7 @@ def parts(spec: dict[str, Any], language: str, ros_distro: str) -> list[dict[str
     functions = _MODELS[language]
     depends = {
         *functions["dependencies_from_template"](ros_distro),
-        *functions["dependencies_from_component"]("node", _NODE, ros_distro),
+        *_COMMON["dependencies_from_component"]("node", _NODE, ros_distro),
     }
     for kind in _KINDS:
         depends.update(functions["dependencies_from_interface"](kind, _PARAMETER, ros_distro))

@@ -453,6 +453,18 @@ def check_interface(kind: str, attributes: dict[str, Any], ros_distro: str) -> N
             raise ValueError(f"{name}: {value} does not fit the 32 bits of dynamic_reconfigure")
 
 
+def dependencies_from_component(
+    kind: str, attributes: dict[str, Any], ros_distro: str
+) -> list[str]:
+    """Return the packages that a node needs besides those of its interfaces."""
+    return ["diagnostic_msgs"] if attributes.get("diagnostics") else []
+
+
+def launched(node: dict[str, Any]) -> list[str]:
+    """Return the names by which the launch file starts a node."""
+    return [instance["name"] for instance in node["instances"]] or [node["name"]]
+
+
 def groups_of(spec: dict[str, Any], node: dict[str, Any]) -> list[dict[str, Any]]:
     """Return the groups that a node uses, in its order."""
     groups = {group["name"]: group for group in spec["groups"]}

@@ -75,6 +75,36 @@ def test_linters_before_a_commit_are_those_of_the_tests():
     assert len(hooks) == len(re.findall(r"^\t\$\(TOOLS\)/bin/(?:ruff|mypy)", makefile, re.M)) / 2
 
 
+def body(function):
+    """Return what a function does, with its variables named by their order."""
+    own = {each.arg for each in ast.walk(function) if isinstance(each, ast.arg)}
+    names = [each for each in ast.walk(function) if isinstance(each, ast.Name)]
+    own |= {each.id for each in names if isinstance(each.ctx, ast.Store)}
+    text = "\n".join(map(ast.unparse, function.body[ast.get_docstring(function) is not None :]))
+    found = dict.fromkeys(word for word in re.findall(r"\w+", text) if word in own)
+    numbers = {word: f"_{number}" for number, word in enumerate(found)}
+    return re.sub(r"\w+", lambda match: numbers.get(match[0], match[0]), text)
+
+
+def test_no_function_is_there_twice():
+    patterns = ("hooks/**/*.py", "extensions/*.py", "*/functions.py", "scripts/*.py")
+    places = {}
+    for file in [file for pattern in patterns for file in ROOT.glob(pattern)]:
+        for each in ast.walk(ast.parse(file.read_text())):
+            if isinstance(each, ast.FunctionDef) and len(text := body(each)) > 45:
+                place = f"{file.relative_to(ROOT).as_posix()}: {each.name}"
+                places.setdefault(text, []).append(place)
+    # What a literal of each language is wide; files of extensions import none of each other.
+    own = ["cpp_model/functions.py: _columns", "extensions/python.py: _columns"]
+    twins = [sorted(found) for found in places.values() if len(found) > 1]
+    assert [found for found in twins if found != own] == []
+
+
+def test_one_function_of_the_hooks_runs_git():
+    files = [file for file in ROOT.glob("hooks/**/*.py") if "subprocess.run" in file.read_text()]
+    assert [file.relative_to(ROOT).as_posix() for file in files] == ["hooks/git.py"]
+
+
 LISTS = {
     "README.md": r"chooses the ROS \(([\w, ]+)\)",
     ".github/workflows/test.yml": r"distro: \[([\w, ]+)\]",

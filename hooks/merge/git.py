@@ -1,46 +1,14 @@
-"""Git, as far as an update needs it, whatever the user's configuration says."""
+"""What an update asks of git."""
 
 from __future__ import annotations
 
 import os
-import subprocess
 import tempfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
 
+from ..git import git
 from .tree import Tree, read_folder
-
-_NEUTRAL = (
-    "core.quotePath=false",
-    "core.fsmonitor=false",
-    f"core.hooksPath={os.devnull}",
-    "log.showSignature=false",
-)
-
-
-def git(
-    folder: Path,
-    *arguments: str,
-    given: bytes = b"",
-    check: bool = True,
-    environment: Mapping[str, str] | None = None,
-) -> str:
-    """Run git in a folder and return what it says; an empty text where it fails unchecked.
-
-    Raises:
-        RuntimeError: git failed.
-
-    """
-    settings = [word for setting in _NEUTRAL for word in ("-c", setting)]
-    command = ["git", *settings, *arguments]
-    variables = {**os.environ, **(environment or {})}
-    result = subprocess.run(
-        command, cwd=folder, capture_output=True, input=given, check=False, env=variables
-    )
-    if result.returncode and check:
-        said = result.stderr.decode(errors="replace").strip()
-        raise RuntimeError(f"git {' '.join(arguments)}: {said}")
-    return os.fsdecode(result.stdout) if not result.returncode else ""
 
 
 def is_repository(folder: Path) -> bool:
@@ -71,7 +39,7 @@ def changed(folder: Path) -> list[str]:
 
 def index_file(folder: Path) -> Path:
     """Return where git keeps its index."""
-    return _own(folder, "index")
+    return own_file(folder, "index")
 
 
 def committed(folder: Path, path: str, commit: str = "HEAD") -> bytes:
@@ -114,16 +82,17 @@ def last_making(folder: Path, path: str, commit: str) -> str:
 
 def pseudo_commits(folder: Path, name: str) -> list[str]:
     """Return the commits that a file of git's, like MERGE_HEAD, names."""
-    file = _own(folder, name)
+    file = own_file(folder, name)
     return file.read_text(encoding="ascii").split() if file.is_file() else []
 
 
 def has(folder: Path, name: str) -> bool:
     """Say whether git has a file or folder of its own, like rebase-merge."""
-    return _own(folder, name).exists()
+    return own_file(folder, name).exists()
 
 
-def _own(folder: Path, name: str) -> Path:
+def own_file(folder: Path, name: str) -> Path:
+    """Return where git keeps a file of its own."""
     return folder / git(folder, "rev-parse", "--git-path", name).rstrip("\n")
 
 

@@ -93,7 +93,7 @@ class Guard:
 
 
 def _token(package: Path) -> Path:
-    return package / git.git(package, "rev-parse", "--git-path", TOKEN).strip()
+    return git.own_file(package, TOKEN)
 
 
 def _undo(snapshot: Snapshot, token: Path, text: str) -> None:

@@ -42,3 +42,13 @@ def test_package_has_lost_its_spec(package):
     assert package.answers() == {"a": 1}
     with pytest.raises(SpecError, match="lost its spec .*; git does not have it either"):
         package.spec_file("")
+
+
+def test_package_is_made_without_git_or_by_a_name_in_another_encoding(
+    package, monkeypatch, tmp_path
+):
+    monkeypatch.setenv("GIT_CONFIG_GLOBAL", str(tmp_path / "config"))
+    (tmp_path / "config").write_bytes(b'[user]\n\tname = "Ren\xe9"\n')
+    assert package.about()["user"] == "Ren\N{REPLACEMENT CHARACTER}"
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert package.about()["folder"]
