@@ -82,7 +82,7 @@ class Variant:
             shared_runtime(make, self.model, workspace, self.ros.distro, file)
         folders = {".py": "contract", ".hpp": "include/contract", ".cpp": "src"}
         for source in (CONTRACT / "logic").glob("*.py" if self.is_python else "*.[hc]pp"):
-            text = source.read_text()
+            text = source.read_text().replace("HAS_TF", str(int(self.has_tf)))
             if self.runtime != "inside":
                 text = re.sub(r"\bcontract([./])ros\1", rf"{self.runtime}\1ros\1", text)
             (package / folders[source.suffix] / source.name).write_text(text)

@@ -157,7 +157,7 @@ std::string ProbeImpl::goal(int order)
 std::string ProbeImpl::lookup(
   const std::string & target, const std::string & source, double seconds)
 {
-#if __has_include("contract/ros/transforms.hpp")
+#if HAS_TF
   const auto found = passthrough_.listener_frames->lookup(target, source, duration(seconds));
   return found ? json(found->transform.translation.x) : json(passthrough_.listener_frames->reason());
 #else
@@ -172,7 +172,7 @@ std::string ProbeImpl::rounds(int count)
   for (int number = 0; number < count; ++number) {
     calls += call(5.0) != "null";
     goals += goal(1) == "succeeded";
-#if __has_include("contract/ros/transforms.hpp")
+#if HAS_TF
     passthrough_.listener_frames->lookup("nowhere", "no_frame", duration(0.001));
 #endif
   }
