@@ -2091,6 +2091,15 @@ def test_diagnostics_of_the_logic(stage):
     wait_for_status(stage, lambda level, message, *_: (level, message) == (0, "active; well"))
 
 
+def test_the_logic_is_dropped_after_cleanup(stage):
+    """The logic of a node that lives on gives back what it holds."""
+    only_rclcpp(stage, "objects of Python end when its collector gets to them")
+    node = stage.start("probe", "destructor: block 0")
+    node.wait("update", "end")
+    assert stage.transition("deactivate", "cleanup"), node.story()
+    node.wait("destructor", "block")
+
+
 def test_diagnostics_of_a_new_logic(stage):
     """What a logic has said goes with it."""
     only_ros2(stage)

@@ -16,6 +16,7 @@ class ProbeImpl
 {
 public:
   explicit ProbeImpl(const ProbePassthrough & passthrough);
+  ~ProbeImpl() {behaviour_.pass("destructor");}
   bool configure(const ProbeConfig & config);
   bool activate();
   void update(ProbeData & data, const ProbeConfig & config);
