@@ -35,9 +35,10 @@ MUTANTS ?= .
 mutants: $(TOOLS)/ready $(ROS2)/ready debian
 	MUTANTS='$(MUTANTS)' $(PYTEST) --numprocesses 2 tests/ros/test_mutants.py
 
-# The packages that examples/ shows: rendered anew, for the diff to be reviewed.
+# The packages that examples/ shows, and the page of messages: made anew, for the diff to be reviewed.
 accept: $(TOOLS)/ready
 	$(TOOLS)/bin/python scripts/accept.py
+	$(TOOLS)/bin/python scripts/messages.py
 
 # Copies and updates beside bare Copier's, and nodes beside some that are written by hand: docs/benchmarks.md.
 # NODES='--only "Python, ROS 2"' measures a part, NODES=--write writes that page.

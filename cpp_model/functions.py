@@ -34,7 +34,8 @@ def dependencies_from_interface(
     ros1 = ros_distro == "noetic"
     name = attributes.get("name", "")
     if ros1 and kind == "dynParameter" and name in _RESERVED:
-        raise ValueError(f'dynamic_reconfigure cannot make a parameter "{name}"; choose another')
+        what = f'dynamic_reconfigure cannot make a parameter "{name}"; choose another'
+        raise ValueError(what, "not-in-dynamic-reconfigure")
     tf2_msgs = [] if ros1 else ["tf2_msgs"]
     packages = {
         "actionServer": ["actionlib" if ros1 else "rclcpp_action"],

@@ -101,7 +101,7 @@ class SpecExtension(Extension):
 
         @functools.wraps(function)
         def call(context: Context, *arguments: Any) -> Any:
-            _check_copier(copier.__version__)
+            self._check_copier(copier.__version__)
             return function(self._run(context), *arguments)
 
         return call
@@ -127,6 +127,18 @@ class SpecExtension(Extension):
         )
         return run
 
+    def _check_copier(self, version: str) -> None:
+        """Refuse a Copier that may treat packages in another way, before it writes anything."""
+        major, minor = (int(number) for number in version.split(".")[:2])
+        if (major, minor) > NEWEST_COPIER and "UNTESTED_COPIER" not in os.environ:
+            newest = ".".join(map(str, NEWEST_COPIER))
+            raise self.hooks.faults.SpecError(
+                f"Copier {version} is newer than {newest}, the newest that this version of the"
+                " model is tested with; install that, as by"
+                f' pipx install --force "copier=={newest}.*", or set UNTESTED_COPIER=1 to try',
+                "newer-copier",
+            )
+
     def _copy(
         self,
         source: str,
@@ -150,7 +162,10 @@ class SpecExtension(Extension):
                     quiet=True,
                 )
         except CopierError as error:
-            raise self.hooks.faults.UnrenderedError(str(error)) from error
+            fault: Any = error.__cause__  # of the hook of whatever version
+            if not hasattr(fault, "id"):
+                fault = self.hooks.faults.SpecError(str(error), "not-rendered")
+            raise self.hooks.faults.UnrenderedError(fault.text, fault.id) from error
         return worker.match_skip
 
     def _use(self, model: Model) -> None:
@@ -179,13 +194,15 @@ class SpecExtension(Extension):
 
     def _say_where(self, source: str | None = None) -> NoReturn:
         """Make a fault of a template a message of Copier's, with file and line (decision 100)."""
-        templates = self.hooks.templates
+        templates, spec_error = self.hooks.templates, self.hooks.faults.SpecError
         try:
             Environment.handle_exception(self.environment, source)
         except CopierError as error:  # of a function that the template calls, or a part of it
             place, is_file = templates.place(error, self.root, is_told=True)
-            if is_file and isinstance(error, UserMessageError):
-                raise UserMessageError(f"{error} (in {place})") from error
+            fault = error.__cause__
+            if is_file and isinstance(fault, spec_error):
+                fault = spec_error(f"{fault.text} (in {place})", fault.id)
+                raise UserMessageError(str(fault)) from fault
             raise
         except Exception as error:
             # Copier has an UndefinedError of its own, for answers that are unset.
@@ -194,7 +211,8 @@ class SpecExtension(Extension):
             if is_own or not place:
                 raise
             where = place if is_file else templates.found(place, self.root) or f'"{place}"'
-            raise UserMessageError(f"{where}: {templates.what(error)}") from error
+            fault = spec_error(f"{where}: {templates.what(error)}", "template-fails")
+            raise UserMessageError(str(fault)) from fault
 
 
 @contextlib.contextmanager
@@ -213,18 +231,6 @@ def _without_index() -> Iterator[None]:
     finally:
         if found:
             copier_main.is_git_available = found
-
-
-def _check_copier(version: str) -> None:
-    """Refuse a Copier that may treat packages in another way, before it writes anything."""
-    major, minor = (int(number) for number in version.split(".")[:2])
-    if (major, minor) > NEWEST_COPIER and "UNTESTED_COPIER" not in os.environ:
-        newest = ".".join(map(str, NEWEST_COPIER))
-        raise UserMessageError(
-            f"Copier {version} is newer than {newest}, the newest that this version of the model"
-            f' is tested with; install that, as by pipx install --force "copier=={newest}.*",'
-            " or set UNTESTED_COPIER=1 to try"
-        )
 
 
 def _is_render(folder: Path) -> bool:

@@ -13,6 +13,7 @@ from typing import Any
 
 from .dictionary import Component, Dictionary, Interface
 from .endpoints import Endpoint, endpoint
+from .faults import with_id
 
 _SHORTEST = 4
 """The shortest word in which one letter more, less or other is taken for a slip."""
@@ -30,16 +31,18 @@ def contradictions(context: Mapping[str, Any], dictionary: Dictionary) -> list[s
     for (graph, name), types in groups.items():
         if len(types) > 1:
             uses = ", ".join(f"{type_name} in {owner}" for type_name, owner in types.items())
-            notes.append(f"{graph} {name} has more than one type: {uses}; they cannot connect")
+            note = f"{graph} {name} has more than one type: {uses}; they cannot connect"
+            notes.append(with_id(note, "type-clash"))
     some = list(groups)[:_MOST_COMPARED]
     for (graph, one), (other_graph, other) in itertools.combinations(some, 2):
         if graph != other_graph:
             continue
         same_type = groups[graph, one].keys() & groups[graph, other].keys()
-        if one.lower() == other.lower():
-            notes.append(f"{graph}s {one} and {other} differ only by case; is one a slip?")
-        elif same_type and _differ_by_a_letter(one, other):
-            notes.append(f"{graph}s {one} and {other} differ only by a letter; is one a slip?")
+        is_case = one.lower() == other.lower()
+        if is_case or (same_type and _differ_by_a_letter(one, other)):
+            how = "case" if is_case else "a letter"
+            note = f"{graph}s {one} and {other} differ only by {how}; is one a slip?"
+            notes.append(with_id(note, "similar-names"))
     return notes
 
 

@@ -168,7 +168,8 @@ def check_names_before(
         raise SpecError(
             f'{places[pair.label]}: was="{was}": the last update knew no such'
             f" {pair.label.split()[0]}, or it has gone to another;"
-            f" {nearest(str(was), others)}remove was{remedy}"
+            f" {nearest(str(was), others)}remove was{remedy}",
+            "unknown-was",
         )
 
 

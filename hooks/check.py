@@ -96,13 +96,13 @@ def check(
     if not checker.faults:
         checker.check_own_types()
         checker.check_references()
-        for element, fault in collisions(checker.spec.elements, dictionary.scopes, filters, ros):
-            checker.fault(element, fault)
-        for element, fault in clashes(checker.spec.interfaces, dictionary):
-            checker.fault(element, fault)
+        for found in collisions(checker.spec.elements, dictionary.scopes, filters, ros):
+            checker.fault(*found)
+        for found in clashes(checker.spec.interfaces, dictionary):
+            checker.fault(*found)
     if checker.faults:
         faults = sorted(checker.faults, key=lambda fault: fault[0])
-        raise SpecError(first_of([text for _, text in faults]))
+        raise first_of([fault for _, fault in faults])
     return checker.spec
 
 
@@ -112,7 +112,7 @@ class _Checker:
         self.formats = {**FORMATS, **FORMATS_OF_ROS.get(DISTROS.get(distro, 0), {})}
         self.lacks, self.distro = lacks(distro), distro
         self.spec = CheckedSpec(file)
-        self.faults: list[tuple[int, str]] = []
+        self.faults: list[tuple[int, SpecError]] = []
         self.owners: dict[tuple[Any, ...], Element] = {}
         self.holders: dict[Element, str] = {}
         """By element with a type, the declared type that it is a part of, or nothing."""
@@ -127,7 +127,8 @@ class _Checker:
 
     def check_package(self, element: Element) -> None:
         if element.tag != PACKAGE:
-            self.fault(element, f"a spec starts with <{PACKAGE}>, not <{shown(element.tag)}>")
+            what = f"a spec starts with <{PACKAGE}>, not <{shown(element.tag)}>"
+            self.fault(element, what, "wrong-root")
             return
         components = self.dictionary.components
         values = self.values(element, self.dictionary.package)
@@ -164,7 +165,7 @@ class _Checker:
         needed = [component for component in components.values() if not component.is_plain]
         if needed and not any(values[component.key] for component in needed) and not unknown:
             tags = " or ".join(f"<{component.tag}>" for component in needed)
-            self.fault(element, f"has no {tags}; it needs one at least")
+            self.fault(element, f"has no {tags}; it needs one at least", "missing-tag")
         self.spec.package = values
 
     def component(self, element: Element, component: Component, package: Checked) -> Values:
@@ -227,7 +228,8 @@ class _Checker:
                 what = f"its <{element.tag}> at line {element.line} must have the attribute"
                 needed = (f'"{name}"{_doc(kind.attributes[name])}' for name in requires)
                 instead = _instead(inner, kind.interfaces)
-                self.fault(child, f"{what} {' or '.join(needed)}{instead}")
+                what = f"{what} {' or '.join(needed)}{instead}"
+                self.fault(child, what, "owner-lacks-attribute")
             item = self.checked(inner.kind, child, {**found}, *owners)
             found |= self.interfaces(child, inner, found, (*owners, item))
             if child.taker and not element.taker:  # it says where it was taken from
@@ -238,7 +240,8 @@ class _Checker:
                 continue
             first = self.owners.setdefault((element, inner.kind), child)
             if first is not child:
-                self.fault(child, f"there is one at {first.where}; put all into one")
+                what = f"there is one at {first.where}; put all into one"
+                self.fault(child, what, "only-one")
             values[inner.key] = found
         return values
 
@@ -260,7 +263,8 @@ class _Checker:
                 parts.setdefault(holder, set()).add(own)
             if holder and holder in _reached(parts, own):
                 fault = f"{quoted(word)} would contain itself"
-                self.fault(element, f"{name}: {fault}; choose another type")
+                what = f"{name}: {fault}; choose another type"
+                self.fault(element, what, "recursive-type")
             elif own not in self.spec.declared:
                 known = sorted(
                     declared.split("/")[1]
@@ -268,7 +272,8 @@ class _Checker:
                     if declared.startswith(f"{folder}/")
                 )
                 fault = f"{quoted(word)} is not declared in this package"
-                self.fault(element, f"{name}: {fault}; {allowed(word, known)}")
+                what = f"{name}: {fault}; {allowed(word, known)}"
+                self.fault(element, what, "undeclared-type")
 
     def check_references(self) -> None:
         """Insist that what refers to an element names one (decision 113)."""
@@ -296,7 +301,8 @@ class _Checker:
                     fault = f"{quoted(str(value))} is no <{tag}> of this <{home.tag}>"
                     for key, words in attribute.whose.items():
                         fault += f" whose {key} is {' or '.join(words)}"
-                    self.fault(item.element, f"{name}: {fault}; {allowed(str(value), names)}")
+                    what = f"{name}: {fault}; {allowed(str(value), names)}"
+                    self.fault(item.element, what, "unknown-reference")
 
     def kinds(self, item: Checked) -> list[Component | Interface]:
         """Return what the dictionary says of an element, after what it stands in."""
@@ -315,14 +321,14 @@ class _Checker:
         kind = element.attributes.get(DEPEND_KIND)
         if set(element.attributes) - {DEPEND_KIND} or element.children:
             form = f'<{DEPEND}>std_msgs</{DEPEND}>, with {DEPEND_KIND}="exec" and the like'
-            self.fault(element, f"takes a package name: {form}")
+            self.fault(element, f"takes a package name: {form}", "wrong-depend")
         elif kind is not None and kind not in DEPENDENCY_KINDS:
             fault = f"unknown {quoted(kind)}; {allowed(kind, DEPENDENCY_KINDS)}"
-            self.fault(element, f"{DEPEND_KIND}: {fault}")
+            self.fault(element, f"{DEPEND_KIND}: {fault}", "unknown-choice")
         try:
             self.spec.depends.append((kind or "", dependency(element.text)))
-        except ValueError as error:
-            self.fault(element, str(error))
+        except SpecError as error:
+            self.fault(element, error.text, error.id)
 
     def values(
         self,
@@ -333,12 +339,14 @@ class _Checker:
     ) -> Values:
         """Return the values of one element; `scope` is where those that name it are unique."""
         if element.text:
-            self.fault(element, f"text is not allowed here: {quoted(element.text)}")
+            what = f"text is not allowed here: {quoted(element.text)}"
+            self.fault(element, what, "text-not-allowed")
         known = {**known, WAS: NAME_BEFORE} if has_name else known
         for name in element.attributes:
             if name not in known:
                 hint = _meant(name, known) or self.belongs(name, known)
-                self.fault(element, f"unknown attribute {quoted(name)}; {hint}")
+                what = f"unknown attribute {quoted(name)}; {hint}"
+                self.fault(element, what, "unknown-attribute")
         values: Values = {}
         for name, attribute in known.items():
             given = element.attributes.get(name)
@@ -347,13 +355,14 @@ class _Checker:
             default = values.get(attribute.same_as) if attribute.same_as else attribute.default
             values[name] = default if given is None else None
             if given is None and not attribute.optional:
-                self.fault(element, f'attribute "{name}" is missing{_doc(attribute)}')
+                what = f'attribute "{name}" is missing{_doc(attribute)}'
+                self.fault(element, what, "missing-attribute")
             elif given is not None and not self.is_misplaced(element, attribute, values):
                 try:
                     values[name] = value = _value(attribute, given, values, self.formats, known)
                     if attribute.choices and value in self.lacks:
                         what = f"{self.distro.capitalize()} has no {quoted(value)}"
-                        raise ValueError(f"{what}; {self.lacks[value]}")
+                        raise SpecError(f"{what}; {self.lacks[value]}", "not-in-distro")
                     is_type = attribute.format in TYPES and not self.is_sharing
                     if is_type and (parts := split_type(value)):
                         self.spec.types.append((element, name, parts))
@@ -363,20 +372,20 @@ class _Checker:
                         self.spec.declared.add(self.declaring)
                     if attribute.unique and scope:
                         self.check_unique(element, attribute, values[name], scope)
-                except ValueError as error:
-                    self.fault(element, f"{name}: {error}")
+                except SpecError as error:
+                    self.fault(element, f"{name}: {error.text}", error.id)
         for name, attribute in known.items():
             if values.get(name) is not None:
                 for rule in (_misplaced, _out_of_bounds, _unlisted):
                     for fault in rule(attribute, values):
-                        self.fault(element, fault)
+                        self.fault(element, *fault)
         return values
 
     def is_misplaced(self, element: Element, attribute: Attribute, values: Values) -> bool:
         """Report an attribute that has no meaning beside those before it; its text may be any."""
         faults = [*_misplaced(attribute, values)]
         for fault in faults:
-            self.fault(element, fault)
+            self.fault(element, *fault)
         return bool(faults)
 
     def check_unique(
@@ -389,7 +398,8 @@ class _Checker:
             other = first.attributes.get(attribute.name, value)
             by = f" by {quoted(other)}" if other != value else ""
             taken = f"already taken{by} at {first.where}"
-            raise ValueError(f"{quoted(value)} is {taken}; each must have its own")
+            what = f"{quoted(value)} is {taken}; each must have its own"
+            raise SpecError(what, "already-taken")
 
     def belongs(self, name: str, known: Mapping[str, Attribute]) -> str:
         """Say of what a name is an attribute, or that it is a tag; else what is allowed."""
@@ -442,15 +452,16 @@ class _Checker:
             where = f"did you mean {' or '.join(meant)}? allowed: {', '.join(known)}"
         else:
             where = allowed(tag, known)
-        self.fault(element, f"<{shown(tag)}> is not known here; {where}")
+        self.fault(element, f"<{shown(tag)}> is not known here; {where}", "unknown-tag")
 
-    def fault(self, element: Element, message: str) -> None:
+    def fault(self, element: Element, message: str, id_: str) -> None:
         """Keep a fault; that of an element is said once, however many take it."""
         is_told = (element.place[1], message) in self.told
         if is_told:
             return
         self.told.add((element.place[1], message))
-        self.faults.append((element.place[1], f"{self.spec.place(element)}: {message}"))
+        fault = SpecError(f"{self.spec.place(element)}: {message}", id_)
+        self.faults.append((element.place[1], fault))
 
 
 def _meant(name: str, known: Mapping[str, Attribute]) -> str | None:
@@ -521,34 +532,36 @@ def _value(
             if text.strip(BLANKS) in (word, *others):
                 return word
         hint = _meant_by(text.strip(BLANKS), attribute, known)
-        raise ValueError(f"unknown {quoted(text)}; {hint or allowed(text, attribute.choices)}")
+        what = f"unknown {quoted(text)}; {hint or allowed(text, attribute.choices)}"
+        raise SpecError(what, "unknown-choice")
     if attribute.pattern and not re.fullmatch(attribute.pattern, text):
-        raise ValueError(f"{quoted(text)} does not match the pattern {attribute.pattern}")
+        what = f"{quoted(text)} does not match the pattern {attribute.pattern}"
+        raise SpecError(what, "pattern-mismatch")
     if attribute.format == "literal":
         type_name = values.get(attribute.of or "")
         if type_name is None:
             return None
         value = literal(text, type_name + "[]" * attribute.several)
         if value == [] and not attribute.can_be_empty:
-            raise ValueError("a list must not be empty")
+            raise SpecError("a list must not be empty", "empty-value")
         return text if attribute.as_written else value
     value = formats[attribute.format](text)
     if not attribute.optional and value == "" and attribute.format not in ("raw", "string"):
-        raise ValueError("must not be empty")
+        raise SpecError("must not be empty", "empty-value")
     if value in attribute.reserved:
-        raise ValueError(f"{quoted(value)} is reserved; choose another")
+        raise SpecError(f"{quoted(value)} is reserved; choose another", "reserved-name")
     return value
 
 
-def _misplaced(attribute: Attribute, values: Values) -> Iterator[str]:
-    """Say that an attribute has no meaning beside the values of others."""
+def _misplaced(attribute: Attribute, values: Values) -> Iterator[tuple[str, str]]:
+    """Say that an attribute has no meaning beside the values of others, with the id of that."""
     for other, choices in attribute.when.items():
         if values.get(other) not in (None, *choices):
             what = f'has no meaning where {other} is "{values[other]}"'
-            yield f'attribute "{attribute.name}" {what}; drop it'
+            yield f'attribute "{attribute.name}" {what}; drop it', "attribute-without-meaning"
 
 
-def _out_of_bounds(attribute: Attribute, values: Values) -> Iterator[str]:
+def _out_of_bounds(attribute: Attribute, values: Values) -> Iterator[tuple[str, str]]:
     """Say what a number must be; a bound may be the value of another attribute."""
     value = values[attribute.name]
     for each in value if isinstance(value, list) else [value]:
@@ -556,7 +569,7 @@ def _out_of_bounds(attribute: Attribute, values: Values) -> Iterator[str]:
             yield from _beyond(attribute, each, values)
 
 
-def _beyond(attribute: Attribute, value: float, values: Values) -> Iterator[str]:
+def _beyond(attribute: Attribute, value: float, values: Values) -> Iterator[tuple[str, str]]:
     for word, limit, holds in (
         ("above", attribute.above, operator.gt),
         ("at least", attribute.minimum, operator.ge),
@@ -564,15 +577,16 @@ def _beyond(attribute: Attribute, value: float, values: Values) -> Iterator[str]
     ):
         bound = values.get(limit) if isinstance(limit, str) else limit
         if bound is not None and not holds(value, bound):
-            yield f"{attribute.name}: {value} must be {word} {bound}"
+            yield f"{attribute.name}: {value} must be {word} {bound}", "out-of-range"
 
 
-def _unlisted(attribute: Attribute, values: Values) -> Iterator[str]:
+def _unlisted(attribute: Attribute, values: Values) -> Iterator[tuple[str, str]]:
     """Say that a value is none of those that another attribute lists."""
     value, known = values[attribute.name], values.get(attribute.among or "")
     if known is not None and value not in known:
         hint = allowed(str(value), [spelled(each) for each in known])
-        yield f"{attribute.name}: {spelled(value)} is none of {attribute.among}; {hint}"
+        what = f"{attribute.name}: {spelled(value)} is none of {attribute.among}; {hint}"
+        yield what, "not-among"
 
 
 def _doc(attribute: Attribute) -> str:

@@ -56,8 +56,8 @@ class Checked:
 
 def collisions(
     elements: Sequence[Checked], scopes: Sequence[Scope], filters: Filters, ros: int | None
-) -> Iterator[tuple[Element, str]]:
-    """Yield each element that makes a name it cannot, and what is wrong with the name.
+) -> Iterator[tuple[Element, str, str]]:
+    """Yield each element that makes a name it cannot, what is wrong with the name, and its id.
 
     What counts in one generation of ROS alone is left out where `ros` is not that one.
     """
@@ -75,20 +75,19 @@ def collisions(
                 key = name.lower() if scope.ignore_case else name
                 first = taken.setdefault((id(owner), key), item.element)
                 if why:
-                    yield (
-                        item.element,
-                        f'"{shown(name)}" is {why} as {scope.label}; choose another',
-                    )
+                    what = f'"{shown(name)}" is {why} as {scope.label}; choose another'
+                    yield item.element, what, "reserved-name"
                 elif first is not item.element:
                     also = f"{first.label} at {first.where}"
                     what = f'makes the {scope.label} "{shown(name)}"'
-                    yield item.element, f"{what}, as {also} does; rename one of them"
+                    yield item.element, f"{what}, as {also} does; rename one of them", "name-clash"
         for (place, name), element in taken.items() if scope.parts else ():
             above = [name[:end] for end in range(len(name)) if name[end] == scope.parts]
             for group in above:
                 if other := taken.get((place, group)):
                     what = f'"{shown(group)}" is a {scope.label} itself, at {other.where}'
-                    yield element, f"{what}, so that nothing can be below it; rename one of them"
+                    what += ", so that nothing can be below it; rename one of them"
+                    yield element, what, "name-clash"
 
 
 def _reservation(name: str, reserved: str, ros: int | None) -> str:
@@ -122,4 +121,5 @@ def _made(form: str, item: Checked, filters: Filters, scope: Scope) -> str:
         return _Form(filters).vformat(form, (), {**owners, **item.values})
     except (KeyError, IndexError, ValueError) as error:
         where = f"{scope.said_at}: names: {scope.label}".lstrip(": ")
-        raise SpecError(f'{where}: "{form}" has no meaning: {error}') from None
+        what = f'{where}: "{form}" has no meaning: {error}'
+        raise SpecError(what, "form-without-meaning") from None

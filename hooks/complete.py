@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from .check import CheckedSpec, Values
-from .faults import SpecError, allowed, first_of, quoted
+from .faults import SpecError, allowed, first_of, quoted, refused, with_id
 from .formats import check_capital, dependency, with_capital
 from .parse import Element
 from .ros import DISTROS, lacking_kind, nearest_available, translate_dependency
@@ -31,7 +31,8 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
 
     """
     if distro not in DISTROS:
-        raise SpecError(f"ros_distro: unknown {quoted(distro)}; {allowed(distro, DISTROS)}")
+        what = f"ros_distro: unknown {quoted(distro)}; {allowed(distro, DISTROS)}"
+        raise SpecError(what, "unknown-choice")
     generation = DISTROS[distro]
     _check_kinds(spec)
     translated = [(kind, *translate_dependency(name, generation)) for kind, name in spec.depends]
@@ -56,9 +57,10 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
         for name in sorted(needed) + named:
             if nearest := nearest_available(name, generation):
                 what = f"ROS {generation} has no {name}; the nearest it has is {nearest}"
-                raise SpecError(f"{place}: {what}")
+                raise SpecError(f"{place}: {what}", "not-in-ros")
         if own_name in needed and not spec.declared:
-            raise SpecError(f"{place}: needs {own_name}, which is this package; name another")
+            what = f"needs {own_name}, which is this package; name another"
+            raise SpecError(f"{place}: {what}", "names-itself")
         found |= needed
     others: dict[str, set[str]] = defaultdict(set)
     for kind, package, _ in translated:
@@ -66,7 +68,8 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
             others[kind].add(package)
     notes = [note for *_, note in translated if note] + list(_small_types(spec, generation))
     for element, takers in spec.unused:
-        notes.append(f"{element.label} is not taken by any {takers}; nothing is made of it")
+        note = f"{element.label} is not taken by any {takers}; nothing is made of it"
+        notes.append(with_id(note, "not-taken"))
     return {
         **spec.package,
         "ros": generation,
@@ -81,12 +84,12 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
 def _check_kinds(spec: CheckedSpec) -> None:
     """Refuse a service of a package that has messages alone, and the like."""
     faults = [
-        f"{spec.own_place(element)}: {name}: {lacking}"
+        SpecError(f"{spec.own_place(element)}: {name}: {lacking}", "wrong-kind-of-type")
         for element, name, (package, kind, _) in spec.types
         if (lacking := lacking_kind(package, kind))
     ]
     if faults:
-        raise SpecError(first_of([*dict.fromkeys(faults)]))
+        raise first_of(_each_once(faults))
 
 
 def _small_types(spec: CheckedSpec, generation: int) -> Iterator[str]:
@@ -96,12 +99,18 @@ def _small_types(spec: CheckedSpec, generation: int) -> Iterator[str]:
         type_ = element.attributes[name]
         try:
             check_capital(type_)
-        except ValueError as error:
-            faults.append(f"{spec.own_place(element)}: {name}: {error}")
+        except SpecError as error:
+            place = f"{spec.own_place(element)}: {name}"
+            faults.append(SpecError(f"{place}: {error.text}", error.id))
             meant = quoted(with_capital(type_))
-            yield f"{element.label}: {quoted(type_)} begins with a small letter; is {meant} meant?"
+            note = f"{quoted(type_)} begins with a small letter; is {meant} meant?"
+            yield with_id(f"{element.label}: {note}", error.id)
     if faults and generation == 2:
-        raise SpecError(first_of([*dict.fromkeys(faults)]))
+        raise first_of(_each_once(faults))
+
+
+def _each_once(faults: list[SpecError]) -> list[SpecError]:
+    return [*{fault.text: fault for fault in faults}.values()]
 
 
 def _result(functions: Functions, name: str, place: str, *arguments: Any) -> Any:
@@ -109,8 +118,8 @@ def _result(functions: Functions, name: str, place: str, *arguments: Any) -> Any
         return functions[name](*arguments) if name in functions else None
     except SpecError as error:
         if isinstance(error.__cause__, ValueError):  # the function refuses the spec
-            raise SpecError(f"{place}: {error.__cause__}") from error
-        raise SpecError(f"{error} (called for {place})") from error
+            raise refused(error.__cause__, place) from error
+        raise SpecError(f"{error.text} (called for {place})", error.id) from error
 
 
 def _call(functions: Functions, name: str, place: str, *arguments: Any) -> set[str]:
@@ -120,10 +129,11 @@ def _call(functions: Functions, name: str, place: str, *arguments: Any) -> set[s
     code = inspect.unwrap(functions[name]).__code__
     where = f"{code.co_filename}:{code.co_firstlineno}: {name} for {place}"
     if not isinstance(result, list) or not all(isinstance(item, str) for item in result):
-        raise SpecError(f"{where}: must return a list of package names, not {result!r}")
+        what = f"must return a list of package names, not {result!r}"
+        raise SpecError(f"{where}: {what}", "function-fails")
     for item in result:
         try:
             dependency(item)
-        except ValueError as error:
-            raise SpecError(f"{where}: {error}") from None
+        except SpecError as error:
+            raise SpecError(f"{where}: {error.text}", "function-fails") from None
     return set(result)

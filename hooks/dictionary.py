@@ -219,15 +219,18 @@ def _read(file: Path, root: Path, files: list[Path], within: tuple[Path, ...] = 
     """
     content = load_located(file)
     if not isinstance(content, dict):
-        raise SpecError(f"{file}: must be a mapping with package_attributes and <tag>_interface")
+        what = "must be a mapping with package_attributes and <tag>_interface"
+        raise SpecError(f"{file}: {what}", "wrong-shape")
     included: dict[str, Any] = {}
     names = content.pop("include", None) or []
     for name in names if isinstance(names, list) else [names]:
         place = getattr(name, "place", file)
         if not (root / str(name)).is_file():
-            raise SpecError(f"{place}: include: {name}: no such file; a model needs it")
+            what = f"{name}: no such file; a model needs it"
+            raise SpecError(f"{place}: include: {what}", "no-such-file")
         if root / str(name) in (*within, file):
-            raise SpecError(f"{place}: include: {name} includes this file itself; drop one")
+            what = f"{name} includes this file itself; drop one"
+            raise SpecError(f"{place}: include: {what}", "circular-include")
         included = _added(included, _read(root / str(name), root, files, (*within, file)))
     files.append(file)
     return _added(included, content)
@@ -285,7 +288,8 @@ class _Reader:
         for alias, tag in aliases.items():
             self.check_word(tag, f"aliases: {alias}", "component tag", [*components, DEPEND])
             if alias in (*components, DEPEND):
-                raise self.fault(alias, "aliases", f'"{alias}" is a tag itself; choose another')
+                what = f'"{alias}" is a tag itself; choose another'
+                raise self.fault(alias, "aliases", what, "reserved-name")
         names = content.get("names") or {}
         self.check_shape("names", "names", names, Mapping[str, Any])
         scopes = [self.scope(label, item, owners) for label, item in names.items()]
@@ -318,16 +322,17 @@ class _Reader:
             held = {name: kind for name, kind in component.interfaces.items() if not kind.takes}
             for kind in nested(component.interfaces):
                 if kind.takes and kind is not component.interfaces.get(kind.kind):
-                    raise self.fault("", kind.kind, "only a kind of a component takes")
+                    what = "only a kind of a component takes"
+                    raise self.fault("", kind.kind, what, "wrong-takes")
                 if kind.takes and not kind.taken:
                     what = "what a kind takes is named by refers_to of its first attribute"
-                    raise self.fault("", kind.kind, what)
+                    raise self.fault("", kind.kind, what, "wrong-takes")
                 if not (tag := kind.taken):
                     continue
                 if tag not in components or not components[tag].is_plain:
                     what = f"takes <{tag}>, which has an interface of its own"
                     only = f"it needs {tag}_attributes alone"
-                    raise self.fault("", kind.kind, f"{what}; {only}")
+                    raise self.fault("", kind.kind, f"{what}; {only}", "wrong-takes")
                 for each in held.values():
                     self.check_hidden(each.kind, each.attributes, {tag})
                 kinds = {**held, **found[tag].interfaces}
@@ -336,18 +341,19 @@ class _Reader:
 
     def attributes(self, owner: str, items: Any) -> dict[str, Attribute]:
         if not isinstance(items, list):
-            raise self.fault("", owner, "the attributes must be a list")
+            raise self.fault("", owner, "the attributes must be a list", "wrong-shape")
         found: dict[str, tuple[Located, Attribute]] = {}
         for item in items:
             named = {item: {}} if isinstance(item, str) else item
             if not isinstance(named, dict):
-                raise self.fault("", owner, f"{item!r} must be a name or a mapping")
+                what = f"{item!r} must be a name or a mapping"
+                raise self.fault("", owner, what, "wrong-shape")
             for name, options in named.items():
                 self.check_name(name, owner)
                 if name in found and found[name][0].file == name.file:
                     line = found[name][0].line
                     what = f'attribute "{name}" is there twice, first at line {line}; keep one'
-                    raise self.fault(name, owner, what)
+                    raise self.fault(name, owner, what, "key-twice")
                 found[str(name)] = name, self.attribute(f"{owner} {name}", name, options or {})
         attributes = {name: attribute for name, (_, attribute) in found.items()}
         for number, (name, (key, attribute)) in enumerate(found.items()):
@@ -371,7 +377,8 @@ class _Reader:
     def attribute(self, label: str, name: Located, options: Any) -> Attribute:
         self.places[label] = name.place
         if not isinstance(options, dict):
-            raise self.fault(name, label, f"{options!r} must be a mapping of what it is")
+            what = f"{options!r} must be a mapping of what it is"
+            raise self.fault(name, label, what, "wrong-shape")
         self.check_keys(label, options, set(_SHAPES) - {"name"})
         for key in ("choices", "elsewhere"):
             if isinstance(words := options.get(key), list):
@@ -381,7 +388,7 @@ class _Reader:
         if isinstance(choices, dict):
             if not choices or any(isinstance(word, bool | None) for word in choices):
                 what = "must be words, in quotes where YAML reads something else"
-                raise self.fault(name, label, f'choices {what}, such as "on"')
+                raise self.fault(name, label, f'choices {what}, such as "on"', "wrong-shape")
             choices = {
                 spelled(word): [] if each is None else each for word, each in choices.items()
             }
@@ -394,7 +401,8 @@ class _Reader:
         formats = [*FORMATS, "literal"]
         self.check_word(name, f"{label}: format", "format", formats, attribute.format)
         if attribute.format == "literal" and not attribute.of:
-            raise self.fault(name, label, "a literal needs of: the attribute that names its type")
+            what = "a literal needs of: the attribute that names its type"
+            raise self.fault(name, label, what, "missing-key")
         if attribute.declares:
             self.check_word(
                 name, f"{label}: declares", "kind of type", _DECLARED, attribute.declares
@@ -418,16 +426,19 @@ class _Reader:
             return
         try:
             meant = FORMATS[attribute.format](text)
-        except ValueError as error:
-            raise self.fault(at, label, str(error)) from None
+        except SpecError as error:
+            raise self.fault(at, label, error.text, error.id) from None
         if attribute.pattern and not re.fullmatch(attribute.pattern, text):
-            raise self.fault(at, label, f'"{text}" does not match the pattern {attribute.pattern}')
+            what = f'"{text}" does not match the pattern {attribute.pattern}'
+            raise self.fault(at, label, what, "pattern-mismatch")
         if isinstance(meant, bool) and meant is not value:
-            raise self.fault(at, label, f"write {spelled(meant)}, without quotes")
+            what = f"write {spelled(meant)}, without quotes"
+            raise self.fault(at, label, what, "wrong-shape")
 
     def interfaces(self, owner: str, items: Any) -> dict[str, Interface]:
         if not isinstance(items or {}, dict):
-            raise self.fault("", owner, f"{items!r} must be a mapping of interface kinds")
+            what = f"{items!r} must be a mapping of interface kinds"
+            raise self.fault("", owner, what, "wrong-shape")
         return {str(kind): self.interface(kind, item) for kind, item in (items or {}).items()}
 
     def interface(self, kind: Located, item: Any) -> Interface:
@@ -438,7 +449,7 @@ class _Reader:
         if not isinstance(item, dict) or not set(item) <= {*_INTERFACE_KEYS}:
             keys = ", ".join(_INTERFACE_KEYS)
             what = f"must be a list of attributes, or a mapping of {keys}"
-            raise self.fault(kind, kind, what)
+            raise self.fault(kind, kind, what, "wrong-shape")
         inside = self.interfaces(kind, item.get("interface"))
         attributes = self.attributes(kind, item.get("attributes", []))
         options = {key: item[key] for key in _INTERFACE_KEYS[1:-1] if key in item}
@@ -457,7 +468,7 @@ class _Reader:
             isinstance(forms, list) for key, forms in item.items() if key not in own[:4]
         ):
             what = "must be a mapping with lists of names, or in and a tag"
-            raise self.fault(label, place, what)
+            raise self.fault(label, place, what, "wrong-shape")
         made_by = {tag: forms for tag, forms in item.items() if tag not in own}
         owners = item.get("in", Located(PACKAGE))
         owners = owners if isinstance(owners, list) else [owners]
@@ -470,7 +481,8 @@ class _Reader:
             True,
             False,
         ):
-            raise self.fault(label, place, "ros must be 1 or 2, ignore_case true or false")
+            what = "ros must be 1 or 2, ignore_case true or false"
+            raise self.fault(label, place, what, "wrong-shape")
         for word in item.get("reserved", []):
             if word.startswith("a "):
                 self.check_word(word, place, "meaning of words", meanings())
@@ -491,10 +503,10 @@ class _Reader:
             for name in set(each.requires) - set(kind.attributes):
                 hint = f"<{owner}>; {allowed(name, kind.attributes)}"
                 what = f'requires "{name}", which is no attribute of {hint}'
-                raise self.fault("", each.kind, what)
+                raise self.fault("", each.kind, what, "unknown-word")
             if not each.attributes and not each.once:
                 what = "has no attributes to tell one from another; it needs once"
-                raise self.fault("", each.kind, what)
+                raise self.fault("", each.kind, what, "missing-key")
             self.check_inside(each.kind, each)
 
     def check_hidden(
@@ -502,7 +514,8 @@ class _Reader:
     ) -> None:
         """Refuse an attribute that would hide a key the context needs."""
         for name in keys & set(attributes):
-            raise self.fault("", owner, f'the context needs the key "{name}"; rename it')
+            what = f'the context needs the key "{name}"; rename it'
+            raise self.fault("", owner, what, "reserved-name")
 
     def check_keys(
         self, label: str, mapping: Mapping[str, Any], known: Set[str], told: Set[str] | None = None
@@ -510,34 +523,36 @@ class _Reader:
         for key in mapping:
             if key not in known:
                 hint = allowed(key, sorted(told or known))
-                raise self.fault(key, label, f'unknown key "{key}"; {hint}')
+                raise self.fault(key, label, f'unknown key "{key}"; {hint}', "unknown-key")
 
     def check_name(self, name: str, label: str) -> None:
         if not isinstance(name, Located) or not _NAME.fullmatch(name):
             what = f"{name!r} is no name; allowed: letters, digits and underscores, a letter first"
-            raise self.fault(name, label, what)
+            raise self.fault(name, label, what, "invalid-name")
 
     def check_word(
         self, at: str, label: str, what: str, known: Iterable[str], word: str | None = None
     ) -> None:
         word = str(at) if word is None else word
         if word not in known:
-            raise self.fault(at, label, f'unknown {what} "{word}"; {allowed(word, known)}')
+            what = f'unknown {what} "{word}"; {allowed(word, known)}'
+            raise self.fault(at, label, what, "unknown-word")
 
     def check_pattern(self, at: str, label: str, pattern: str) -> None:
         try:
             re.compile(pattern)
         except re.error as error:
-            raise self.fault(at, label, f"{pattern!r} is no regular expression: {error}") from None
+            what = f"{pattern!r} is no regular expression: {error}"
+            raise self.fault(at, label, what, "not-a-pattern") from None
 
     def check_shape(self, at: str, label: str, value: Any, shape: Any, more: str = "") -> None:
         if not _fits(value, shape):
-            raise self.fault(at, label, f"{value!r} must be {more}{_shown(shape)}")
+            raise self.fault(at, label, f"{value!r} must be {more}{_shown(shape)}", "wrong-shape")
 
-    def fault(self, at: Any, label: str, what: str) -> SpecError:
+    def fault(self, at: Any, label: str, what: str, id_: str) -> SpecError:
         """Return a fault, with the place of a text or of what the label names."""
         place = getattr(at, "place", None) or self.places.get(label, self.file)
-        return SpecError(": ".join(filter(None, (place, label, what))))
+        return SpecError(": ".join(filter(None, (place, label, what))), id_)
 
 
 _INTERFACE_KEYS = ("attributes", "doc", "elsewhere", "requires", "once", "takes", "interface")

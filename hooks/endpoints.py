@@ -37,10 +37,12 @@ def endpoint(owner: str, interface: Interface, item: Mapping[str, Any]) -> Endpo
     return Endpoint(_GRAPHS[graph], _resolved(found["ros_name"], owner), found[graph])
 
 
-def clashes(elements: Sequence[Checked], dictionary: Dictionary) -> Iterator[tuple[Element, str]]:
-    """Yield each interface whose name has another type in its own component, as no ROS allows.
+def clashes(
+    elements: Sequence[Checked], dictionary: Dictionary
+) -> Iterator[tuple[Element, str, str]]:
+    """Yield each interface whose name has another type in its own component, the fault, its id.
 
-    Decision 78: between components that is but a note.
+    No ROS allows it; between components that is but a note (decision 78).
     """
     types: dict[tuple[str, str, str], str] = {}
     for item in elements:
@@ -60,7 +62,8 @@ def clashes(elements: Sequence[Checked], dictionary: Dictionary) -> Iterator[tup
             fault = f"{first} in this {kind.tag} already"
         else:
             continue
-        yield item.element, f"{found.graph} {found.name} is of type {fault}; choose another name"
+        what = f"{found.graph} {found.name} is of type {fault}; choose another name"
+        yield item.element, what, "type-clash"
 
 
 def _resolved(name: str, owner: str) -> str:

@@ -14,11 +14,30 @@ _SLIP = 0.8
 
 
 class SpecError(Exception):
-    """A fault of the spec or the model; the text names file, line, fault and remedy."""
+    """A fault of the spec or the model; the text names file, line, fault and remedy.
+
+    Its first line ends with an id, by which docs/messages.md has the cause (decision 143).
+    """
+
+    def __init__(self, text: str, id_: str) -> None:
+        first, *rest = text.split("\n", 1)
+        super().__init__("\n".join([with_id(first, id_), *rest]))
+        self.text, self.id = text, id_
 
 
 class UnrenderedError(SpecError):
     """A version of a template makes no package: it is no longer there, or has a fault."""
+
+
+def with_id(text: str, id_: str) -> str:
+    """Return a text that ends with its id: that of a note, or of one of several faults."""
+    return f"{text} [{id_}]"
+
+
+def refused(error: ValueError, place: str = "") -> SpecError:
+    """Return what a function of a model refuses by `ValueError(text, id)`, or by a text alone."""
+    text, id_ = error.args if len(error.args) == 2 else (error, "refused-by-model")
+    return SpecError(": ".join(filter(None, (place, str(text)))), str(id_))
 
 
 def shown(text: str, longest: int = _LONGEST) -> str:
@@ -32,10 +51,11 @@ def quoted(text: str) -> str:
     return f'"{shown(text)}"'
 
 
-def first_of(faults: Sequence[str]) -> str:
-    """Return a line for each fault, but for those that are too many to read."""
+def first_of(faults: Sequence[SpecError]) -> SpecError:
+    """Return one fault with a line for each, but for those that are too many to read."""
     more = [f"... and {len(faults) - _MOST} more"] if len(faults) > _MOST else []
-    return "\n".join([*faults[:_MOST], *more])
+    lines = [faults[0].text, *map(str, faults[1:_MOST]), *more]
+    return SpecError("\n".join(lines), faults[0].id)
 
 
 def allowed(word: str, words: Iterable[str]) -> str:

@@ -1,7 +1,7 @@
 """The formats a dictionary can ask of an attribute, each with what it makes of the text.
 
 A format is a function from the text of the spec to a value of the context. It raises
-`ValueError`, whose text says what is wrong and what is allowed.
+`SpecError`, whose text says what is wrong and what is allowed.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Any
 from packaging.licenses import InvalidLicenseExpression, canonicalize_license_expression
 
 from .data import load_data
-from .faults import allowed, quoted, shown
+from .faults import SpecError, allowed, quoted, shown
 from .names import class_name
 from .names import identifier as identifier_of
 from .words import CPP_NAMES, DEVICES, KEYWORDS, MODULES, PACKAGES, meaning
@@ -43,9 +43,10 @@ def raw(value: str) -> str:
         if sign in _BIDIRECTIONAL or (
             category in ("Cc", "Cs", "Zl", "Zp") and sign not in "\t\n\r"
         ):
-            raise ValueError(f"U+{ord(sign):04X} is a control character; drop it")
+            what = f"U+{ord(sign):04X} is a control character; drop it"
+            raise SpecError(what, "control-character")
         if sign in "\ufffe\uffff":  # which YAML does not read
-            raise ValueError(f"U+{ord(sign):04X} is no character; drop it")
+            raise SpecError(f"U+{ord(sign):04X} is no character; drop it", "control-character")
     return value
 
 
@@ -54,23 +55,24 @@ def text(value: str) -> str:
     return raw(value).strip()
 
 
-def _match(pattern: str, value: str, complaint: str) -> re.Match[str]:
+def _match(pattern: str, value: str, complaint: str, id_: str) -> re.Match[str]:
     match = re.fullmatch(pattern, value, re.ASCII)
     if not match:
-        raise ValueError(f"{quoted(value)} is {complaint}")
+        raise SpecError(f"{quoted(value)} is {complaint}", id_)
     if len(value) > _LONGEST_NAME:
-        raise ValueError(f"{quoted(value)} is too long; allowed: {_LONGEST_NAME} characters")
+        what = f"{quoted(value)} is too long; allowed: {_LONGEST_NAME} characters"
+        raise SpecError(what, "too-long")
     return match
 
 
-def _matching(pattern: str, complaint: str) -> Callable[[str], str]:
-    return lambda value: _match(pattern, value, complaint)[0]
+def _matching(pattern: str, complaint: str, id_: str) -> Callable[[str], str]:
+    return lambda value: _match(pattern, value, complaint, id_)[0]
 
 
 def _free(word: str, meanings: Iterable[str] = KEYWORDS) -> str:
     """Return a word that has none of the meanings already."""
     if found := meaning(word, meanings):
-        raise ValueError(f'"{word}" is {found}; choose another')
+        raise SpecError(f'"{word}" is {found}; choose another', "reserved-name")
     return word
 
 
@@ -89,7 +91,8 @@ def _as_file(format_: Callable[[str], str]) -> Callable[[str], str]:
 def identifier(value: str) -> str:
     """A letter, then letters, digits and single underscores; no keyword."""
     complaint = "not a valid name; allowed: a letter, then letters, digits and single underscores"
-    return _free(_match(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*_?", value, complaint)[0])
+    pattern = r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*_?"
+    return _free(_match(pattern, value, complaint, "invalid-name")[0])
 
 
 def grouped_name(value: str) -> str:
@@ -97,7 +100,8 @@ def grouped_name(value: str) -> str:
     word = "[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*"
     complaint = "not a valid name; allowed: a letter, then letters, digits and single underscores;"
     complaint += ' a "." between nested ones'
-    _free(identifier_of(_match(rf"{word}([./]{word})*_?", value, complaint)[0]))
+    name = _match(rf"{word}([./]{word})*_?", value, complaint, "invalid-name")[0]
+    _free(identifier_of(name))
     return value.replace("/", ".")
 
 
@@ -105,29 +109,35 @@ def package_name(value: str) -> str:
     """A package name of REP 144, which can be a module of Python and a namespace of C++."""
     complaint = "not a package name of REP 144; allowed: two or more of a-z, 0-9 and single"
     complaint += " underscores, a letter first"
-    return _free(_match(r"(?=..)[a-z][a-z0-9]*(_[a-z0-9]+)*", value, complaint)[0], PACKAGES)
+    pattern = r"(?=..)[a-z][a-z0-9]*(_[a-z0-9]+)*"
+    return _free(_match(pattern, value, complaint, "invalid-name")[0], PACKAGES)
 
 
 dependency = _matching(
     r"[A-Za-z][A-Za-z0-9_.+-]*",
     'not a package name; allowed: letters, digits and "_", a letter first',
+    "invalid-name",
 )
 email = _matching(  # catkin_pkg's own expression
     r"[-a-zA-Z0-9_%+.]+@[-a-zA-Z0-9.]+\.[a-zA-Z]{2,}",
     "not a mail address; allowed: name@host.domain",
+    "invalid-value",
 )
 
 version = _matching(
     r"(0|[1-9][0-9]*)\.(0|[1-9][0-9]*)\.(0|[1-9][0-9]*)",
     "not a version; allowed: three numbers, such as 1.2.0",
+    "invalid-value",
 )
 url = _matching(
     r"https?://[^\s<>\"']+",
     "not an address of the web; allowed: https://host/path, without blanks and quotes",
+    "invalid-value",
 )
 file_name = _matching(
     r"[A-Za-z0-9_][A-Za-z0-9_.-]*",
     'not a file name; allowed: letters, digits, "_", "." and "-", no "." or "-" first',
+    "invalid-name",
 )
 
 
@@ -138,7 +148,8 @@ def ros_name(value: str) -> str:
         ' and "/" between words that start with a letter, after "/" or "~/" if at all'
     )
     word = r"[A-Za-z]\w*"
-    prefix, name = _match(rf"(?!.*__)(~/?|/|)({word}(?:/{word})*)", value, complaint).groups()
+    pattern = rf"(?!.*__)(~/?|/|)({word}(?:/{word})*)"
+    prefix, name = _match(pattern, value, complaint, "invalid-name").groups()
     _free(name.replace("/", "_"))
     return ("~/" if prefix.startswith("~") else prefix) + name
 
@@ -157,7 +168,7 @@ def check_capital(type_: str) -> None:
     """Insist that the name of a type begins with a capital."""
     if meant := with_capital(type_):
         rule = f"a type begins with a capital; did you mean {quoted(meant)}?"
-        raise ValueError(f"{quoted(type_)}: {rule}")
+        raise SpecError(f"{quoted(type_)}: {rule}", "type-without-capital")
 
 
 _FOLDERS = {"msg": "a message", "srv": "a service", "action": "an action"}
@@ -188,10 +199,11 @@ def _type(folder: str, example: str) -> Callable[[str], str]:
 
     def parse(value: str) -> str:
         pattern = rf"([A-Za-z]\w*)(::|/)(?:{folder}\2)?([A-Za-z]\w*)"
-        match = _match(pattern, value, f"{_as_in_code(value, folder)}allowed: {forms}")
+        complaint = f"{_as_in_code(value, folder)}allowed: {forms}"
+        match = _match(pattern, value, complaint, "invalid-type")
         package = _free(match[1], (*CPP_NAMES, *MODULES))
         if match[1] == "std":
-            raise ValueError(f"{quoted(value)} is {_as_in_code(value, folder)}allowed: {forms}")
+            raise SpecError(f"{quoted(value)} is {complaint}", "invalid-type")
         if meaning(match[3], CPP_NAMES):
             check_capital(value)
         return f"{package}/{folder}/{_free(match[3], CPP_NAMES)}"
@@ -229,18 +241,19 @@ _BIGGEST_SIZE = 2**31 - 1
 def _name(
     pattern: str, complaint: str, meanings: Iterable[str] = KEYWORDS
 ) -> Callable[[str], str]:
-    return lambda value: _free(_match(pattern, value, f"{complaint} first")[0], meanings)
+    matching = _matching(pattern, complaint, "invalid-name")
+    return lambda value: _free(matching(value), meanings)
 
 
 # genmsg takes all names that are identifiers, rosidl those of its style.
 _WORD = r"[A-Za-z]\w*"
-_LETTERS = "allowed: letters, digits and underscores, a letter"
+_LETTERS = "allowed: letters, digits and underscores, a letter first"
 interface_name = _name(_WORD, f"not a name of a type; {_LETTERS}")
 # Decision 81: keywords of IDL are names of fields, those of Python and C++ are not.
 field_name = _name(_WORD, f"not a field name; {_LETTERS}", KEYWORDS[1:])
 constant_name = _name(_WORD, f"not a constant name; {_LETTERS}", KEYWORDS[1:])
 _interface_name = _name(
-    "[A-Z][A-Za-z0-9]*", "not a name of a type; allowed: letters and digits, a capital"
+    "[A-Z][A-Za-z0-9]*", "not a name of a type; allowed: letters and digits, a capital first"
 )
 
 
@@ -251,16 +264,18 @@ def field_type(value: str) -> str:
     `T[<=3]`. Time, duration and header have one form for both ROS, that of ROS 1.
     """
     forms = "allowed: a primitive type, Type, package::Type; [], [3] or [<=3] after it"
-    base, bound, limit, size = _match(_FIELD_TYPE, value, f"not a field type; {forms}").groups()
+    id_ = "invalid-type"
+    match = _match(_FIELD_TYPE, value, f"not a field type; {forms}", id_)
+    base, bound, limit, size = match.groups()
     for number_ in filter(None, (bound, size)):
         if not 0 < int(number_) <= _BIGGEST_SIZE:
-            raise ValueError(f"{quoted(value)}: a size must be from 1 to {_BIGGEST_SIZE}")
+            raise SpecError(f"{quoted(value)}: a size must be from 1 to {_BIGGEST_SIZE}", id_)
     if limit and not size:
-        raise ValueError(f"{quoted(value)} is not a field type; {forms}")
+        raise SpecError(f"{quoted(value)} is not a field type; {forms}", id_)
     if bound and base not in ("string", "wstring"):
-        raise ValueError(f"{quoted(value)}: only a string has a bound; {forms}")
+        raise SpecError(f"{quoted(value)}: only a string has a bound; {forms}", id_)
     if meant := _IN_CODE.get(base):
-        raise ValueError(f'{quoted(base)} is no type of ROS; did you mean "{meant}"?')
+        raise SpecError(f'{quoted(base)} is no type of ROS; did you mean "{meant}"?', id_)
     if base not in (*PRIMITIVES, *_SYNONYMS):
         base = _message(base)
     base = _SYNONYMS.get(base, base)
@@ -274,7 +289,8 @@ def _message(type_: str) -> str:
     if "/" in type_ or ":" in type_:
         return _type("msg", "std_msgs/String")(type_)
     if not re.match("[A-Z]", type_):
-        raise ValueError(f"{quoted(type_)} is no primitive type; {allowed(type_, PRIMITIVES)}")
+        what = f"{quoted(type_)} is no primitive type; {allowed(type_, PRIMITIVES)}"
+        raise SpecError(what, "invalid-type")
     return interface_name(type_)
 
 
@@ -297,9 +313,8 @@ def number(value: str) -> float:
     except ValueError:
         result = math.nan
     if not math.isfinite(result) or "_" in value:
-        raise ValueError(
-            f"{quoted(value)} is not a number; allowed: a finite number, such as 12.5"
-        )
+        what = f"{quoted(value)} is not a number; allowed: a finite number, such as 12.5"
+        raise SpecError(what, "invalid-value")
     return result
 
 
@@ -307,9 +322,8 @@ def double(value: str) -> float:
     """A finite number of 64 bits that the YAML parser of ROS 2 does not take for a text."""
     result = number(value)
     if 0 < abs(result) < sys.float_info.min:
-        raise ValueError(
-            f"{quoted(value)} is too small; allowed: 0, or at least {sys.float_info.min}"
-        )
+        what = f"{quoted(value)} is too small; allowed: 0, or at least {sys.float_info.min}"
+        raise SpecError(what, "out-of-range")
     return result
 
 
@@ -321,7 +335,8 @@ def boolean(value: str) -> bool:
     """True or false, in one of the usual spellings."""
     word = value.strip(BLANKS).lower()
     if word not in BOOLEANS:
-        raise ValueError(f"{quoted(value)} is not a bool; allowed: {', '.join(BOOLEANS)}")
+        what = f"{quoted(value)} is not a bool; allowed: {', '.join(BOOLEANS)}"
+        raise SpecError(what, "invalid-value")
     return BOOLEANS.index(word) < 4
 
 
@@ -329,13 +344,13 @@ def whole(value: str) -> int:
     """A whole number of any size; with a zero before it one of base 16, 8 or 2, as `0xff`."""
     complaint = "not an int; allowed: a whole number, such as -3 or 0xff"
     digits = "0[xX][0-9a-fA-F]+|0[oO][0-7]+|0[bB][01]+|[0-9]+"
-    sign, word = _match(rf"\s*([+-]?)({digits})\s*", value, complaint).groups()
+    sign, word = _match(rf"\s*([+-]?)({digits})\s*", value, complaint, "invalid-value").groups()
     if re.fullmatch("0[0-9]+", word):
         octal = f", or 0o{word.lstrip('0')} if it is octal" if re.fullmatch("[0-7]+", word) else ""
         what = (
             f"{quoted(value)} begins with 0, which C and YAML read in base 8, messages in base 10"
         )
-        raise ValueError(f"{what}; write {sign}{int(word)}{octal}")
+        raise SpecError(f"{what}; write {sign}{int(word)}{octal}", "leading-zero")
     return int(sign + word, 0)
 
 
@@ -343,7 +358,8 @@ def integer(value: str) -> int:
     """A whole number of 64 bits."""
     result = whole(value)
     if not -(2**63) <= result < 2**63:
-        raise ValueError(f'"{value}" does not fit 64 bits; allowed: {-(2**63)} to {2**63 - 1}')
+        what = f'"{value}" does not fit 64 bits; allowed: {-(2**63)} to {2**63 - 1}'
+        raise SpecError(what, "out-of-range")
     return result
 
 
@@ -391,11 +407,11 @@ FORMATS_OF_ROS: dict[int, dict[str, Callable[[str], Any]]] = {
         "interface_name": _as_file(_interface_name),
         "field_name": _name(
             "[a-z][a-z0-9]*(_[a-z0-9]+)*",
-            "not a field name; allowed: a-z, 0-9 and single underscores, a letter",
+            "not a field name; allowed: a-z, 0-9 and single underscores, a letter first",
         ),
         "constant_name": _name(
             "[A-Z][A-Z0-9]*(_[A-Z0-9]+)*",
-            "not a constant name; allowed: A-Z, 0-9 and single underscores, a letter",
+            "not a constant name; allowed: A-Z, 0-9 and single underscores, a letter first",
         ),
     },
 }

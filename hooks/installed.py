@@ -14,6 +14,7 @@ from typing import Any
 
 from .advice import elements
 from .dictionary import Dictionary
+from .faults import with_id
 from .formats import TYPES, TYPES_OF_ROS, split_type
 
 _PATHS = {
@@ -43,9 +44,10 @@ def missing_types(
         if known and name not in known:
             near = difflib.get_close_matches(name, known, 1)
             meant = f"; is {near[0]} meant?" if near else ""
-            notes.append(f"{package} in {installed[0].parent} has no {folder}/{name}{meant}")
+            note = f"{package} in {installed[0].parent} has no {folder}/{name}{meant}"
+            notes.append(with_id(note, "unknown-type"))
         elif not installed:
-            notes += _slips(package, folder, name)
+            notes += [with_id(note, "unknown-type") for note in _slips(package, folder, name)]
     return notes
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import yaml
 
-from .faults import quoted
+from .faults import SpecError, quoted
 from .formats import boolean, double, integer, number, raw, whole
 
 _LONGEST_LIST = 100_000
@@ -22,33 +22,35 @@ def literal(value: str, type_name: str) -> Any:
     `[<=3]`, a list written as `[a, b]`.
 
     Raises:
-        ValueError: the text is not a value of that type, or no text is.
+        SpecError: the text is not a value of that type, or no text is.
 
     """
     form = r"([^<\[]*)(?:<=(\d+))?(\[(<=)?(\d*)\])?"
     base, bound, is_list, limit, size = re.fullmatch(form, type_name).groups()  # type: ignore[union-attr]
     if base not in LITERALS:
-        raise ValueError(f"no text is a value of {type_name}; drop it")
+        raise SpecError(f"no text is a value of {type_name}; drop it", "attribute-without-meaning")
 
     def parse(text: str) -> Any:
         found = LITERALS[base](text)
         if bound and len(found) > int(bound):
-            raise ValueError(f"{quoted(text)} is too long for a {base}<={bound}")
+            raise SpecError(f"{quoted(text)} is too long for a {base}<={bound}", "too-long")
         return found
 
     if not is_list:
         return parse(value)
     if len(value) > _LONGEST_LIST:
-        raise ValueError(
-            f"a list of {len(value)} characters is too long; allowed: {_LONGEST_LIST}"
+        raise SpecError(
+            f"a list of {len(value)} characters is too long; allowed: {_LONGEST_LIST}", "too-long"
         )
     try:
         items = list(_items(value))
     except (yaml.YAMLError, ValueError, OverflowError):
         example = "allowed: a list such as [first, second]"
-        raise ValueError(f"{quoted(value)} is not a {type_name}; {example}") from None
+        raise SpecError(
+            f"{quoted(value)} is not a {type_name}; {example}", "invalid-value"
+        ) from None
     if size and (len(items) > int(size) if limit else len(items) != int(size)):
-        raise ValueError(f"{len(items)} values do not fit {type_name}")
+        raise SpecError(f"{len(items)} values do not fit {type_name}", "invalid-value")
     return [parse(item) for item in items]
 
 
@@ -64,7 +66,8 @@ def _between(type_name: str, lowest: int, highest: int) -> Callable[[str], int]:
     def parse(text: str) -> int:
         value = whole(text)
         if not lowest <= value <= highest:
-            raise ValueError(f"{value} is no {type_name}; allowed: {lowest} to {highest}")
+            what = f"{value} is no {type_name}; allowed: {lowest} to {highest}"
+            raise SpecError(what, "out-of-range")
         return value
 
     return parse
@@ -73,7 +76,8 @@ def _between(type_name: str, lowest: int, highest: int) -> Callable[[str], int]:
 def _float32(text: str) -> float:
     value = number(text)
     if abs(value) > _FLOAT32_MAX:
-        raise ValueError(f"{text} is no float32; allowed: up to {_FLOAT32_MAX:.4g}")
+        what = f"{text} is no float32; allowed: up to {_FLOAT32_MAX:.4g}"
+        raise SpecError(what, "out-of-range")
     return value
 
 

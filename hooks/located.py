@@ -54,16 +54,17 @@ def load_located(file: Path) -> Any:
         _check_keys(content, str(file), set())
         return Loader("").construct_document(content) if content else None
     except FileNotFoundError:
-        raise SpecError(f"{file}: no such file; a model needs it") from None
+        raise SpecError(f"{file}: no such file; a model needs it", "no-such-file") from None
     except UnicodeDecodeError:
-        raise SpecError(f"{file}: not UTF-8 text; save it as UTF-8") from None
+        raise SpecError(f"{file}: not UTF-8 text; save it as UTF-8", "not-utf-8") from None
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         why = ", ".join(filter(None, (error.problem, error.context)))
         line = f":{mark.line + 1}" if mark else ""
-        raise SpecError(f"{file}{line}: not YAML: {why}") from None
+        raise SpecError(f"{file}{line}: not YAML: {why}", "not-yaml") from None
     except yaml.YAMLError as error:
-        raise SpecError(f"{file}: not YAML: {str(error).splitlines()[0]}") from None
+        what = f"{file}: not YAML: {str(error).splitlines()[0]}"
+        raise SpecError(what, "not-yaml") from None
 
 
 def plain(value: Any) -> Any:
@@ -89,8 +90,9 @@ def _check_keys(part: Any, file: str, seen: set[int]) -> None:
         key, line = item[0], item[0].start_mark.line + 1
         if key.tag != _TEXT:
             written = f'"{shown(key.value)}"' if isinstance(key, yaml.ScalarNode) else "a list"
-            raise SpecError(f"{file}:{line}: {written} as a key is no text; put it in quotes")
+            what = f"{written} as a key is no text; put it in quotes"
+            raise SpecError(f"{file}:{line}: {what}", "wrong-shape")
         if key.value in lines:
             what = f'"{shown(key.value)}" is there twice, first at line {lines[key.value]}'
-            raise SpecError(f"{file}:{line}: {what}; keep one")
+            raise SpecError(f"{file}:{line}: {what}; keep one", "key-twice")
         lines[key.value] = line

@@ -100,7 +100,9 @@ def load_functions(file: Path) -> Functions:
     try:
         exec(compile(file.read_text(encoding="utf-8"), str(file), "exec"), module.__dict__)
     except Exception as error:
-        raise SpecError(f"{_place(file, error)}: {type(error).__name__}: {error}") from error
+        raise SpecError(
+            f"{_place(file, error)}: {type(error).__name__}: {error}", "function-fails"
+        ) from error
     return public_functions(module)
 
 
@@ -127,7 +129,8 @@ def _reporting(file: Path, function: Callable[..., Any]) -> Callable[..., Any]:
             given = ", ".join(repr(argument)[:200] for argument in arguments)
             raise SpecError(
                 f"{_place(file, error, function.__code__.co_firstlineno)}:"
-                f" {function.__name__}({given}): {type(error).__name__}: {error}"
+                f" {function.__name__}({given}): {type(error).__name__}: {error}",
+                "function-fails",
             ) from error
 
     return call

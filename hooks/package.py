@@ -33,11 +33,12 @@ class Package:
         """The specs in the folder; a package has one, a new one none."""
         for place in (*reversed(self.folder.parents), self.folder):
             if os.path.lexists(place) and not place.is_dir():
-                raise SpecError(f"{shown(place)}: not a folder; choose another for the package")
+                what = f"{shown(place)}: not a folder; choose another for the package"
+                raise SpecError(what, "not-a-folder")
         try:
             return sorted(self.folder.glob(f"*{SUFFIX}"))
         except OSError as error:
-            raise SpecError(f"{shown(self.folder)}: {error.strerror}") from None
+            raise SpecError(f"{shown(self.folder)}: {error.strerror}", "cannot-be-read") from None
 
     @property
     def is_made(self) -> bool:
@@ -56,20 +57,22 @@ class Package:
         found = self.specs
         if len(found) > 1:
             names = ", ".join(path.name for path in found)
-            raise SpecError(f"{shown(self.folder)}: one spec is allowed, found {names}")
+            what = f"{shown(self.folder)}: one spec is allowed, found {names}"
+            raise SpecError(what, "several-specs")
         if given and found:
             other = b"" if Path(given).is_dir() else _text(read(given))
             if other != _text(read(found[0])):
                 copy = f" or copy {given} over it," if other.lstrip().startswith(b"<") else ""
                 raise SpecError(
                     f"{shown(found[0])} is the spec of this package; change that file,"
-                    f"{copy} and leave spec_file out"
+                    f"{copy} and leave spec_file out",
+                    "other-spec",
                 )
         if given:
             return Path(given)
         if not found and self.is_made:
             lost = f"the package has lost its spec (*{SUFFIX}); {self._remedy()}"
-            raise SpecError(f"{shown(self.folder)}: {lost}")
+            raise SpecError(f"{shown(self.folder)}: {lost}", "lost-spec")
         return found[0] if found else None
 
     def answers(self) -> dict[str, Any]:
@@ -79,13 +82,13 @@ class Package:
         return found if isinstance(found, dict) else {}
 
     def _remedy(self) -> str:
-        """Return the command that brings a lost spec back from git, where it is there."""
+        """Say which command brings a lost spec back from git, where it is there."""
         log = ("log", "-1", "--diff-filter=AMR", "--format=%h")
         commit = git(self.folder, *log, "--", f":(glob)*{SUFFIX}", check=False).strip()
         if not commit:
             return "git does not have it either; write it again"
         folder = shlex.quote(shown(self.folder))
-        return f"bring it back with git -C {folder} checkout {commit} -- ':(glob)*{SUFFIX}'"
+        return f"git -C {folder} checkout {commit} -- ':(glob)*{SUFFIX}' brings it back"
 
     def check_file_name(self, name: str) -> None:
         """Insist on `<package>.ros_package`: templates find it by that name alone (decision 6)."""
@@ -93,7 +96,8 @@ class Package:
             if file.stem != name:
                 raise SpecError(
                     f'{shown(file)}: the package is called "{name}", so its spec is'
-                    f" {name}{SUFFIX}; rename the file"
+                    f" {name}{SUFFIX}; rename the file",
+                    "wrong-spec-name",
                 )
 
     def clone(self, folder: Path) -> Package:
@@ -130,13 +134,15 @@ def read(file: Path | str) -> bytes:
     try:
         path = Path(file).expanduser()
         if not path.exists():
-            raise SpecError(f"{name}: no such file; spec_file must name the XML of a package")
+            what = f"{name}: no such file; spec_file must name the XML of a package"
+            raise SpecError(what, "no-such-file")
         if not path.is_file():
-            raise SpecError(f"{name}: not a file; spec_file must name the XML of a package")
+            what = f"{name}: not a file; spec_file must name the XML of a package"
+            raise SpecError(what, "no-such-file")
         return path.read_bytes()
     except (OSError, RuntimeError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
-        raise SpecError(f"{name}: cannot be read: {reason}") from None
+        raise SpecError(f"{name}: cannot be read: {reason}", "cannot-be-read") from None
 
 
 def _text(xml: bytes) -> bytes:
@@ -159,7 +165,7 @@ def _login() -> str:
 def _valid(parse: Callable[[str], str], text: str, other: str) -> str:
     try:
         return parse(text)
-    except ValueError:
+    except SpecError:
         return other
 
 

@@ -105,29 +105,34 @@ def _places(xml: bytes, file: str) -> list[Place]:
 
     def declaration(version: str, encoding: str | None, standalone: int) -> None:
         if encoding and encoding.upper() != "UTF-8":
-            refuse(f"encoding {quoted(encoding)} is not read; save the spec as UTF-8 and say so")
+            what = f"encoding {quoted(encoding)} is not read; save the spec as UTF-8 and say so"
+            refuse(what, "not-utf-8")
 
     def doctype(name: str, system: str | None, public: str | None, internal: bool) -> None:
         if system:
             elsewhere()
 
     def elsewhere() -> NoReturn:
-        refuse("a DOCTYPE with parts in another file is not read; drop it")
+        refuse("a DOCTYPE with parts in another file is not read; drop it", "declaration-not-read")
 
-    def refuse(fault: str) -> NoReturn:
-        raise SpecError(f"{file}:{parser.CurrentLineNumber}: {fault}")
+    def entity(*_: object) -> NoReturn:
+        refuse("entities are disabled; write the text itself", "declaration-not-read")
+
+    def refuse(fault: str, id_: str) -> NoReturn:
+        raise SpecError(f"{file}:{parser.CurrentLineNumber}: {fault}", id_)
 
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda tag: ended.append(begun.pop()[1])
     parser.XmlDeclHandler = declaration
-    parser.EntityDeclHandler = lambda *_: refuse("entities are disabled; write the text itself")
+    parser.EntityDeclHandler = entity
     parser.NotStandaloneHandler = elsewhere
     parser.StartDoctypeDeclHandler = doctype
     try:
         xml.decode("utf-8-sig")
         parser.Parse(xml, True)
     except UnicodeDecodeError:
-        raise SpecError(f"{file}:1: not UTF-8 text; save the spec as UTF-8") from None
+        what = "not UTF-8 text; save the spec as UTF-8"
+        raise SpecError(f"{file}:1: {what}", "not-utf-8") from None
     except expat.ExpatError as error:
         known = expat.ErrorString(error.code)
         reason = f"{known} (column {error.offset + 1})"
@@ -137,5 +142,6 @@ def _places(xml: bytes, file: str) -> list[Place]:
         else:
             at = len(xml[: parser.ErrorByteIndex].decode("utf-8-sig", "replace"))
             reason = slip(known, xml.decode("utf-8-sig"), at) or reason
-        raise SpecError(f"{file}:{error.lineno}: not well-formed XML: {reason}") from None
+        what = f"not well-formed XML: {reason}"
+        raise SpecError(f"{file}:{error.lineno}: {what}", "not-well-formed") from None
     return ended

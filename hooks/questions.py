@@ -26,8 +26,14 @@ def check_options(given: Iterable[str], root: Path) -> None:
     options = [name for name, question in known.items() if _is_asked(question)]
     unknown = [name for name in given if name not in options and not name.startswith("_")]
     if unknown:
-        lines = [f"-d {shown(each)}: no such option; {allowed(each, options)}" for each in unknown]
-        raise SpecError(first_of(lines))
+        raise first_of(
+            [
+                SpecError(
+                    f"-d {shown(each)}: no such option; {allowed(each, options)}", "unknown-option"
+                )
+                for each in unknown
+            ]
+        )
 
 
 def check_choices(
@@ -45,7 +51,8 @@ def check_choices(
         choices = known.get(name) or _choices(question)
         if name in answers and choices and str(answers[name]) not in choices:
             answer = str(answers[name])
-            raise SpecError(f"{name}: unknown {quoted(answer)}; {allowed(answer, choices)}")
+            what = f"{name}: unknown {quoted(answer)}; {allowed(answer, choices)}"
+            raise SpecError(what, "unknown-choice")
 
 
 def chosen_package(question: str, answer: str, own: str, name: str) -> str:
@@ -59,10 +66,11 @@ def chosen_package(question: str, answer: str, own: str, name: str) -> str:
         return name
     try:
         chosen = package_name(answer)
-    except ValueError as error:
-        raise SpecError(f"{question}: {quoted(answer)} is {error}; or {own}") from None
+    except SpecError as error:
+        raise SpecError(f"{question}: {error.text}; or {own}", error.id) from None
     if chosen == name:
-        raise SpecError(f"{question}: {quoted(name)} is this package; say {own}, or name another")
+        what = f"{question}: {quoted(name)} is this package; say {own}, or name another"
+        raise SpecError(what, "names-itself")
     return chosen
 
 

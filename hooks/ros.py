@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from .data import load_data
-from .faults import allowed, quoted
+from .faults import SpecError, allowed, quoted, with_id
 
 _ROS = load_data("ros.yaml")
 DISTROS: dict[str, int] = {name: about["ros"] for name, about in _ROS["distros"].items()}
@@ -24,12 +24,13 @@ def is_lacking(distro: str, feature: str) -> bool:
     """Say whether a distribution lacks a feature, which another one must lack.
 
     Raises:
-        ValueError: none lacks it: a slip of a template.
+        SpecError: none lacks it: a slip of a template.
 
     """
     known = sorted({name for each in DISTROS for name in lacks(each)})
     if feature not in known:
-        raise ValueError(f"unknown feature {quoted(feature)}; {allowed(feature, known)}")
+        what = f"unknown feature {quoted(feature)}; {allowed(feature, known)}"
+        raise SpecError(what, "unknown-feature")
     return feature in lacks(distro)
 
 
@@ -48,10 +49,8 @@ def translate_dependency(package: str, generation: int) -> tuple[str | None, str
     if successor == package:
         return package, None
     meaning = f"became {successor}" if successor else "was left out"
-    return (
-        successor,
-        f"<depend>{package}</depend> has no meaning in ROS {generation}: it {meaning}",
-    )
+    note = f"<depend>{package}</depend> has no meaning in ROS {generation}: it {meaning}"
+    return successor, with_id(note, "dependency-of-other-ros")
 
 
 def nearest_available(name: str, generation: int) -> str | None:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from . import installed, package, questions, trees
+from .faults import with_id
 from .model import Model
 from .parse import Element
 from .ros import DISTROS
@@ -137,4 +138,5 @@ def template_notes(source: str) -> list[str]:
     path = Path(source)
     if not source or path.is_absolute() or not path.is_dir():
         return []
-    return [f"an update looks for {source} from within the package; copy from {path.absolute()}"]
+    note = f"an update looks for {source} from within the package; copy from {path.absolute()}"
+    return [with_id(note, "relative-template")]

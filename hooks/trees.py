@@ -22,7 +22,7 @@ from .dictionary import (
     Dictionary,
     Interface,
 )
-from .faults import SpecError
+from .faults import SpecError, refused
 from .literals import spelled
 from .located import Located, load_located
 from .package import read, shown
@@ -100,7 +100,7 @@ def read_yaml(
         (tag, attributes, inside), notes = reader([shown(file) for file in files], _load)
     except SpecError as error:
         if isinstance(error.__cause__, ValueError):
-            raise SpecError(str(error.__cause__)) from error
+            raise refused(error.__cause__) from error
         raise
     examples = {
         name: Template(str(attribute.example)).safe_substitute(sources)
@@ -115,7 +115,8 @@ def _load(file: str) -> Any:
     try:
         json.dumps(content, default=str)
     except (ValueError, RecursionError):
-        raise SpecError(f"{file}: an alias stands for what it is in; write it out") from None
+        what = f"{file}: an alias stands for what it is in; write it out"
+        raise SpecError(what, "recursive-alias") from None
     return content
 
 

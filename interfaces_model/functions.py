@@ -32,9 +32,11 @@ def _base(type_: str) -> str:
 
 def _check_type(type_: str) -> None:
     if "<=" in type_:
-        raise ValueError(f"type: ROS 1 has no bounds, as in {type_}; leave them out")
+        what = f"type: ROS 1 has no bounds, as in {type_}; leave them out"
+        raise ValueError(what, "not-in-ros")
     if _base(type_) == "wstring":
-        raise ValueError("type: ROS 1 has no wstring; the nearest it has is string")
+        what = "type: ROS 1 has no wstring; the nearest it has is string"
+        raise ValueError(what, "not-in-ros")
 
 
 def _check_byte(type_: str, value: Any, ros: int) -> None:
@@ -42,7 +44,8 @@ def _check_byte(type_: str, value: Any, ros: int) -> None:
     lowest, highest = (-128, 127) if ros == 1 else (0, 255)
     number = int(value, 0) if isinstance(value, str) and _base(type_) == "byte" else value
     if _base(type_) == "byte" and number is not None and not lowest <= number <= highest:
-        raise ValueError(f"{number} is no byte of ROS {ros}; allowed: {lowest} to {highest}")
+        what = f"{number} is no byte of ROS {ros}; allowed: {lowest} to {highest}"
+        raise ValueError(what, "out-of-range")
 
 
 def _check_text(text: str, in_list: bool, ros: int) -> None:
@@ -56,7 +59,8 @@ def _check_text(text: str, in_list: bool, ros: int) -> None:
         refused |= {"a backslash before a quote or another": r'\\["\\]'}
     for what, pattern in refused.items():
         if re.search(pattern, text):
-            raise ValueError(f"{text!r} has {what}, which ROS {ros} would change; drop it")
+            what = f"{text!r} has {what}, which ROS {ros} would change; drop it"
+            raise ValueError(what, "changed-by-ros")
 
 
 def members(spec: dict[str, Any]) -> list[dict[str, Any]]:

@@ -18,7 +18,8 @@ def dependencies_from_interface(
     """Return the packages that one interface needs: that of its type, and that of its kind."""
     ros1 = ros_distro == "noetic"
     if ros1 and kind == "dynParameter" and attributes["name"] == "groups":
-        raise ValueError('dynamic_reconfigure overwrites a parameter "groups"; choose another')
+        what = 'dynamic_reconfigure overwrites a parameter "groups"; choose another'
+        raise ValueError(what, "not-in-dynamic-reconfigure")
     packages = {
         "actionServer": ["actionlib", "actionlib_msgs"] if ros1 else [],
         "actionClient": (

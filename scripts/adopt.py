@@ -41,7 +41,10 @@ _MARK = re.compile(
 
 
 class AdoptError(Exception):
-    """What is wrong with the folders given, for the user."""
+    """What is wrong with the folders given, for the user, in a sentence that ends with its id."""
+
+    def __init__(self, text: str, id_: str) -> None:
+        super().__init__(f"{text} [{id_}]")
 
 
 @dataclass(frozen=True)
@@ -85,11 +88,14 @@ def adopt(legacy: Path, new: Path, model: str = "", distro: str = "noetic") -> R
 
     """
     if not legacy.is_dir():
-        raise AdoptError(f"{legacy}: no such folder; it must be a package of the original")
+        what = f"{legacy}: no such folder; it must be a package of the original"
+        raise AdoptError(what, "not-a-folder")
     if new.exists() or new.is_symlink():
-        raise AdoptError(f"{new}: is there already; nothing is written over it")
+        what = f"{new}: is there already; nothing is written over it"
+        raise AdoptError(what, "path-taken")
     if legacy.resolve() in new.resolve().parents:
-        raise AdoptError(f"{new}: is inside {legacy}, which must stay as it is")
+        what = f"{new}: is inside {legacy}, which must stay as it is"
+        raise AdoptError(what, "path-taken")
     spec = _find_spec(legacy)
     model = model or _choose_model(legacy)
     new.parent.mkdir(parents=True, exist_ok=True)
@@ -113,12 +119,11 @@ def _find_spec(legacy: Path) -> Path:
     """Return the spec, which the original keeps in `model/`."""
     found = sorted(legacy.glob("model/*.ros_package")) or sorted(legacy.glob("*.ros_package"))
     if not found:
-        raise AdoptError(
-            f"{legacy}: has no model/*.ros_package, the spec of the original generator"
-        )
+        what = f"{legacy}: has no model/*.ros_package, the spec of the original generator"
+        raise AdoptError(what, "lost-spec")
     if len(found) > 1:
         names = ", ".join(str(file.relative_to(legacy)) for file in found)
-        raise AdoptError(f"{legacy}: one spec is needed, found {names}")
+        raise AdoptError(f"{legacy}: one spec is needed, found {names}", "several-specs")
     return found[0]
 
 
@@ -127,7 +132,8 @@ def _choose_model(legacy: Path) -> str:
     logic = {"python_model": "src/*/*_impl.py", "cpp_model": "common/src/*_common.cpp"}
     found = [model for model, pattern in logic.items() if any(legacy.glob(pattern))]
     if len(found) != 1:
-        raise AdoptError(f"{legacy}: say with --model which it is; allowed: {', '.join(MODELS)}")
+        what = f"{legacy}: say with --model which it is; allowed: {', '.join(MODELS)}"
+        raise AdoptError(what, "unknown-language")
     return found[0]
 
 
@@ -151,7 +157,10 @@ def _render(source: Path, spec: Path, folder: Path, model: str, distro: str) -> 
     try:
         copier.run_copy(str(ROOT), folder, data=data, defaults=True, unsafe=True, quiet=True)
     except (CopierError, ValueError) as error:
-        raise AdoptError(str(error).replace(str(source), str(spec))) from error
+        fault: Any = error.__cause__
+        if hasattr(fault, "id"):
+            raise AdoptError(fault.text.replace(str(source), str(spec)), fault.id) from error
+        raise AdoptError(str(error), "not-rendered") from error
     answers = yaml.safe_load((folder / ".copier-answers.yml").read_text(encoding="utf-8"))
     return dict(answers["spec"])
 
@@ -248,9 +257,11 @@ def _regions_of(name: str, lines: list[str], file: Path) -> Iterator[Region]:
             region, start = "", 0
         else:
             found, what = (region, "end") if region else (mark["name"], "beginning")
-            raise AdoptError(f'{file}:{start or number}: protected region "{found}" has no {what}')
+            what = f'protected region "{found}" has no {what}'
+            raise AdoptError(f"{file}:{start or number}: {what}", "open-region")
     if region:
-        raise AdoptError(f'{file}:{start}: protected region "{region}" has no end')
+        what = f'{file}:{start}: protected region "{region}" has no end'
+        raise AdoptError(what, "open-region")
 
 
 def _imports(legacy: Path, regions: list[Region]) -> Iterator[Region]:

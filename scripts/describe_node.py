@@ -160,7 +160,8 @@ class Ros1:
                 [name for name, nodes in part if node in nodes] for part in state
             )
             if not [*published, *subscribed, *served]:
-                raise SystemExit(f"{node}: no such node; rosnode list says which there are")
+                what = f"{node}: no such node; rosnode list says which there are"
+                raise SystemExit(f"{what} [no-such-node]")
             yield node, self.items(node, published, subscribed, served)
 
     def items(
@@ -281,9 +282,8 @@ class Ros2:
         while (now := self.graph()) != before or not set(names) <= set(now):
             if time.monotonic() > end:
                 missing = [name for name in names if name not in now] or names
-                raise SystemExit(
-                    f"{missing[0]}: no such node; ros2 node list says which there are"
-                )
+                what = f"{missing[0]}: no such node; ros2 node list says which there are"
+                raise SystemExit(f"{what} [no-such-node]")
             before = now
             time.sleep(1.0)
         for name in names:

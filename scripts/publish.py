@@ -25,7 +25,10 @@ SHARED = ("hooks", "extensions", "shared", "house")
 
 
 class PublishError(Exception):
-    """Why nothing was published, in a sentence."""
+    """Why nothing was published, in a sentence that ends with its id."""
+
+    def __init__(self, text: str, id_: str) -> None:
+        super().__init__(f"{text} [{id_}]")
 
 
 class GitError(PublishError):
@@ -35,7 +38,8 @@ class GitError(PublishError):
         self.stderr = result.stderr
         lines = self.stderr.splitlines()
         said = [line for line in lines if line.startswith(("fatal:", "error:"))]
-        super().__init__(said[0] if said else f"git ends with exit code {result.returncode}")
+        text = said[0] if said else f"git ends with exit code {result.returncode}"
+        super().__init__(text, "git-fails")
 
 
 def publish(repository: Path, model: str, target: str) -> list[str]:
@@ -46,14 +50,16 @@ def publish(repository: Path, model: str, target: str) -> list[str]:
 
     """
     if _git(repository, "rev-parse", "--is-shallow-repository") == "true":
-        raise PublishError("the clone is shallow; run git fetch --unshallow --tags")
+        what = "the clone is shallow; git fetch --unshallow --tags completes it"
+        raise PublishError(what, "shallow-clone")
     made = _versions(repository, model)
     if not made:
         return []
     there = _published(repository, target)
     for tag in made.keys() & there.keys():
         if made[tag] != there[tag]:
-            raise PublishError(f"{tag} is published with other content; give it a new number")
+            what = f"{tag} is published with other content; give it a new number"
+            raise PublishError(what, "changed-tag")
     latest = list(made.values())[-1]
     new = [f"{commit}:refs/tags/{tag}" for tag, commit in made.items() if tag not in there]
     try:
@@ -61,7 +67,8 @@ def publish(repository: Path, model: str, target: str) -> list[str]:
     except GitError as error:
         if "rejected" not in error.stderr:
             raise
-        raise PublishError("main there has commits that were not published from here") from error
+        what = "main there has commits that were not published from here"
+        raise PublishError(what, "foreign-commits") from error
     return list(made)
 
 
@@ -119,7 +126,8 @@ def _commit(repository: Path, model: str, tag: str, parent: str) -> str:
         own = _git(repository, "ls-tree", "--name-only", f"{tag}:{model}").split("\n")
         beside = {name: name for name in SHARED if name not in links.values()}
         if taken := beside.keys() & set(own):
-            raise PublishError(f"{tag}: {model} has {taken.pop()} already; call it otherwise")
+            what = f"{tag}: {model} has {taken.pop()} already; call it otherwise"
+            raise PublishError(what, "path-taken")
         for path, source in {**links, **beside, "LICENSE": "LICENSE"}.items():
             _git(repository, "update-index", "--force-remove", path, **index)
             if not (found := _git(repository, "ls-tree", tag, source)):

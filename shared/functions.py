@@ -247,7 +247,8 @@ def spec_from_yaml(files: list[str], load: Callable[[str], Any]) -> tuple[Tree, 
         order = inside.pop("node", order)
         for key, value in given.items():
             if package.setdefault(key, value) != value:
-                raise _fault(key, f'{key}: "{value}" here, "{package[key]}" in another file')
+                what = f'{key}: "{value}" here, "{package[key]}" in another file'
+                raise _fault(key, what, "nodl-contradiction")
         others += [_element(tag, each) for tag, entries in inside.items() for each in entries]
         if len(files) == 1 and first.get("description"):
             package.setdefault("description", first["description"])
@@ -270,15 +271,18 @@ def _documents(file: str, load: Callable[[str], Any], seen: set[str]) -> Iterato
     document = _mapping(f"{file}:1", load(file) or None, _KEYS)
     version = document.get("nodl_version", "none")
     if version != _VERSION:
-        raise _fault(document, f"nodl_version: {version} is not read; allowed: {_VERSION}")
+        what = f"nodl_version: {version} is not read; allowed: {_VERSION}"
+        raise _fault(document, what, "nodl-version")
     yield document
     for each in _items(document, document.get("include", [])):
         ref = _mapping(document, each, ["ref"])["ref"]
         other = str(Path(file).parent / str(ref).removeprefix("local://"))
         if not str(ref).startswith("local://"):
-            raise _fault(ref, f'include: "{ref}" is not read; allowed: local://FILE')
+            what = f'include: "{ref}" is not read; allowed: local://FILE'
+            raise _fault(ref, what, "nodl-include")
         if other in seen:
-            raise _fault(ref, f'include: "{ref}" is included twice; drop one')
+            what = f'include: "{ref}" is included twice; drop one'
+            raise _fault(ref, what, "nodl-include")
         yield from _documents(other, load, seen)
 
 
@@ -309,7 +313,8 @@ def _interfaces(
             yield next(iter(item)).here(kind), {**read, **rest}, inside
     for (list_, name), left in more.items():
         for kind, _, _ in left:
-            raise _fault(kind, f'{kind}: no "{name}" is in {list_}; drop it')
+            what = f'{kind}: no "{name}" is in {list_}; drop it'
+            raise _fault(kind, what, "nodl-contradiction")
 
 
 def _without_qos(given: Values) -> Values:
@@ -414,29 +419,31 @@ def _leave_out(item: Values, names: Iterable[str], notes: list[str]) -> None:
 
 def _note(at: Any, name: str, value: Any, notes: list[str]) -> None:
     said = json.dumps(value, default=str)[:60]
-    notes.append(f"{getattr(at, 'place', '')}: {name}: {said} is left out, for no spec can say it")
+    what = f"{name}: {said} is left out, for no spec can say it [left-out]"
+    notes.append(f"{getattr(at, 'place', '')}: {what}")
 
 
 def _mapping(at: Any, value: Any, known: Iterable[str] = ()) -> Values:
     if not isinstance(value, dict):
-        raise _fault(at, "must be a mapping")
+        raise _fault(at, "must be a mapping", "wrong-shape")
     names = list(known)
     for key in value:
         if names and key not in names:
-            raise _fault(key, f'unknown key "{key}"; allowed: {", ".join(names)}')
+            what = f'unknown key "{key}"; allowed: {", ".join(names)}'
+            raise _fault(key, what, "unknown-key")
     return value
 
 
 def _items(at: Any, value: Any) -> list[Any]:
     if not isinstance(value, list):
-        raise _fault(at, "must be a list")
+        raise _fault(at, "must be a list", "wrong-shape")
     return value
 
 
-def _fault(at: Any, what: str) -> ValueError:
+def _fault(at: Any, what: str, id_: str) -> ValueError:
     """Return a fault at a text of a document, or at the first of a mapping."""
     at = next(iter(at), "") if isinstance(at, dict) else at
-    return ValueError(f"{getattr(at, 'place', at)}: {what}")
+    return ValueError(f"{getattr(at, 'place', at)}: {what}", id_)
 
 
 def check_interface(kind: str, attributes: dict[str, Any], ros_distro: str) -> None:
@@ -444,13 +451,16 @@ def check_interface(kind: str, attributes: dict[str, Any], ros_distro: str) -> N
     if ros_distro != "noetic" or kind != "dynParameter":
         return
     if attributes["type"].endswith("[]"):
-        raise ValueError("dynamic_reconfigure has no lists; use <parameter>")
+        what = "dynamic_reconfigure has no lists; use <parameter>"
+        raise ValueError(what, "not-in-dynamic-reconfigure")
     if "." in attributes["name"]:
-        raise ValueError("dynamic_reconfigure has no nested names; use <parameter>")
+        what = "dynamic_reconfigure has no nested names; use <parameter>"
+        raise ValueError(what, "not-in-dynamic-reconfigure")
     for name in ("value", "min", "max"):
         value = attributes[name]
         if isinstance(value, int) and not -(2**31) <= value < 2**31:
-            raise ValueError(f"{name}: {value} does not fit the 32 bits of dynamic_reconfigure")
+            what = f"{name}: {value} does not fit the 32 bits of dynamic_reconfigure"
+            raise ValueError(what, "not-in-dynamic-reconfigure")
 
 
 def dependencies_from_component(

@@ -67,7 +67,8 @@ def _refuse_octopus(others: Sequence[str]) -> None:
     if len(others) > 1:
         raise SpecError(
             f"{len(others) + 1} branches are merged at once here, and an update joins two; undo"
-            " this (git merge --abort, or git reset --hard HEAD^), and merge one after the other"
+            " this (git merge --abort, or git reset --hard HEAD^), and merge one after the other",
+            "several-branches",
         )
 
 
@@ -144,7 +145,8 @@ class Joiner:
             elif name[0] != "_" and due != {str(self.answers.get(name))}:
                 raise SpecError(
                     f"{name}: one branch has {ours}, the other {theirs}; say which one the package"
-                    f" is to have: -d {name}={theirs if theirs != was else ours}"
+                    f" is to have: -d {name}={theirs if theirs != was else ours}",
+                    "answers-differ",
                 )
 
     def side(self, commit: str) -> Side:
@@ -225,7 +227,8 @@ def settle(made: Versions) -> Result:
         said = "".join(f"\n  {path}: {what}" for path, what in wrong[:20])
         raise SpecError(
             "nothing was joined, for these lines would not be where you have written them; take"
-            f" them out on their branch, join, and put them in again:{said}\n"
+            f" them out on their branch, join, and put them in again:{said}\n",
+            "merge-not-proved",
         )
     return result
 
@@ -292,7 +295,8 @@ def _refuse_older(version: str, others: Iterable[str]) -> None:
         if is_older:
             raise SpecError(
                 f"one branch was made by version {other} of the model, newer than {version};"
-                f" add --vcs-ref={other}"
+                f" add --vcs-ref={other}",
+                "older-version",
             )
 
 

@@ -46,7 +46,8 @@ def _moved(file: Path, names: list[dict[str, str]]) -> dict[str, str]:
             if _fits(str(new), name)
         }
     except (AttributeError, KeyError, ValueError, yaml.YAMLError) as error:
-        raise SpecError(f"{file}: must be a mapping of new paths to old ones: {error}") from error
+        what = f"{file}: must be a mapping of new paths to old ones: {error}"
+        raise SpecError(what, "wrong-shape") from error
 
 
 def _names(spec: Mapping[str, Any], dictionary: Dictionary) -> Iterator[dict[str, str]]:

@@ -80,7 +80,8 @@ def refuse_version_of_others(answers: Mapping[str, Any], renderer: Renderer) -> 
         if is_other and answers.get("_src_path") == renderer.url:
             raise SpecError(
                 f"{after} is a version without a house, and {before} made this package; delete the"
-                f" tag {after} from {renderer.url}, or give another one by --vcs-ref"
+                f" tag {after} from {renderer.url}, or give another one by --vcs-ref",
+                "version-without-house",
             )
 
 
@@ -120,7 +121,8 @@ def refuse_questions(package: Path, answers: Mapping[str, Any], renderer: Render
     if other:
         names = ", ".join(other[:5]) + (" and more" if other[5:] else "")
         cure = "move them away, or let --overwrite replace them"
-        raise SpecError(f"{package}: {names} would be replaced, and Copier cannot ask; {cure}")
+        what = f"{package}: {names} would be replaced, and Copier cannot ask; {cure}"
+        raise SpecError(what, "would-be-replaced")
 
 
 def refuse(package: Path, paths: Iterable[str], moves: dict[str, str]) -> None:
@@ -136,7 +138,8 @@ def refuse(package: Path, paths: Iterable[str], moves: dict[str, str]) -> None:
     if not is_repository(package):
         raise SpecError(
             f"{package}: not in a git repository, so an update could not be undone;"
-            " git init, git add and git commit it first"
+            " git init, git add and git commit it first",
+            "no-repository",
         )
     modes = tracked(package)
     for path in paths:
@@ -144,14 +147,17 @@ def refuse(package: Path, paths: Iterable[str], moves: dict[str, str]) -> None:
     _refuse_untracked(package, paths)
     edited = sorted(set(changed(package)) & set(paths))
     if edited:
-        raise SpecError(f"{_some(edited)}: changed since the last commit; commit or stash first")
+        what = f"{_some(edited)}: changed since the last commit; commit or stash first"
+        raise SpecError(what, "not-committed")
     for path in paths:
         if any(modes.get(parent) == SUBMODULE for parent in _parents(path)):
-            raise SpecError(f"{path}: belongs to a submodule; give the submodule another place")
+            what = f"{path}: belongs to a submodule; give the submodule another place"
+            raise SpecError(what, "in-a-submodule")
     for before, after in moves.items():
         if before in modes and after in modes and after not in moves:
             raise SpecError(
-                f"{after}: {before} is to have this name; give {after} another one and commit"
+                f"{after}: {before} is to have this name; give {after} another one and commit",
+                "path-taken",
             )
 
 
@@ -165,7 +171,8 @@ def refuse_names(paths: Iterable[str]) -> None:
     for path in paths:
         if any("\udc80" <= letter <= "\udcff" for letter in path):
             shown = os.fsencode(path).decode(errors="backslashreplace")
-            raise SpecError(f"{shown}: a name that is not UTF-8; give it another one and commit")
+            what = f"{shown}: a name that is not UTF-8; give it another one and commit"
+            raise SpecError(what, "not-utf-8")
 
 
 def refuse_places(package: Path, paths: Iterable[str]) -> None:
@@ -182,12 +189,14 @@ def refuse_places(package: Path, paths: Iterable[str]) -> None:
             if (package / parent).is_file():
                 raise SpecError(
                     f"{parent}: a file, and {path} needs a folder of this name; give the file"
-                    " another name and commit"
+                    " another name and commit",
+                    "path-taken",
                 )
         if (package / path).is_dir():
             raise SpecError(
                 f"{path}: a folder, and a generated file has this name; give the folder another"
-                " name and commit"
+                " name and commit",
+                "path-taken",
             )
     _refuse_large(package, paths)
 
@@ -197,7 +206,8 @@ def _refuse_large(package: Path, paths: Iterable[str]) -> None:
         if is_too_large(package / path):
             raise SpecError(
                 f"{path}: larger than {TOO_LARGE // 1_000_000} MB, which is too large to merge;"
-                " put its data in a file of your own and commit"
+                " put its data in a file of your own and commit",
+                "too-large",
             )
 
 
@@ -208,7 +218,8 @@ def _refuse_untracked(package: Path, paths: Iterable[str]) -> None:
     if missing:
         raise SpecError(
             f"{_some(missing)}: not in git (ignored, or never added), and the update would write"
-            " over it; git add -f it and commit, or move it away"
+            " over it; git add -f it and commit, or move it away",
+            "not-in-git",
         )
 
 
@@ -224,7 +235,8 @@ def _refuse_links(package: Path, path: str, known: set[str]) -> None:
         ):
             raise SpecError(
                 f"{part}: a link to {target}, which git does not have in this package;"
-                " put the file itself in its place and commit"
+                " put the file itself in its place and commit",
+                "link-out-of-package",
             )
 
 

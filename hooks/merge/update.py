@@ -118,13 +118,15 @@ class Update:
             raise SpecError(
                 "the update was undone, for it would have put lines of yours where you did not"
                 " write them; take these lines out and commit; update; put them in again:"
-                + _listed(lost)
+                + _listed(lost),
+                "merge-not-proved",
             )
         if wrong := made.wrong(result, found, proof):
             raise SpecError(
                 "the update was undone, for these files would not be what both sides made of them;"
                 " take your changes of them out and commit; update; put them in again:"
-                + _listed(f"{path}: {what}" for path, what in wrong)
+                + _listed(f"{path}: {what}" for path, what in wrong),
+                "merge-not-proved",
             )
 
     def _joined(self, joiner: Joiner, branches: Branches, joined: Joined, inline: bool) -> Report:
@@ -133,7 +135,8 @@ class Update:
         self.snapshot.put(result, {self.answers_file}, inline)
         found = read_paths(self.package, result.tree)
         if found != result.tree and inline:
-            raise SpecError("the update was undone, for not all files could be written")
+            what = "the update was undone, for not all files could be written"
+            raise SpecError(what, "not-written")
         if not branches.merge:
             paths = {p for p, mode in self.snapshot.modes.items() if mode != SUBMODULE}
             paths |= {*result.tree, self.answers_file}

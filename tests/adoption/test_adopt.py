@@ -398,8 +398,9 @@ def _only_an_end(folder):
         (_bad_spec, '<publishr> is not known here; did you mean "publisher"?'),
         (_two_specs, "one spec is needed, found model/arm.ros_package, model/other.ros_package"),
         (_no_language, "say with --model which it is; allowed: "),
-        (_no_end, ':43: protected region "user update" has no end'),
-        (_only_an_end, '"user update" has no beginning'),
+        (_no_language, " [unknown-language]"),
+        (_no_end, ':43: protected region "user update" has no end [open-region]'),
+        (_only_an_end, '"user update" has no beginning [open-region]'),
     ],
 )
 def test_bad_folder_gives_one_message(collection, legacy, tmp_path, spoil, message):

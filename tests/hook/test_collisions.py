@@ -169,7 +169,7 @@ def test_devices_of_windows_are_no_names_of_files(name):
     for format_, form in zip(
         formats, (name, name.lower(), name, name + ".txt", name.title()), strict=True
     ):
-        with pytest.raises(ValueError, match=f'"{name.lower()}" is a device of Windows'):
+        with pytest.raises(SpecError, match=f'"{name.lower()}" is a device of Windows'):
             format_(form)
     assert FORMATS["ros_name"](name) == FORMATS["field_name"](name) == name
 
@@ -231,10 +231,10 @@ def test_type_that_begins_with_a_small_letter(model, kind, type_, meant):
     item = interface(kind, "x", type_).replace("/>", ' description="std_msgs/msg/string"/>')
     text = refusal(model, spec(node(item)), "kilted")
     assert text.startswith(f'spec.xml:3: <{kind} name="x">: type: "{type_}": a type begins')
-    assert text.endswith(f'with a capital; did you mean "{meant}"?')
+    assert text.endswith(f'with a capital; did you mean "{meant}"? [type-without-capital]')
     (note,) = context(model, spec(node(item)), "noetic")["notes"]
     said = f'"{type_}" begins with a small letter; is "{meant}" meant?'
-    assert note == f'<{kind} name="x">: {said}'
+    assert note == f'<{kind} name="x">: {said} [type-without-capital]'
 
 
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
@@ -243,7 +243,7 @@ def test_small_type_that_is_a_keyword(distro):
         "python_model", spec(node(interface("publisher", "x", "std_msgs/bool"))), distro
     )
     said = 'type: "std_msgs/bool": a type begins with a capital; did you mean "std_msgs/Bool"?'
-    assert text.endswith(said)
+    assert text.endswith(f"{said} [type-without-capital]")
 
 
 def test_small_type_that_ros1_has():
@@ -262,7 +262,7 @@ def test_small_type_that_ros1_has():
 )
 def test_type_of_a_kind_that_its_package_lacks(kind, type_, says):
     text = refusal("python_model", spec(node(interface(kind, "x", type_))))
-    assert text.endswith(f'<{kind} name="x">: type: {says}')
+    assert text.endswith(f'<{kind} name="x">: type: {says} [wrong-kind-of-type]')
 
 
 @pytest.mark.parametrize("text", ["std_msgs/srv/String", "std_msgs/msg/Time"])

@@ -319,7 +319,7 @@ def test_skeleton_fits_every_ros_and_spells_as_a_spec(name):
 def test_hint_at_an_action_type_is_of_both_ros(model):
     inside = '<actionServer name="a" type="a"/>'
     (said,) = faults(model, NODE.format(inside))
-    assert said.endswith("such as tf2_msgs/LookupTransform")
+    assert said.endswith("such as tf2_msgs/LookupTransform [invalid-type]")
 
 
 @given(st.text(alphabet=string.printable))
@@ -376,8 +376,9 @@ def test_fault_in_a_dictionary(tmp_path, text, message):
 def test_what_a_distribution_lacks():
     assert is_lacking("humble", "post_set_parameters")
     assert not is_lacking("rolling", "post_set_parameters")
-    with pytest.raises(ValueError, match='unknown feature "post_set"; allowed: best_available'):
+    with pytest.raises(SpecError, match='unknown feature "post_set"; allowed: best_') as error:
         is_lacking("rolling", "post_set")
+    assert error.value.id == "unknown-feature"
 
 
 def test_fault_in_functions(tmp_path):
@@ -388,11 +389,23 @@ def test_fault_in_functions(tmp_path):
         context(Model(tmp_path, tmp_path), FIGURE_4_SPEC)
     assert f"{functions}:2: " in str(error.value)
     assert '<listener name="l">' in str(error.value)
-    refusal = "    raise ValueError('no listener today')\n"
-    functions.write_text(f"def dependencies_from_interface(kind, attributes, distro):\n{refusal}")
-    with pytest.raises(SpecError) as error:
-        context(Model(tmp_path, tmp_path), FIGURE_4_SPEC)
-    assert str(error.value) == 'spec.xml:3: <listener name="l">: no listener today'
     functions.write_text("def broken(:\n")
     with pytest.raises(SpecError, match=r"functions.py:1: SyntaxError"):
         Model(tmp_path, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ("'no listener today'", "no listener today [refused-by-model]"),
+        ("'no listener today', 'no-listener'", "no listener today [no-listener]"),
+    ],
+)
+def test_function_that_refuses_a_spec(tmp_path, arguments, said):
+    """With an id of the model's own, if it gives one: what the page of ours need not have."""
+    (tmp_path / "dictionary.yaml").write_text(FIGURE_4)
+    functions = "def check_interface(kind, attributes, distro):\n"
+    (tmp_path / "functions.py").write_text(f"{functions}    raise ValueError({arguments})\n")
+    with pytest.raises(SpecError) as error:
+        context(Model(tmp_path, tmp_path), FIGURE_4_SPEC)
+    assert str(error.value) == f'spec.xml:3: <listener name="l">: {said}'

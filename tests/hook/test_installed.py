@@ -45,7 +45,7 @@ def test_type_that_a_package_lacks(installed, distro, variable, folder):
     place = installed if folder else installed / "share"
     environment = {variable: f"/nothing/here:{place}"}
     (note,) = notes(environment, distro, found("publisher", "arm_msgs::Twst"))
-    assert note == f"arm_msgs in {installed}/share has no msg/Twst; is Twist meant?"
+    assert note == f"arm_msgs in {installed}/share has no msg/Twst; is Twist meant? [unknown-type]"
     assert notes(environment, distro, found("publisher", "arm_msgs::Twist")) == []
     assert notes({}, distro, found("publisher", "arm_msgs::Twst")) == []
     assert notes(environment, distro, found("publisher", "other_msgs::Twst")) == []
@@ -59,12 +59,12 @@ def test_service_action_and_field(installed):
         '<actionClient name="z" type="arm_msgs::Move"/>',
     ]
     assert notes(environment, "noetic", *lacking) == [
-        f"arm_msgs in {installed}/share has no action/Mve; is Move meant?",
-        f"arm_msgs in {installed}/share has no srv/Pan; is Plan meant?",
+        f"arm_msgs in {installed}/share has no action/Mve; is Move meant? [unknown-type]",
+        f"arm_msgs in {installed}/share has no srv/Pan; is Plan meant? [unknown-type]",
     ]
     fields = found("field", "arm_msgs::Pse[]"), '<field name="y" type="float64"/>'
     assert notes(environment, "noetic", *fields, spec=MESSAGES, model="interfaces_model") == [
-        f"arm_msgs in {installed}/share has no msg/Pse; is Pose meant?"
+        f"arm_msgs in {installed}/share has no msg/Pse; is Pose meant? [unknown-type]"
     ]
 
 
@@ -83,7 +83,7 @@ def test_the_note_is_shown_and_not_recorded(collection, copier_command, installe
     data = ("-d", "model=python_model", "-d", f"spec_file={spec}", "-d", "ros_distro=kilted")
     copy = ("copy", "--trust", "--defaults", *data, collection, "out")
     result = copier_command(*copy, cwd=tmp_path, AMENT_PREFIX_PATH=str(installed))
-    assert "has no msg/Twst; is Twist meant?\n" in result.stderr
+    assert "has no msg/Twst; is Twist meant? [unknown-type]\n" in result.stderr
     assert "is Twist meant" not in (tmp_path / "out/.copier-answers.yml").read_text()
 
 
@@ -103,7 +103,9 @@ def test_the_note_is_shown_and_not_recorded(collection, copier_command, installe
     ],
 )
 def test_slip_where_nothing_is_installed(distro, type_, says):
-    assert notes({}, distro, found("publisher", type_)) == ([says] if says else [])
+    assert notes({}, distro, found("publisher", type_)) == (
+        [f"{says} [unknown-type]"] if says else []
+    )
 
 
 def test_slip_in_an_installed_package_is_told_once(tmp_path):

@@ -186,7 +186,7 @@ def test_was_that_names_nothing(model, old, new, said):
     places = model.places(xml.encode(), "spec.xml")
     with pytest.raises(SpecError) as error:
         check_names_before(old, context(model, robot(new)), model.dictionary, places)
-    assert str(error.value) == said
+    assert str(error.value) == f"{said} [unknown-was]"
 
 
 @pytest.mark.parametrize(
@@ -229,5 +229,5 @@ node_interface: {publisher: [name, type: {format: message_type}]}
         model.context(xml.format("pkg::Post").encode(), "spec.xml", "kilted")
     assert str(error.value) == (
         'spec.xml:3: <publisher name="p">: type: "Post" is not declared in this package;'
-        ' did you mean "Pose"? allowed: Pose'
+        ' did you mean "Pose"? allowed: Pose [undeclared-type]'
     )

@@ -303,7 +303,9 @@ def test_left_out(node, right, wrong, notes):
     """What no spec can say is named with its place; the rest is read."""
     file = node(right, wrong)
     found = read(MODELS["python_model"], file)[1]
-    assert found == [f"{file}:{note} is left out, for no spec can say it" for note in notes]
+    assert found == [
+        f"{file}:{note} is left out, for no spec can say it [left-out]" for note in notes
+    ]
 
 
 @pytest.mark.parametrize("name", ["basic_node", "composed_node", "json_node", "alt_pkg_node"])
@@ -334,7 +336,7 @@ def test_package_of_documents(collection, copier_command, tmp_path):
         "s2_node.nodl.yaml:53: deadline_ns: 2000000000",
     ):
         assert (
-            f"Note: described/{what} is left out, for no spec can say it."
+            f"Note: described/{what} is left out, for no spec can say it [left-out]\n"
             in result.stdout + result.stderr
         )
     package = tmp_path / "robot"

@@ -151,7 +151,7 @@ def test_fault_in_a_function(model, make):
     with pytest.raises(copier.errors.UserMessageError) as error:
         make(SPEC)
     assert "functions.py:6: degrees(1.5708): NameError: name 'missing'" in str(error.value)
-    assert str(error.value).endswith(f" (in {JOINTS}:3)")
+    assert str(error.value).endswith(f" (in {JOINTS}:3) [function-fails]")
 
 
 JOINTS = "template/[controller.label].txt.jinja"
@@ -261,7 +261,8 @@ def test_mistake_in_a_newer_model(model, make, update):
     commit(model, tag="2.0.0")
     with pytest.raises(copier.errors.UserMessageError) as error:
         update(package)
-    assert str(error.value) == f"{JOINTS}:3: 'dict object' has no attribute 'lable'"
+    said = "'dict object' has no attribute 'lable' [template-fails]"
+    assert str(error.value) == f"{JOINTS}:3: {said}"
     assert git(package, "status", "--short") == ""
 
 

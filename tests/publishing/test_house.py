@@ -250,6 +250,7 @@ def test_fork_whose_tags_are_its_own(shell, release, tmp_path):
     shell(f"git fetch {upstream} 'refs/tags/*:refs/tags/*' && git push {address} --tags", fork)
     said = shell("! copier update --trust --defaults", mine)
     assert "1.1.0 is a version without a house, and 1.0.0+acme.1 made this package" in said
+    assert "[version-without-house]" in said
     assert git(mine, "status", "--short") == ""
 
     shell(f"git push {address} --delete 1.0.0 1.1.0 && git tag -d 1.0.0 1.1.0", fork)

@@ -113,7 +113,10 @@ def test_main_that_went_on_by_itself(own, target, tmp_path):
     change(own, "more", "1.1.0")
     result = run(own, target)
     assert result.returncode == 1
-    assert "main there has commits that were not published from here" in result.stderr
+    assert (
+        "main there has commits that were not published from here [foreign-commits]"
+        in result.stderr
+    )
     assert tags(target) == before
 
 
@@ -122,7 +125,8 @@ def test_tag_that_was_put_elsewhere(own, target):
     change(own, "other", None)
     git(own, "tag", "-f", "1.0.0")
     result = run(own, target)
-    assert "1.0.0 is published with other content; give it a new number" in result.stderr
+    said = "1.0.0 is published with other content; give it a new number [changed-tag]\n"
+    assert said in result.stderr
     assert result.returncode == 1
 
 
@@ -130,7 +134,8 @@ def test_shallow_clone(own, target, tmp_path):
     change(own, "more", "1.1.0")
     git(tmp_path, "clone", "-q", "--depth", "1", f"file://{own}", "shallow")
     result = run(tmp_path / "shallow", target)
-    assert "the clone is shallow; run git fetch --unshallow --tags" in result.stderr
+    said = "the clone is shallow; git fetch --unshallow --tags completes it [shallow-clone]\n"
+    assert said in result.stderr
     assert tags(target) == {}
 
 
@@ -143,7 +148,7 @@ def test_collection_that_was_not_cloned(own, target):
 
 def test_address_that_is_wrong(own, tmp_path):
     result = run(own, tmp_path / "nowhere.git")
-    assert "nowhere.git' does not appear to be a git repository" in result.stderr
+    assert "nowhere.git' does not appear to be a git repository [git-fails]" in result.stderr
     assert result.returncode == 1
     result = run(own, "https://user:secret@localhost:9/x.git")
     assert (
@@ -156,7 +161,10 @@ def test_folder_of_the_model_in_the_way(own, target):
     (own / "a_model/shared").mkdir()
     (own / "a_model/shared/x").write_text("x")
     change(own, "more", "1.1.0")
-    assert "1.1.0: a_model has shared already; call it otherwise" in run(own, target).stderr
+    assert (
+        "1.1.0: a_model has shared already; call it otherwise [path-taken]"
+        in run(own, target).stderr
+    )
     assert tags(target) == {}
 
 

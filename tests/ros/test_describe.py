@@ -4,6 +4,7 @@ import contextlib
 import re
 import runpy
 import xml.etree.ElementTree as ET
+from types import SimpleNamespace
 
 import pytest
 import yaml
@@ -51,6 +52,17 @@ VALUES = [
 ]
 VALUES += [["a, b", '"', "", "üb\\er"]]
 NOT_SAID = [None, [], [1, "a"], [[1]], {"a": 1}, float("nan"), [float("inf")], "--> \0", b"x"]
+
+
+@pytest.mark.parametrize("ros_name", ["Ros1", "Ros2"])
+def test_node_that_is_not_there(ros_name, monkeypatch):
+    asker = runpy.run_path(str(SCRIPT))[ros_name]
+    monkeypatch.setitem(asker.describe.__globals__, "PATIENCE", 0)
+    ask = asker.__new__(asker)
+    ask.master = SimpleNamespace(getSystemState=lambda: [[], [], []])
+    ask.graph = dict
+    with pytest.raises(SystemExit, match=r"/arm: no such node; .* \[no-such-node\]$"):
+        list(ask.describe(["/arm"]))
 
 
 def test_values():

@@ -13,7 +13,8 @@ import pytest
 from copier import VcsRef
 from copier.errors import UserMessageError
 
-from hooks.merge.branches import people
+from hooks.faults import SpecError
+from hooks.merge.branches import Branches, Joiner, people
 from hooks.merge.tree import LINK, File
 from hooks.merge.versions import Versions
 from support.arm import SPEC
@@ -321,7 +322,9 @@ def test_octopus_is_refused(make_team):
     heads = [team.git("rev-parse", branch) for branch in ("topic", "third")]
     (team.package / ".git/MERGE_HEAD").write_text("\n".join([*heads, ""]))
     team.spec.write_text(BOTH)
-    assert "3 branches are merged at once here" in team.join(fails=True)
+    said = team.join(fails=True)
+    assert said.startswith("3 branches are merged at once here")
+    assert said.endswith("[several-branches]")
     assert team.git("status", "--porcelain") == "M arm.ros_package"
 
 
@@ -420,11 +423,23 @@ def test_other_ros_on_one_side(model, make_team):
     team.resolve(BOTH)
     before = team.git("status", "--porcelain")
     said = team.join(fails=True)
-    assert "-d ros_distro=noetic" in said
+    assert "-d ros_distro=noetic [answers-differ]" in said
     assert team.git("status", "--porcelain") == before
     team.join(data=noetic)
     team.git("commit", "-q", "--no-edit")
     team.has(**TOGETHER)
+
+
+def test_version_older_than_that_of_a_branch():
+    commits = {"ours": {"_commit": "1.0.0"}, "theirs": {"_commit": "1.2.0"}}
+    joiner = Joiner(None, ANSWERS, {"_commit": "1.1.0"}, None, None, {})
+    joiner.recorded = commits.get
+    with pytest.raises(SpecError) as caught:
+        joiner.check(Branches("ours", "theirs", []), [])
+    assert str(caught.value) == (
+        "one branch was made by version 1.2.0 of the model, newer than 1.1.0;"
+        " add --vcs-ref=1.2.0 [older-version]"
+    )
 
 
 @MODELS

@@ -4,12 +4,14 @@ import os
 import shutil
 
 import pytest
+from jinja2 import Environment, FileSystemLoader
 
+from extensions.spec import SpecExtension
 from hooks.faults import SpecError
 from hooks.merge.git import mark_conflict
 from hooks.merge.preflight import refuse, refuse_names, refuse_places
 from hooks.merge.tree import TOO_LARGE
-from support.repository import commit, git
+from support.repository import ROOT, commit, git
 
 
 @pytest.fixture
@@ -74,26 +76,27 @@ def no_repository(package):
 
 
 @pytest.mark.parametrize(
-    ("situation", "message"),
+    ("situation", "message", "id_"),
     [
-        (ignored, "reach.py: not in git (ignored, or never added)"),
-        (never_added, "reach.py: not in git (ignored, or never added)"),
-        (link_out_of_the_package, "reach.py: a link to"),
-        (folder_that_leads_out, "config: a link to"),
-        (link_to_what_git_does_not_have, "reach.py: a link to"),
-        (submodule, "config/arm.yaml: belongs to a submodule"),
-        (not_committed, "reach.py: changed since the last commit"),
-        (staged, "reach.py: changed since the last commit"),
-        (no_repository, "not in a git repository"),
+        (ignored, "reach.py: not in git (ignored, or never added)", "not-in-git"),
+        (never_added, "reach.py: not in git (ignored, or never added)", "not-in-git"),
+        (link_out_of_the_package, "reach.py: a link to", "link-out-of-package"),
+        (folder_that_leads_out, "config: a link to", "link-out-of-package"),
+        (link_to_what_git_does_not_have, "reach.py: a link to", "link-out-of-package"),
+        (submodule, "config/arm.yaml: belongs to a submodule", "in-a-submodule"),
+        (not_committed, "reach.py: changed since the last commit", "not-committed"),
+        (staged, "reach.py: changed since the last commit", "not-committed"),
+        (no_repository, "not in a git repository", "no-repository"),
     ],
 )
-def test_what_git_could_not_bring_back_is_refused(package, situation, message):
+def test_what_git_could_not_bring_back_is_refused(package, situation, message, id_):
     paths = ["reach.py", "config/arm.yaml"]
     refuse(package, paths, {})
     situation(package)
     with pytest.raises(SpecError) as caught:
         refuse(package, paths, {})
     assert message in str(caught.value)
+    assert str(caught.value).endswith(f" [{id_}]")
     refuse(package, ["other.py"], {}) if situation is not no_repository else None
 
 
@@ -142,14 +145,14 @@ def grown_beyond_the_limit(package):
 
 
 @pytest.mark.parametrize(
-    "situation",
+    ("situation", "id_"),
     [
-        file_in_the_place_of_a_folder,
-        grown_beyond_the_limit,
-        folder_in_the_place_of_a_file,
+        (file_in_the_place_of_a_folder, "path-taken"),
+        (grown_beyond_the_limit, "too-large"),
+        (folder_in_the_place_of_a_file, "path-taken"),
     ],
 )
-def test_what_has_no_place_for_a_generated_file_is_refused(package, situation):
+def test_what_has_no_place_for_a_generated_file_is_refused(package, situation, id_):
     paths = ["reach.py", "config/arm.yaml"]
     refuse_places(package, paths)
     message = situation(package)
@@ -157,6 +160,7 @@ def test_what_has_no_place_for_a_generated_file_is_refused(package, situation):
     with pytest.raises(SpecError) as caught:
         refuse_places(package, paths)
     assert str(caught.value).startswith(message)
+    assert str(caught.value).endswith(f" [{id_}]")
     assert str(caught.value).isascii()
 
 
@@ -164,6 +168,14 @@ def test_name_in_another_encoding_is_refused():
     with pytest.raises(SpecError, match=r"^docs/caf\\xe9\.txt: a name that is not UTF-8"):
         refuse_names(["reach.py", os.fsdecode(b"docs/caf\xe9.txt")])
     refuse_names(["caf\xe9.txt"])
+
+
+def test_version_that_copier_refuses(tmp_path):
+    (tmp_path / "model").mkdir()
+    (tmp_path / "model/copier.yml").write_text("_min_copier_version: 99.0.0\n")
+    extension = SpecExtension(Environment(loader=FileSystemLoader(ROOT)))
+    with pytest.raises(extension.hooks.faults.UnrenderedError, match=r"99.* \[not-rendered\]$"):
+        extension._copy(str(tmp_path / "model"), tmp_path / "arm", {}, "answers.yml", None)
 
 
 def test_large_file_of_the_developer_is_fine(package):
@@ -182,6 +194,7 @@ def test_copy_that_would_have_to_ask(collection, copier_command, tmp_path):
     result = copier_command(*copy, cwd=tmp_path)
     assert result.returncode
     assert "README.md would be replaced, and Copier cannot ask; move" in result.stderr
+    assert "[would-be-replaced]" in result.stderr
     assert "Traceback" not in result.stderr
     assert {file.name for file in package.iterdir()} == {"README.md", "notes.txt"}
     (package / "README.md").rename(package / "mine.md")

@@ -2,6 +2,7 @@
 
 import gc
 from dataclasses import dataclass, replace
+from types import SimpleNamespace
 
 import pytest
 
@@ -12,6 +13,7 @@ from hooks.merge.package import merge_package
 from hooks.merge.proof import prove, uses_of_left
 from hooks.merge.renaming import Renaming
 from hooks.merge.render import Render
+from hooks.merge.transaction import Snapshot
 from hooks.merge.tree import File, Tree
 from hooks.merge.update import Update
 from support.arm import MINE, NEW, OLD, PATH
@@ -99,6 +101,8 @@ def test_wrong_merge_is_undone(package, monkeypatch, fault):
     monkeypatch.setattr(module, "merge_package", spoil)
     with pytest.raises(RuntimeError if fault == "error" else SpecError) as caught:
         finish(package)
+    if fault != "error":
+        assert str(caught.value).splitlines()[0].endswith(": [merge-not-proved]")
     if fault == "line":
         assert "\n  arm/reach_impl.py:4: response.ok = True\n" in str(caught.value)
         assert "take these lines out and commit; update; put them in again" in str(caught.value)
@@ -106,6 +110,14 @@ def test_wrong_merge_is_undone(package, monkeypatch, fault):
     assert git(package, "status", "--short") == ""
     assert (package / PATH).read_text() == MINE
     assert not (package / "new.py").exists()
+
+
+def test_joined_files_that_were_not_written(package, monkeypatch):
+    update = Update(package, "answers.yml", quiet=True)
+    monkeypatch.setattr(Snapshot, "put", lambda *_: None)
+    joined = SimpleNamespace(result=SimpleNamespace(tree={"new.py": File(b"")}), sides=[None] * 2)
+    with pytest.raises(SpecError, match=r"not all files could be written \[not-written\]"):
+        update._joined(None, None, joined, inline=True)
 
 
 def test_package_comes_back_when_copier_fails(package):
