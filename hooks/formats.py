@@ -182,7 +182,7 @@ def _as_in_code(value: str, folder: str) -> str:
     others = [word for word in words if word in _FOLDERS and word != folder]
     words = [word for word in words if word not in _FOLDERS]
     if others and len(words) == 2:
-        return f"the type of {_FOLDERS[others[0]]}, where that of {_FOLDERS[folder]} belongs; "
+        return f"the type of {_FOLDERS[others[0]]}, where that of {_FOLDERS[folder]} belongs;"
     why = "not a type; "
     if len(words) == 1:
         why += "it lacks its package; "
@@ -190,7 +190,8 @@ def _as_in_code(value: str, folder: str) -> str:
         name = class_name(word).replace("Uint", "UInt") if word in PRIMITIVES else word
         words = [package for package, of in TYPES_OF_ROS.items() if name in of.get(folder, ())]
         words.append(name)
-    return why + (f'did you mean "{shown("::".join(words))}"? ' if len(words) == 2 else "")
+    why += f'did you mean "{shown("::".join(words))}"?' if len(words) == 2 else ""
+    return why.rstrip()
 
 
 def _type(folder: str, example: str) -> Callable[[str], str]:
@@ -199,7 +200,7 @@ def _type(folder: str, example: str) -> Callable[[str], str]:
 
     def parse(value: str) -> str:
         pattern = rf"([A-Za-z]\w*)(::|/)(?:{folder}\2)?([A-Za-z]\w*)"
-        complaint = f"{_as_in_code(value, folder)}allowed: {forms}"
+        complaint = f"{_as_in_code(value, folder)} allowed: {forms}"
         match = _match(pattern, value, complaint, "invalid-type")
         package = _free(match[1], (*CPP_NAMES, *MODULES))
         if match[1] == "std":

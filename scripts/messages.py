@@ -68,7 +68,7 @@ def texts() -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for file in (file for pattern in CODE for file in sorted(ROOT.glob(pattern))):
         for id_, text in _told(ast.parse(file.read_text(encoding="utf-8"))):
-            if text not in found.setdefault(id_, []) and re.search("[a-z]{4}", text):
+            if text not in found.setdefault(id_, []) and re.search("[a-z]{3}", text):
                 found[id_].append(text)
     return found
 
