@@ -53,7 +53,7 @@ class SpecExtension(Extension):
             "spec_schema": self.specs.schema,
             "spec_tree": self.specs.tree,
             "has_spec": lambda run: bool(run.package.specs),
-            "has_file": lambda run, name: (run.package.folder / name).exists(),
+            "has_file": lambda run, name: os.path.exists(run.package.folder / name),
             "package_name": self.specs.name,
             "chosen_package": self.specs.chosen_package,
             "notes": self.specs.notes,

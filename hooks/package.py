@@ -43,7 +43,7 @@ class Package:
     @property
     def is_made(self) -> bool:
         """Whether the folder holds a package already."""
-        return (self.folder / self.answers_file).exists()
+        return os.path.exists(self.folder / self.answers_file)  # where no file can be, too
 
     def spec_file(self, given: str) -> Path | None:
         """Return the file of the spec that counts; None for a new package without one.
@@ -78,7 +78,7 @@ class Package:
     def answers(self) -> dict[str, Any]:
         """Return the answers that Copier has recorded; none for a new package."""
         file = self.folder / self.answers_file
-        found = load_yaml(file.read_bytes()) if file.is_file() else None
+        found = load_yaml(file.read_bytes()) if os.path.isfile(file) else None
         return found if isinstance(found, dict) else {}
 
     def _remedy(self) -> str:

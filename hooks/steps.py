@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import os
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -41,15 +42,13 @@ class Steps:
 
         """
         folder, is_made = run.package.folder, run.package.is_made
-        if run.pretend or not folder.exists():
-            return
-        if not is_made and (run.overwrite or run.can_ask):
+        if run.pretend or not os.path.exists(folder):
             return
         from .merge import preflight
 
         answers, renderer = {**run.answers, "spec": spec}, self._renderer(run)
         if not is_made:
-            preflight.refuse_questions(folder, answers, renderer)
+            preflight.refuse_copy(folder, answers, renderer, run.overwrite or run.can_ask)
         elif preflight.is_joining(folder, run.package.answers_file):
             self._joining, self.theirs = self._new(run, run.package), "the other branch's"
             preflight.refuse_join(folder, answers, renderer)

@@ -9,7 +9,6 @@ from pathlib import Path, PurePosixPath
 
 from packaging.version import InvalidVersion, Version
 
-from ..data import load_yaml
 from ..dictionary import Dictionary
 from ..faults import SpecError
 from ..package import SUFFIX
@@ -17,7 +16,7 @@ from . import git
 from .lines import plain, split
 from .package import ALIKE, Result, likeness
 from .proof import Proof
-from .render import Renderer
+from .render import Renderer, recorded_answers
 from .tree import LINK, File, Tree, encode
 from .versions import Answers, Versions, versions
 
@@ -116,8 +115,7 @@ class Joiner:
 
     def recorded(self, commit: str) -> dict[str, object]:
         """Return the answers that a commit has."""
-        found = load_yaml(git.committed(self.package, self.answers_file, commit))
-        return found if isinstance(found, dict) else {}
+        return recorded_answers(self.package, self.answers_file, commit)
 
     def made(self, commit: str) -> Tree:
         """Render what the model has made of a commit."""

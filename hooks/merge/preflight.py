@@ -106,16 +106,21 @@ def refuse_join(package: Path, answers: Mapping[str, Any], renderer: Renderer) -
     _refuse_untracked(package, paths)
 
 
-def refuse_questions(package: Path, answers: Mapping[str, Any], renderer: Renderer) -> None:
-    """Insist that nothing is there that Copier would have to ask about, where it cannot ask.
+def refuse_copy(
+    package: Path, answers: Mapping[str, Any], renderer: Renderer, may_replace: bool
+) -> None:
+    """Insist that Copier can write a package into a folder, without a question if it cannot ask.
 
     Raises:
-        SpecError: some files would be replaced; without a terminal Copier ends at the first.
+        SpecError: some files could not be written, or would be replaced; Copier ends at the first.
 
     """
     if all(entry.suffix == SUFFIX or entry.name == ".git" for entry in package.iterdir()):
         return
     made = renderer.fresh(answers)
+    refuse_places(package, made.tree)
+    if may_replace:
+        return
     there = read_paths(package, [path for path in made.tree if not made.is_kept(path)])
     other = [path for path, file in sorted(there.items()) if file.data != made.tree[path].data]
     if other:

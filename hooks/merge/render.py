@@ -15,6 +15,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import yaml
+
 from ..data import load_yaml
 from ..run import Copy
 from .git import committed
@@ -148,7 +150,10 @@ def _without_git(_: str, names: list[str]) -> list[str]:
     return [name for name in names if name == ".git"]
 
 
-def recorded_answers(package: Path, answers_file: str) -> dict[str, Any]:
-    """Return the answers of the last commit."""
-    answers = load_yaml(committed(package, answers_file))
+def recorded_answers(package: Path, answers_file: str, commit: str = "HEAD") -> dict[str, Any]:
+    """Return the answers that a commit has; none where they are no YAML, as in a conflict."""
+    try:
+        answers = load_yaml(committed(package, answers_file, commit))
+    except yaml.YAMLError:
+        return {}
     return answers if isinstance(answers, dict) else {}

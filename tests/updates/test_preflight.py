@@ -206,3 +206,61 @@ def test_copy_that_would_have_to_ask(collection, copier_command, tmp_path):
     (package / ".copier-answers.yml").unlink()
     assert copier_command(*copy, "--overwrite", cwd=tmp_path).returncode == 0
     assert "Mine" not in (package / "README.md").read_text()
+
+
+@pytest.mark.parametrize("more", [(), ("--overwrite",)])
+@pytest.mark.parametrize(
+    ("in_the_way", "says"),
+    [
+        ("README.md/mine.md", "README.md: a folder, and a generated file has this name"),
+        ("test", "test: a file, and test/"),
+        ("launch/arm.launch.xml/x", "launch/arm.launch.xml: a folder, and a generated file has"),
+    ],
+)
+def test_copy_where_it_cannot_write(collection, copier_command, tmp_path, in_the_way, says, more):
+    """Copier ends there in a traceback, with half a package written."""
+    file = tmp_path / "arm" / in_the_way
+    file.parent.mkdir(parents=True)
+    file.write_text("mine\n")
+    copy = ("copy", "--trust", "--defaults", *more, "-d", "model=python_model")
+    result = copier_command(*copy, collection, "arm", cwd=tmp_path)
+    assert result.returncode == 1
+    assert says in result.stderr
+    assert "Traceback" not in result.stderr
+    assert [path for path in (tmp_path / "arm").rglob("*") if path.is_file()] == [file]
+
+
+def test_copy_to_a_name_that_no_file_can_have(collection, copier_command, tmp_path):
+    copy = ("copy", "--trust", "--defaults", "-d", "model=python_model")
+    result = copier_command(*copy, collection, "arm" * 100, cwd=tmp_path)
+    assert result.returncode == 1
+    assert "too long" in result.stderr
+    assert "OSError" not in result.stderr
+
+
+ANSWERS_FILES = {
+    "empty": "",
+    "a list": "- spec\n",
+    "a text": "spec\n",
+    "in conflict": "<<<<<<< HEAD\na: 1\n=======\na: 2\n>>>>>>> topic\n",
+    "cut off": "a: [1,\n",
+}
+
+
+@pytest.mark.parametrize("text", ANSWERS_FILES.values(), ids=ANSWERS_FILES)
+def test_answers_file_that_is_none(arm, copier_command, text):
+    """Copier reads it before any template; docs/updates.md says what its traceback means."""
+    answers = arm / ".copier-answers.yml"
+    whole = answers.read_text()
+    answers.write_text(text)
+    commit(arm, "Spoil the answers")
+    for command in (("update",), ("recopy", "--overwrite")):
+        result = copier_command(*command, "--trust", "--defaults", cwd=arm)
+        assert result.returncode
+        said = result.stderr.splitlines()[-1]
+        assert "has no attribute 'items'" in said or ".copier-answers.yml" in said
+        assert answers.read_text() == text
+    git(arm, "checkout", "HEAD^", "--", ".copier-answers.yml")
+    assert answers.read_text() == whole
+    commit(arm, "Bring the answers back")
+    assert copier_command("update", "--trust", "--defaults", cwd=arm).returncode == 0
