@@ -37,7 +37,7 @@ _NODE = {
     "directSubscribers": [],
     "serviceClients": [_SERVICE],
     "serviceServers": [_SERVICE],
-    "actionServers": [{"accept": True}],
+    "actionServers": [{"accept": True, "goal": "parallel", "max_goals": 2}],
 }
 
 

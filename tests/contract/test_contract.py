@@ -1600,6 +1600,101 @@ def test_goal_reject(stage):
     assert stage.result(second) == ["succeeded", [2]]
 
 
+def start_crowd(stage, *orders):
+    """Start goals that are executed in parallel, each until it is to end."""
+    goals = [stage.goal("crowd", order) for order in orders]
+    assert None not in goals
+    return goals
+
+
+def test_goals_in_parallel(stage):
+    """Each is executed at once in a thread of its own, with its own request, cancel and result."""
+    node = stage.active()
+    first, second, third = start_crowd(stage, 500, 600, 700)
+    node.wait("crowd", count=3)
+    begun = node.events("crowd", "begin")
+    assert {event["value"] for event in begun} == {500, 600, 700}
+    assert len({event["id"] for event in begun}) == 3
+    assert {event["thread"] for event in begun} == {begun[0]["thread"]}
+    assert "crowd" in begun[0]["thread"]
+    stage.peer.cancel(number=second)
+    assert stage.result(second) == ["canceled", [600]]
+    assert stage.result(stage.goal("crowd", 5)) == ["succeeded", [5]]
+    stage.peer.cancel(number=third)
+    assert stage.result(third) == ["canceled", [700]]
+    assert [event["value"] for event in node.events("crowd", "over")] == [600, 5, 700]
+    stage.peer.cancel(number=first)
+    assert stage.result(first) == ["canceled", [500]]
+
+
+def test_goals_in_parallel_have_a_bound(stage):
+    """A burst of them starts no more than max_goals; the others are rejected."""
+    node = stage.active()
+    name = stage.name("crowd")
+    burst = [stage.peer.begin("goal", action=name, order=500 + n) for n in range(9)]
+    goals = [goal for goal in (future.result(60) for future in burst) if goal is not None]
+    assert len(goals) == 3, node.story()
+    assert stage.goal("crowd", 1) is None
+    for goal in goals:
+        stage.peer.cancel(number=goal)
+    assert [stage.result(goal)[0] for goal in goals] == ["canceled"] * 3
+    assert len(node.events("crowd", "begin")) == 3
+
+
+@pytest.mark.parametrize("way", ["sigint", "transitions"])
+def test_stop_ends_goals_in_parallel(stage, way):
+    if way == "transitions":
+        only_ros2(stage)
+    node = stage.active()
+    goals = start_crowd(stage, 500, 600, 700)
+    node.wait("crowd", count=3)
+    if way == "transitions":
+        assert stage.transition("deactivate")
+    else:
+        assert node.stop() == 0
+    assert [stage.result(goal)[0] for goal in goals] == ["aborted"] * 3, node.story()
+    assert sorted(event["value"] for event in node.events("crowd", "over")) == [500, 600, 700]
+    if way == "transitions":
+        assert stage.goal("crowd", 1) is None
+        assert stage.transition("activate")
+        again = start_crowd(stage, 800, 900, 901)
+        node.wait("crowd", count=6)
+        for goal in again:
+            stage.peer.cancel(number=goal)
+        assert [stage.result(goal)[0] for goal in again] == ["canceled"] * 3
+
+
+def test_stop_of_goals_in_parallel_that_block(stage):
+    """They have stop_timeout together; those that have not returned are aborted and named."""
+    node = stage.active("crowd: block 60", stop_timeout=0.5)
+    goals = start_crowd(stage, 1, 2)
+    node.wait("crowd", count=2)
+    node.tell()
+    goals += start_crowd(stage, 500)
+    node.wait("crowd", count=3)
+    node.send_signal()
+    assert node.exit(SOON) == 1, node.story()
+    assert re.search(r"Still running when the node stops: .*crowd\b", node.log()), node.story()
+    assert [stage.result(goal)[0] for goal in goals] == ["aborted"] * 3
+    node.ended_well = False
+
+
+def test_exception_of_a_goal_in_parallel(stage):
+    """It takes the node, and so the other goals, along as that of any goal does."""
+    node = stage.active("deactivate: publish STOP")
+    heard = stage.listen(node)
+    goals = start_crowd(stage, 500, 600)
+    node.wait("crowd", count=2)
+    node.tell("crowd: throw", "deactivate: publish STOP")
+    goals += start_crowd(stage, 5)
+    assert node.exit(SOON) == 1, node.story()
+    assert [stage.result(goal)[0] for goal in goals] == ["aborted"] * 3
+    assert "thrown on purpose" in node.log(), node.story()
+    assert node.methods() == LIFE
+    wait_for(lambda: heard() == ["STOP"], lambda: f"heard {heard()}: {node.story()}")
+    node.expect("Traceback", "[ERROR]", "[FATAL]", "Exception")
+
+
 def test_goal_that_the_logic_refuses(stage):
     """It is rejected, before it replaces another; the logic judges in a thread of its own."""
     node = stage.active("accept: refuse")

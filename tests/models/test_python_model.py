@@ -94,7 +94,7 @@ def test_readme_shows_every_interface(render):
 def test_readme_says_what_a_node_does_beside_its_interfaces(render, distro):
     """What becomes of a new goal, and what is published on /diagnostics."""
     action = '    <actionServer name="{0}" goal="{0}" type="test_msgs::Fibonacci"/>\n'
-    actions = "".join(map(action.format, ("replace", "queue", "reject")))
+    actions = "".join(map(action.format, ("replace", "queue", "reject", "parallel")))
     spec = SPECS["all kinds"].read_text()
     spec = re.sub(r"(<node )(.*?>\n)", rf"\1\2{actions}", spec, count=1)
     text = (render(spec, ros_distro=distro) / "README.md").read_text()
@@ -102,6 +102,7 @@ def test_readme_says_what_a_node_does_beside_its_interfaces(render, distro):
     assert "| `replace` | action served; a new goal replaces the current one |" in text
     assert "| `queue` | action served; a new goal waits |" in text
     assert "| `reject` | action served; a new goal is rejected |" in text
+    assert "| `parallel` | action served; a new goal is executed beside the others, 8 in all |" in text
 
 
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])

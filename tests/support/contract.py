@@ -16,7 +16,7 @@ from support.packages import shared_runtime, without_tf
 
 CONTRACT = Path(__file__).parents[1] / "contract"
 METHODS = ("configure", "activate", "update", "deactivate", "cleanup")
-GOALS = ("work", "line", "single", "choice")
+GOALS = ("work", "line", "single", "choice", "crowd")
 CALLBACKS = ("receive", "serve", "accept", *GOALS, "read", "poll")
 NOISE = (
     "Traceback",

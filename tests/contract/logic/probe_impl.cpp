@@ -243,6 +243,11 @@ void ProbeImpl::execute_choice(Goal<probe_types::ChoiceAction> & goal)
   execute("choice", goal);
 }
 
+void ProbeImpl::execute_crowd(Goal<probe_types::CrowdAction> & goal)
+{
+  execute("crowd", goal);
+}
+
 bool ProbeImpl::accept_choice(const probe_types::ChoiceAction::Goal & request)
 {
   return behaviour_.run("accept", std::to_string(request.order));

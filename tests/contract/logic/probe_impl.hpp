@@ -28,6 +28,7 @@ public:
   void execute_line(Goal<probe_types::LineAction> & goal);
   void execute_single(Goal<probe_types::SingleAction> & goal);
   void execute_choice(Goal<probe_types::ChoiceAction> & goal);
+  void execute_crowd(Goal<probe_types::CrowdAction> & goal);
   bool accept_choice(const probe_types::ChoiceAction::Goal & request);
   void deactivate();
   void cleanup();

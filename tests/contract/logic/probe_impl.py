@@ -146,6 +146,9 @@ class ProbeImpl:
     def execute_choice(self, goal):
         self.execute("choice", goal)
 
+    def execute_crowd(self, goal):
+        self.execute("crowd", goal)
+
     def accept_choice(self, request):
         return self.run("accept", request.order)
 

@@ -166,6 +166,13 @@ public:
           impl_,
           &WorkerImpl::execute_compute,
           &WorkerImpl::accept_compute));
+      action_servers_.push_back(
+        std::make_unique<ActionServer<worker_types::MeasureAction>>(
+          node,
+          "measure",
+          GoalPolicy(GoalPolicy::parallel, 3),
+          impl_,
+          &WorkerImpl::execute_measure));
     }
     for (const auto & server : action_servers_) {
       server->start();

@@ -36,6 +36,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'serve_enable': ('enable', std_srvs.srv.SetBool, 'best_effort'),
         'client_permit': ('permit', std_srvs.srv.Trigger),
         'execute_compute': ('compute', test_msgs.action.Fibonacci, 'replace'),
+        'execute_measure': ('measure', test_msgs.action.Fibonacci, 'parallel', 3),
         'accept_compute': ('compute', test_msgs.action.Fibonacci, 'replace'),
         'action_delegate': ('delegate', test_msgs.action.Fibonacci),
     }

@@ -70,6 +70,13 @@ bool WorkerImpl::accept_compute(
   return true;
 }
 
+// Action measure
+void WorkerImpl::execute_measure(
+  Goal<worker_types::MeasureAction> & goal)
+{
+  goal.succeed();
+}
+
 // Thread read
 void WorkerImpl::read()
 {

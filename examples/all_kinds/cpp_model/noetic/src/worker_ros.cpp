@@ -227,6 +227,12 @@ private:
       GoalPolicy::replace,
       &WorkerImpl::execute_compute,
       &WorkerImpl::accept_compute);
+    serve_action<worker_types::MeasureAction>(
+      node_,
+      "measure",
+      "execute_measure",
+      GoalPolicy(GoalPolicy::parallel, 3),
+      &WorkerImpl::execute_measure);
     run_beside(
       "read",
       [this] {

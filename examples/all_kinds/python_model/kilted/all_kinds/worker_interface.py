@@ -51,6 +51,14 @@ ComputeGoal = Goal[
     ComputeFeedback,
     ComputeResult,
 ]
+MeasureGoalRequest = test_msgs.action.Fibonacci.Goal
+MeasureFeedback = test_msgs.action.Fibonacci.Feedback
+MeasureResult = test_msgs.action.Fibonacci.Result
+MeasureGoal = Goal[
+    MeasureGoalRequest,
+    MeasureFeedback,
+    MeasureResult,
+]
 
 
 @dataclass(frozen=True)

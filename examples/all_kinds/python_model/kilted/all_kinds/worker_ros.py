@@ -139,6 +139,13 @@ class WorkerNode(ManagedNode):
             new_goal='replace',
             accept='accept_compute',
         )
+        self._action_server_measure = self._action_server(
+            test_msgs.action.Fibonacci,
+            'measure',
+            'execute_measure',
+            new_goal='parallel',
+            at_once=3,
+        )
         self._received: dict[str, Any] = {}
         self._received_lock = Lock()
         frequency = self._declare_frequency(FREQUENCY)
@@ -247,6 +254,7 @@ class WorkerNode(ManagedNode):
             QoSProfile(reliability=ReliabilityPolicy.BEST_EFFORT, depth=20),
         )
         self._action_server_compute.accept_goals(True)
+        self._action_server_measure.accept_goals(True)
         self._logic.repeat('read', self._impl.read)
         self._call_at(4, 'poll')
 

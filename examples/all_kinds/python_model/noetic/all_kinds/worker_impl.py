@@ -12,6 +12,7 @@ from all_kinds.worker_interface import (
     ComputeGoalRequest,
     EnableRequest,
     EnableResponse,
+    MeasureGoal,
     ResetRequest,
     ResetResponse,
     SayMessage,
@@ -86,6 +87,14 @@ class WorkerImpl:
     ) -> bool:
         """Return whether to accept a goal, in a thread of its own; this stub accepts all."""
         return True
+
+    # Action measure
+    def execute_measure(
+        self,
+        goal: MeasureGoal,
+    ) -> None:
+        """Execute a goal and set its outcome, in several threads at once."""
+        goal.succeed()
 
     # Thread read
     def read(self) -> None:

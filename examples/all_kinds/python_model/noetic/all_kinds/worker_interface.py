@@ -51,6 +51,14 @@ ComputeGoal = Goal[
     ComputeFeedback,
     ComputeResult,
 ]
+MeasureGoalRequest = test_msgs.msg.FibonacciGoal
+MeasureFeedback = test_msgs.msg.FibonacciFeedback
+MeasureResult = test_msgs.msg.FibonacciResult
+MeasureGoal = Goal[
+    MeasureGoalRequest,
+    MeasureFeedback,
+    MeasureResult,
+]
 
 
 @dataclass(frozen=True)

@@ -178,6 +178,13 @@ class WorkerNode(ManagedNode):
             new_goal='replace',
             accept='accept_compute',
         )
+        self._action_server(
+            'measure',
+            test_msgs.msg.FibonacciAction,
+            'execute_measure',
+            new_goal='parallel',
+            at_once=3,
+        )
         self._logic.repeat('read', self._impl.read)
         self._call_at(4, 'poll')
 

@@ -44,6 +44,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'serve_enable': ('enable', std_srvs.srv.SetBool),
         'client_permit': ('permit', std_srvs.srv.Trigger),
         'execute_compute': ('compute', test_msgs.msg.FibonacciAction, 'replace'),
+        'execute_measure': ('measure', test_msgs.msg.FibonacciAction, 'parallel', 3),
         'accept_compute': ('compute', test_msgs.msg.FibonacciAction, 'replace'),
         'action_delegate': ('delegate', test_msgs.msg.FibonacciAction),
     }

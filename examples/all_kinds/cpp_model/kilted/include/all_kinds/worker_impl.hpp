@@ -63,6 +63,11 @@ public:
   bool accept_compute(
     const worker_types::ComputeAction::Goal & request);
 
+  // Action measure
+  /// Execute a goal and set its outcome, in several threads at once; the stub only succeeds.
+  void execute_measure(
+    Goal<worker_types::MeasureAction> & goal);
+
   // Thread read
   /// Do one piece of work in a thread of its own; called again, the stub once a second.
   void read();

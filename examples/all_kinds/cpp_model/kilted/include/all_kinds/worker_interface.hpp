@@ -51,6 +51,7 @@ using ResetService = std_srvs::srv::Empty;
 using EnableService = std_srvs::srv::SetBool;
 using ActionDelegate = test_msgs::action::Fibonacci;
 using ComputeAction = test_msgs::action::Fibonacci;
+using MeasureAction = test_msgs::action::Fibonacci;
 using Transform = geometry_msgs::msg::TransformStamped;
 
 }  // namespace worker_types

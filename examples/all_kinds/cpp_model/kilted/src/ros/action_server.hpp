@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -18,14 +19,34 @@
 #include "rclcpp_action/rclcpp_action.hpp"
 
 #include "calls.hpp"
+#include "goal_threads.hpp"
 #include "managed_node.hpp"
 #include "served_goal.hpp"
 
 namespace all_kinds
 {
 
-/// What becomes of a goal that comes while another is executed.
-enum class GoalPolicy {replace, queue, reject};
+/// What becomes of a goal that comes while others are executed.
+struct GoalPolicy
+{
+  enum Kind {replace, queue, reject, parallel};
+
+  /// Execute `at_once` goals at once: one, but where they are executed in parallel.
+  GoalPolicy(Kind kind, std::size_t at_once = 1)  // NOLINT(runtime/explicit)
+  : kind(kind),
+    at_once(at_once)
+  {
+  }
+
+  /// Return whether a goal is taken beside so many others.
+  bool takes_beside(std::size_t others) const
+  {
+    return kind == replace || kind == queue || others < at_once;
+  }
+
+  Kind kind;
+  std::size_t at_once;
+};
 
 /// The base of action servers, whatever their type.
 class ActionServerBase
@@ -77,13 +98,13 @@ public:
   bool is_open()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return is_open_ && (policy_ != GoalPolicy::reject || goals_.empty());
+    return is_open_ && policy_.takes_beside(goals_.size());
   }
 
   void push(const Pointer & goal)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (policy_ == GoalPolicy::replace) {
+    if (policy_.kind == GoalPolicy::replace) {
       ask_all_to_end();
     }
     if (!is_open_) {
@@ -132,7 +153,7 @@ private:
   bool is_open_ = false;
 };
 
-/// Serves an action, one goal at a time, in a thread of its own.
+/// Serves an action in threads of its own, one goal at a time or several.
 template<typename Action>
 class ActionServer : public ActionServerBase
 {
@@ -172,12 +193,12 @@ public:
     Method method,
     const Accept & accepts = nullptr)
   : goals_(std::make_shared<Goals<Action>>(policy)),
-    worker_(std::make_shared<JobThread>(name))
+    worker_(std::make_shared<GoalThreads>(name, policy.kind == GoalPolicy::parallel))
   {
     const Execute execute = [logic, method](Goal<Action> & goal) {(logic.get()->*method)(goal);};
     const std::string label = "action " + name;
     typename Server::AcceptedCallback accept =
-      [goals = goals_, worker = std::weak_ptr<JobThread>(worker_), calls = node.calls(),
+      [goals = goals_, worker = std::weak_ptr<GoalThreads>(worker_), calls = node.calls(),
         logger = node.get_logger(), label, execute](const auto & handle) {
         const auto goal = std::make_shared<ServedGoal<Action>>(handle);
         goals->push(goal);
@@ -279,7 +300,7 @@ private:
   }
 
   std::shared_ptr<Goals<Action>> goals_;
-  std::shared_ptr<JobThread> worker_;
+  std::shared_ptr<GoalThreads> worker_;
   std::shared_ptr<Server> server_;
 };
 

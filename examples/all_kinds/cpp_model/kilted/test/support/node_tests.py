@@ -239,7 +239,7 @@ class NodeTests:
 
     def test_action_servers(self):
         """Every action gets its goals and cancels, and sends feedback, results and outcomes."""
-        for member, name, type_, policy in self.each('execute_'):
+        for member, name, type_, policy, *_ in self.each('execute_'):
             types = (type_.Goal, type_.Feedback, type_.Result)
             request, feedback, result = map(sample, types, (3, 5, 7))
             steps = f'feedback={encode(feedback)}', f'result={encode(result)}'
@@ -273,9 +273,29 @@ class NodeTests:
             self.assertIsNone(self.peer.goal(self.node, type_, name, request))
             self.assertTrue(self.peer.change(self.node, 'activate'))
 
+    def test_parallel_goals(self):
+        """As many goals as there may be are executed at once, each with its own result and end."""
+        for member, name, type_, policy, *most in self.each('execute_'):
+            if policy != 'parallel':
+                continue
+            types = (type_.Goal, type_.Feedback, type_.Result)
+            request = sample(types[0], 3)
+            results = [sample(types[2], number) for number in range(*most)]
+            goals = []
+            begun = self.node.got('begun').count('await')
+            for result in results:
+                self.node.order(member, 'result=' + encode(result), 'await', 'end=canceled')
+                goals.append(self.peer.goal(self.node, type_, name, request))
+                begun += 1
+                self.assertTrue(eventually(lambda: self.node.got('begun').count('await') == begun))
+            self.assertIsNone(self.peer.goal(self.node, type_, name, request))
+            for goal, result in zip(reversed(goals), reversed(results)):
+                goal.cancel()
+                self.assertEqual(goal.end(), ('canceled', result))
+
     def test_accepted_goals(self):
         """The logic gets the goals to accept; one that it refuses leaves the current one alone."""
-        for member, name, type_, policy in self.each('accept_'):
+        for member, name, type_, policy, *_ in self.each('accept_'):
             request = sample((type_.Goal, type_.Feedback, type_.Result)[0], 3)
             self.node.order(member, 'refuse')
             self.assertIsNone(self.peer.goal(self.node, type_, name, request))

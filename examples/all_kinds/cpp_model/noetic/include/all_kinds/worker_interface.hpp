@@ -63,6 +63,13 @@ struct ComputeAction
   using Feedback = test_msgs::FibonacciFeedback;
   using Result = test_msgs::FibonacciResult;
 };
+struct MeasureAction
+{
+  using Type = test_msgs::FibonacciAction;
+  using Goal = test_msgs::FibonacciGoal;
+  using Feedback = test_msgs::FibonacciFeedback;
+  using Result = test_msgs::FibonacciResult;
+};
 using Transform = geometry_msgs::TransformStamped;
 
 }  // namespace worker_types

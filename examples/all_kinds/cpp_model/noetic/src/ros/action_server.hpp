@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "actionlib/server/action_server.h"
 #include "ros/console.h"
@@ -26,10 +29,29 @@
 namespace all_kinds
 {
 
-/// What becomes of a goal that comes while another is executed.
-enum class GoalPolicy {replace, queue, reject};
+/// What becomes of a goal that comes while others are executed.
+struct GoalPolicy
+{
+  enum Kind {replace, queue, reject, parallel};
 
-/// Serves an action: executes one goal at a time in a thread of its own.
+  /// Execute `at_once` goals at once: one, but where they are executed in parallel.
+  GoalPolicy(Kind kind, std::size_t at_once = 1)  // NOLINT(runtime/explicit)
+  : kind(kind),
+    at_once(at_once)
+  {
+  }
+
+  /// Return whether a goal is taken beside so many others.
+  bool takes_beside(std::size_t others) const
+  {
+    return kind == replace || kind == queue || others < at_once;
+  }
+
+  Kind kind;
+  std::size_t at_once;
+};
+
+/// Serves an action: executes one goal at a time in a thread of its own, or several in several.
 ///
 /// To be destroyed when ROS takes no more goals: actionlib 1.14 destroys its publishers first.
 template<typename Action>
@@ -67,7 +89,21 @@ public:
       },
       false)
   {
-    start([this] {work();});
+    start(
+      [this] {
+        std::vector<std::thread> others;
+        while (others.size() + 1 < policy_.at_once) {
+          others.emplace_back(
+            [this] {
+              name_this_thread(this->name());
+              work();
+            });
+        }
+        work();
+        for (auto & other : others) {
+          other.join();
+        }
+      });
     server_.start();
   }
 
@@ -82,21 +118,21 @@ public:
       stopped_ = true;
       waiting.swap(waiting_);
     }
-    changed_.notify_one();
+    changed_.notify_all();
     for (auto & handle : waiting) {
       handle.setAborted(Result(), "The node stops.");
     }
   }
 
-  /// Abort the current goal, whose execution does not end.
+  /// Abort the current goals, whose execution does not end.
   void abandon() override
   {
-    std::shared_ptr<ServedGoal> goal;
+    std::vector<std::shared_ptr<ServedGoal>> goals;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      goal.swap(current_);
+      goals.swap(current_);
     }
-    if (goal) {
+    for (const auto & goal : goals) {
       goal->handle.setAborted(Result(), "The node stops.");
     }
   }
@@ -140,10 +176,10 @@ private:
     std::deque<Handle> replaced;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      if (policy_ == GoalPolicy::replace) {
+      if (policy_.kind == GoalPolicy::replace) {
         replaced.swap(waiting_);
-        if (current_) {
-          current_->canceled = true;
+        for (const auto & goal : current_) {
+          goal->canceled = true;
         }
       }
       if (!stopped_) {
@@ -163,16 +199,18 @@ private:
   bool is_refused()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return stopped_ || (policy_ == GoalPolicy::reject && (current_ || !waiting_.empty()));
+    return stopped_ || !policy_.takes_beside(current_.size() + waiting_.size());
   }
 
   void cancel(Handle & handle)
   {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      if (current_ && current_->handle == handle) {
-        current_->canceled = true;
-        return;
+      for (const auto & goal : current_) {
+        if (goal->handle == handle) {
+          goal->canceled = true;
+          return;
+        }
       }
       const auto found = std::find(waiting_.begin(), waiting_.end(), handle);
       if (found == waiting_.end()) {
@@ -201,17 +239,20 @@ private:
     if (stopped_ || supervisor_.stopping()) {
       return nullptr;
     }
-    current_ = std::make_shared<ServedGoal>(waiting_.front(), supervisor_);
+    current_.push_back(std::make_shared<ServedGoal>(waiting_.front(), supervisor_));
     waiting_.pop_front();
-    return current_;
+    return current_.back();
   }
 
   /// Return whether the goal has not been abandoned.
   bool finish(const std::shared_ptr<ServedGoal> & goal)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const bool is_current = current_ == goal;
-    current_ = nullptr;
+    const auto found = std::find(current_.begin(), current_.end(), goal);
+    const bool is_current = found != current_.end();
+    if (is_current) {
+      current_.erase(found);
+    }
     return is_current;
   }
 
@@ -248,7 +289,7 @@ private:
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Handle> waiting_;
-  std::shared_ptr<ServedGoal> current_;
+  std::vector<std::shared_ptr<ServedGoal>> current_;
   bool stopped_ = false;
   Server server_;
 };

@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""An action server that executes one goal at a time."""
+"""An action server that executes one goal at a time, or several."""
 
 from __future__ import annotations
 
@@ -74,6 +74,10 @@ class Goal:
         """Have the server execute the goal."""
         self._handle.execute()
 
+    def is_of(self, handle: ServerGoalHandle[Any, Any, Any]) -> bool:
+        """Return whether this is the goal of a handle."""
+        return self._handle is handle
+
     async def execute(self, thread: CallbackThread) -> None:
         """Have the logic execute the goal, unless it is canceled already; send its outcome."""
         if not self.cancel_requested:
@@ -91,10 +95,10 @@ class Goal:
 
 class ActionServer:
     """
-    An action server with one goal at a time.
+    An action server with one goal at a time, or several.
 
     new_goal: how to treat a goal that comes while another is executed: let it `replace` the other,
-    put it into a `queue`, or `reject` it.
+    put it into a `queue`, `reject` it, or execute it in `parallel`, if a thread is free.
     asks: the thread of the method that says which goals the logic accepts, if it does.
     """
 
@@ -115,7 +119,7 @@ class ActionServer:
         self._new_goal = new_goal
         self._asks = asks
         self._open = False
-        self._goals: list[Goal] = []  # the first is being executed
+        self._goals: list[Goal] = []
         self._server = RosActionServer(
             node,
             action_type,
@@ -144,21 +148,26 @@ class ActionServer:
         return GoalResponse.ACCEPT if is_accepted else GoalResponse.REJECT
 
     def _is_welcome(self) -> bool:
-        return self._open and not (self._goals and self._new_goal == 'reject')
+        return self._open and not self._is_full()
+
+    def _is_full(self) -> bool:
+        is_limited = self._new_goal in ('reject', 'parallel')
+        return is_limited and len(self._goals) >= self._thread.count
 
     def _accept(self, handle: ServerGoalHandle[Any, Any, Any]) -> None:
         if self._new_goal == 'replace':
             for goal in self._goals:
                 goal.replace()
-        self._goals.append(Goal(handle, self._action_type, self._stop))
-        if len(self._goals) == 1:
-            self._goals[0].start()
+        goal = Goal(handle, self._action_type, self._stop)
+        self._goals.append(goal)
+        if len(self._goals) <= self._thread.count:
+            goal.start()
 
-    async def _execute(self, _handle: ServerGoalHandle[Any, Any, Any]) -> Any:
-        """Execute the first goal and start the next."""
-        goal = self._goals[0]
+    async def _execute(self, handle: ServerGoalHandle[Any, Any, Any]) -> Any:
+        """Execute a goal and start the next that waits."""
+        goal = next(goal for goal in self._goals if goal.is_of(handle))
         await goal.execute(self._thread)
         self._goals.remove(goal)
-        if self._goals:
-            self._goals[0].start()
+        if len(self._goals) >= self._thread.count:
+            self._goals[self._thread.count - 1].start()
         return goal.result

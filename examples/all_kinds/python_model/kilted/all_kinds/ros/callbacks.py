@@ -10,7 +10,7 @@ from queue import SimpleQueue
 from typing import Any, Optional, TYPE_CHECKING
 
 from all_kinds.ros.awaiting import executor_of, first
-from all_kinds.ros.worker import Worker
+from all_kinds.ros.worker import Workers
 
 if TYPE_CHECKING:
     from all_kinds.ros.managed_node import ManagedNode
@@ -21,15 +21,20 @@ class NoResponse(Exception):
 
 
 class CallbackThread:
-    """A thread that runs one callback, one call at a time, while the executor goes on."""
+    """
+    A thread that runs one callback, one call at a time, while the executor goes on.
 
-    def __init__(self, node: ManagedNode, name: str, method: str) -> None:
+    count: how many such threads there are, for as many calls at once.
+    """
+
+    def __init__(self, node: ManagedNode, name: str, method: str, count: int = 1) -> None:
         """Start the thread, named after a topic, service or action."""
+        self.count = count
         self.name = name
         self._unanswered: dict[Future[None], str] = {}
         self._node = node
         self._method = method
-        self._worker = Worker(name)
+        self._worker = Workers(name, count)
 
     async def run(self, *arguments: Any, until: Optional[Future[None]] = None) -> Any:
         """Run the callback; return None if it fails, the node stops or `until` comes first."""
@@ -86,7 +91,7 @@ class CallbackThread:
         The executor would keep the interpreter until it waits again; so a short call has returned
         by now. A thread that is not free has a call that was given up.
         """
-        is_free = not self.is_running()
+        is_free = len(self._worker.pending()) < self.count
         begun: SimpleQueue[None] = SimpleQueue()
 
         def run() -> Any:

@@ -229,10 +229,10 @@ class ManagedNode(LifecycleNode):
         self._clean_up()
         return TransitionCallbackReturn.SUCCESS
 
-    def _callback(self, name: str, method: str) -> CallbackThread:
+    def _callback(self, name: str, method: str, count: int = 1) -> CallbackThread:
         """Return the thread of a callback of the logic, the same in every activation."""
         if method not in self._threads:
-            self._threads[method] = CallbackThread(self, name, method)
+            self._threads[method] = CallbackThread(self, name, method, count)
         return self._threads[method]
 
     def _declare(self, name: str, value: Any, descriptor: ParameterDescriptor) -> None:
@@ -390,9 +390,10 @@ class ManagedNode(LifecycleNode):
         method: str,
         new_goal: str,
         accept: str = '',
+        at_once: int = 1,
     ) -> ActionServer:
         """Create a server of an action; it stays until the node is destroyed."""
-        callback = self._callback(name, method)
+        callback = self._callback(name, method, at_once)
         asks = self._callback(name, accept) if accept else None
         server = ActionServer(self, action_type, name, callback, self.stop, new_goal, asks)
         self._action_servers.append(server)

@@ -51,6 +51,22 @@ class Worker:
             del future, call  # release them before waiting for the next call
 
 
+class Workers(Worker):
+    """Daemon threads of one name; each call submitted runs in the first that is free."""
+
+    def __init__(self, name: str, count: int) -> None:
+        """Start the threads."""
+        super().__init__(name)
+        self._count = count
+        for _ in range(count - 1):
+            Thread(target=self._work, name=name, daemon=True).start()
+
+    def close(self) -> None:
+        """End the threads after the calls submitted so far."""
+        for _ in range(self._count):
+            super().close()
+
+
 def show_name(name: str) -> None:
     """Show a name for this thread in tools such as top, on Linux."""
     with suppress(OSError):

@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""An action server that executes one goal at a time."""
+"""An action server that executes one goal at a time, or several."""
 
 from __future__ import annotations
 
@@ -108,10 +108,10 @@ class Goal:
 
 class ActionServer:
     """
-    An action server with one goal at a time.
+    An action server with one goal at a time, or several.
 
     new_goal: how to treat a goal that comes while another is executed: let it `replace` the other,
-    put it into a `queue`, or `reject` it.
+    put it into a `queue`, `reject` it, or execute it in `parallel`, if a thread is free.
     asks: the thread of the method that says which goals the logic accepts, if it does.
     """
 
@@ -131,7 +131,7 @@ class ActionServer:
         self._new_goal = new_goal
         self._asks = asks
         self._undecided: List[ServerGoalHandle] = []
-        self._goals: List[Goal] = []  # the first is being executed
+        self._goals: List[Goal] = []
         self._server = RosActionServer(name, action_type, self._take, auto_start=False)
         self._server.start()
 
@@ -166,7 +166,7 @@ class ActionServer:
             handle.set_rejected()
 
     def _is_welcome(self) -> bool:
-        return not (self._stop.requested or (self._goals and self._new_goal == 'reject'))
+        return not (self._stop.requested or self._is_full())
 
     def _accept(self, handle: ServerGoalHandle) -> None:
         if self._new_goal == 'replace':
@@ -176,6 +176,10 @@ class ActionServer:
         goal = Goal(handle, self._action_type, self._stop)
         self._goals.append(goal)
         self._thread.execute(goal, self._end)
+
+    def _is_full(self) -> bool:
+        is_limited = self._new_goal in ('reject', 'parallel')
+        return is_limited and len(self._goals) >= self._thread.count
 
     def _end(self, goal: Goal) -> None:
         self._goals.remove(goal)

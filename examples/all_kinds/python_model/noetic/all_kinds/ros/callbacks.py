@@ -8,7 +8,7 @@ from __future__ import annotations
 from concurrent.futures import Future
 from typing import Any, Callable, Dict, TYPE_CHECKING
 
-from all_kinds.ros.worker import Worker
+from all_kinds.ros.worker import Workers
 import rospy
 
 if TYPE_CHECKING:
@@ -16,14 +16,19 @@ if TYPE_CHECKING:
 
 
 class CallbackThread:
-    """A thread that runs one callback of the logic, one call at a time."""
+    """
+    A thread that runs one callback of the logic, one call at a time.
 
-    def __init__(self, node: ManagedNode, name: str, method: str) -> None:
+    count: how many such threads there are, for as many calls at once.
+    """
+
+    def __init__(self, node: ManagedNode, name: str, method: str, count: int = 1) -> None:
         """Start the thread, named after a topic, service or action."""
+        self.count = count
         self._node = node
         self._method = method
         self._name = name
-        self._worker = Worker(name)
+        self._worker = Workers(name, count)
 
     def run(self, *arguments: Any) -> Any:
         """Run the callback; return None if it fails or the node stops."""

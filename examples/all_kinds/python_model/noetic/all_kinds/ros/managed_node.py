@@ -123,10 +123,10 @@ class ManagedNode:
             running.update(callback.running())
         return running
 
-    def _callback(self, name: str, method: str) -> CallbackThread:
+    def _callback(self, name: str, method: str, count: int = 1) -> CallbackThread:
         """Return the thread of a callback of the logic."""
         if method not in self._callbacks:
-            self._callbacks[method] = CallbackThread(self, name, method)
+            self._callbacks[method] = CallbackThread(self, name, method, count)
         return self._callbacks[method]
 
     def _client(self, name: str, client: Any) -> Any:
@@ -147,9 +147,10 @@ class ManagedNode:
         method: str,
         new_goal: str,
         accept: str = '',
+        at_once: int = 1,
     ) -> None:
         """Create a server of an action that a method of the logic executes."""
-        thread = self._callback(name, method)
+        thread = self._callback(name, method, at_once)
         asks = self._callback(name, accept) if accept else None
         self._action_servers.append(
             ActionServer(name, action_type, thread, self.stop, new_goal, asks)

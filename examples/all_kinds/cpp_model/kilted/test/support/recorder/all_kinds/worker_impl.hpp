@@ -144,6 +144,12 @@ public:
     return recorder_.run(recorder_.next("accept_compute"));
   }
 
+  void execute_measure(Goal<worker_types::MeasureAction> & goal)
+  {
+    report("execute_measure", encode(goal.request));
+    recorder_.run(recorder_.next("execute_measure"), executes(goal));
+  }
+
   void read()
   {
     recorder_.take_turn("read");
