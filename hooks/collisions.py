@@ -14,7 +14,7 @@ from typing import Any
 
 from .faults import SpecError, shown
 from .parse import Element
-from .words import meaning
+from .words import DEVICES, meaning
 
 Filters = Mapping[str, Callable[..., Any]]
 
@@ -92,8 +92,9 @@ def collisions(
 
 def _reservation(name: str, reserved: str, ros: int | None) -> str:
     if reserved.startswith("a "):
-        found = meaning(name, [reserved], [ros] if ros else [])
-        return f"{found}, so reserved" if found else ""
+        words = name.lower().split("/") if reserved in DEVICES else [name]  # parts of a path
+        found = [meaning(word, [reserved], [ros] if ros else []) for word in words]
+        return f"{max(found)}, so reserved" if any(found) else ""
     return "reserved" if re.fullmatch(reserved, name) else ""
 
 

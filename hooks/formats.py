@@ -29,7 +29,7 @@ TYPES_OF_ROS: dict[str, dict[str, list[str]]] = {
 """The types that come with ROS: by package and folder, their names."""
 BLANKS = " \t\r\n"
 """What is a blank in XML: around a word, it has no meaning."""
-_LONGEST_NAME = 100
+LONGEST_NAME = 100
 _BIDIRECTIONAL = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
 
 
@@ -59,8 +59,8 @@ def _match(pattern: str, value: str, complaint: str, id_: str) -> re.Match[str]:
     match = re.fullmatch(pattern, value, re.ASCII)
     if not match:
         raise SpecError(f"{quoted(value)} is {complaint}", id_)
-    if len(value) > _LONGEST_NAME:
-        what = f"{quoted(value)} is too long; allowed: {_LONGEST_NAME} characters"
+    if len(value) > LONGEST_NAME:
+        what = f"{quoted(value)} is too long; allowed: {LONGEST_NAME} characters"
         raise SpecError(what, "too-long")
     return match
 

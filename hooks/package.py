@@ -113,10 +113,11 @@ class Package:
         """
         name = re.sub(r"[^a-z0-9]+", "_", self.folder.name.lower()).strip("_")
         name = name if re.match(r"[a-z]", name) else f"pkg_{name}".rstrip("_")
+        name = name[: formats.LONGEST_NAME]
         login = _login()
         someone = f"{re.sub(r'[^a-z0-9]', '', login.lower()) or 'user'}@todo.todo"
         return {
-            "folder": _valid(formats.package_name, name, f"{name}_pkg"),
+            "folder": _valid(formats.FORMATS["package_name"], name, f"{name}_pkg"),
             "user": _setting("user.name") or login,
             "email": _valid(formats.email, _setting("user.email"), someone),
             "year": str(date.today().year),

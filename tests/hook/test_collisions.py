@@ -174,6 +174,17 @@ def test_devices_of_windows_are_no_names_of_files(name):
     assert FORMATS["ros_name"](name) == FORMATS["field_name"](name) == name
 
 
+@pytest.mark.parametrize("name", ["con", "left/NUL", "com1/arm", "Aux"])
+@pytest.mark.parametrize("model", ["python_model", "cpp_model"])
+def test_devices_of_windows_are_no_names_of_parameter_files(name, model):
+    """A node that is started by a name has config/NAME.yaml."""
+    inside = f'<instance name="{name}"/>', '<timer name="aux" frequency="1"/>'
+    assert "is a device of Windows, so reserved as file in config" in refusal(
+        model, spec(node(*inside))
+    )
+    assert context(model, spec(node(inside[0].replace(name, "left/base"), inside[1])))
+
+
 def test_what_packages_import_is_reserved():
     """A package of that name would hide it from itself."""
     folders = list(EXAMPLES.glob("all_kinds/*/*"))

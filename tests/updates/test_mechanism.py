@@ -75,7 +75,14 @@ def test_copy_without_spec_starts_from_an_example(collection, copier_command, tm
 
 @pytest.mark.parametrize(
     ("folder", "name"),
-    [("2nd", "pkg_2nd"), ("class", "class_pkg"), ("日本", "pkg"), ("x", "x_pkg")],
+    [
+        ("2nd", "pkg_2nd"),
+        ("class", "class_pkg"),
+        ("日本", "pkg"),
+        ("x", "x_pkg"),
+        ("con", "con_pkg"),
+        ("r" * 120, "r" * 100),
+    ],
 )
 def test_folder_names_become_package_names(collection, copier_command, tmp_path, folder, name):
     data = ("-d", "model=python_model")
