@@ -340,6 +340,8 @@ class _Checker:
         """Return the values of one element; `scope` is where those that name it are unique."""
         if element.text:
             what = f"text is not allowed here: {quoted(element.text)}"
+            if re.match("//|#|/[*]|--", element.text):
+                what += "; a comment is <!-- ... -->"
             self.fault(element, what, "text-not-allowed")
         known = {**known, WAS: NAME_BEFORE} if has_name else known
         for name in element.attributes:

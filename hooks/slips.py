@@ -45,11 +45,27 @@ def _in_text(text: str, before: str, after: str) -> str | None:
         return "write & as &amp;"
     if found := re.match(rf"[^&]*{_ENTITY}(\w+);", after):
         return f"&{found[1]}; is no word of XML; write the character itself"
+    if before.endswith("<") and after.startswith("/") and _is_closed(before[:-1]):
+        return _OTHERS[expat.errors.XML_ERROR_JUNK_AFTER_DOC_ELEMENT]
+    if re.search(r"<!-?$", before):
+        return "a comment begins with <!-- and ends with -->"
+    if found := re.search(r"</([\w:.-]+)\s*/?$", before):
+        name = shown(found[1])
+        return f"</{name}> has nothing but its name" if after else f"</{name}> lacks its >"
     if before.endswith(("<", "</")):
         return "after < comes the name of a tag, with no blank between; write < itself as &lt;"
     if after[:1] and not after[0].isprintable() and after[0] not in " \t\r\n":
         return f"U+{ord(after[0]):04X} is no blank and no text; drop it"
     return None
+
+
+def _is_closed(text: str) -> bool:
+    """Say whether a text is well-formed XML by itself."""
+    try:
+        expat.ParserCreate().Parse(text, True)
+    except expat.ExpatError:
+        return False
+    return True
 
 
 def _in_tag(before: str, after: str) -> str | None:
@@ -68,7 +84,10 @@ def _in_tag(before: str, after: str) -> str | None:
             return f"blanks separate attributes; drop {quoted(sign)}"
         if sign == "<":
             return _no_end(before, tag)
-        return "after the value of an attribute comes a blank, > or />"
+        inside = "a quote in a value is &quot; or &apos;"
+        return f"after the value of an attribute comes a blank, > or />; {inside}"
+    if rest[-1:].isspace() and re.match(r"[\d.-]", after):
+        return f"the name of an attribute begins with a letter, not with {quoted(sign)}"
     if rest.endswith("/"):
         return "/ and > of /> stand together"
     if sign == "<":
@@ -91,7 +110,7 @@ def _in_value(before: str, tag: str, start: str, after: str) -> str:
 
 
 def _word(text: str) -> str:
-    found = re.match(r"[^\s<>/\"'=]+", text)
+    found = re.match(r"[^\s<>/?\"'=]+", text)
     return shown(found[0]) if found else "..."
 
 

@@ -8,6 +8,7 @@ from hooks.parse import parse
 from support.repository import ROOT
 
 PACKAGE = '<package name="p" author="A">\n  <node name="n"{}\n</package>'
+AFTER = "after the value of an attribute comes a blank, > or />"
 QUOTES = "after frequency= comes the value in quotes: frequency="
 
 
@@ -56,6 +57,17 @@ QUOTES = "after frequency= comes the value in quotes: frequency="
         ("/> <!-- a", "2: the comment is not closed; end it with -->"),
         ("/> <![CDATA[ a", "3: <![CDATA[ is not closed"),
         (' name="m"/>', "2: name is given twice"),
+        ("/>\n<!- a -->", "3: a comment begins with <!--"),
+        ("/>\n<! a >", "3: a comment begins with <!--"),
+        ("></node name>", "2: </node> has nothing but its name"),
+        ("></node/>", "2: </node> has nothing but its name"),
+        (' 1st="m"/>', '2: the name of an attribute begins with a letter, not with "1"'),
+        (
+            ' frequency="10" -x="m"/>',
+            '2: the name of an attribute begins with a letter, not with "-"',
+        ),
+        (' description="the "best" of all"/>', f"2: {AFTER}; a quote in a value is &quot;"),
+        (" description='it's'/>", f"2: {AFTER}; a quote in a value is &quot; or &apos;"),
     ],
 )
 def test_slip_in_a_tag(rest, says):
@@ -81,6 +93,13 @@ def test_slip_in_a_tag(rest, says):
         ("<package/>\n<package/>", "2: nothing may follow </package>"),
         ("<package/>\nend", "2: nothing may follow </package>"),
         ("<package></Package>", "1: <package> of line 1 is not closed"),
+        ("<package></package></package>", "1: nothing may follow </package>"),
+        ("<package/>\n</package>", "2: nothing may follow </package>"),
+        ("<package></package", "1: </package> lacks its >"),
+        (
+            "<?xml version=1.0?><package/>",
+            '1: after version= comes the value in quotes: version="1.0"',
+        ),
     ],
 )
 def test_slip_outside(text, says):
@@ -374,3 +393,10 @@ def test_cure_of_what_stands_elsewhere(model, inside, says):
         Model(ROOT / model, ROOT).context(ITEM.format(inside).encode(), "spec", "kilted")
     (message,) = str(raised.value).splitlines()
     assert says in message
+
+
+@pytest.mark.parametrize("text", ["// a note", "# a note", "/* a note */", "-- a note"])
+def test_comment_of_another_language(text):
+    with pytest.raises(SpecError) as raised:
+        Model(ROOT / "cpp_model", ROOT).context(ITEM.format(text).encode(), "spec", "kilted")
+    assert f'not allowed here: "{text}"; a comment is <!-- ... -->' in str(raised.value)
