@@ -118,3 +118,18 @@ def test_folder_of_a_model_in_a_clone(model, copier_command, tmp_path):
     said = result.stdout + result.stderr
     assert f"copy from the folder above, with -d model={model}\n" in said
     assert not (tmp_path / "arm").exists()
+
+
+def test_starter_in_a_clone(copier_command, github, tmp_path):
+    """It is published first; from there, nothing is said of it."""
+    options = ("copy", "--defaults", "--trust")
+    result = copier_command(*options, ROOT / "starter_model", "our_model", cwd=tmp_path)
+    assert result.returncode != 0
+    told = "publish it first, as docs/designers.md says\n"
+    assert told in result.stdout + result.stderr
+    assert "scripts/publish.py starter_model" in (ROOT / "docs/designers.md").read_text()
+    *_, environment = github
+    published = (*options, "gh:org/starter_model", "our_model")
+    result = copier_command(*published, cwd=tmp_path, **environment)
+    assert result.returncode == 0, result.stderr
+    assert "is a part of a collection" not in result.stdout + result.stderr
