@@ -105,6 +105,15 @@ def test_one_function_of_the_hooks_runs_git():
     assert [file.relative_to(ROOT).as_posix() for file in files] == ["hooks/git.py"]
 
 
+def test_changelog_has_the_version():
+    """What a user gets, in a few lines; a person tags it, as docs/releasing.md says."""
+    version = re.search(r'^version = "(.+)"$', (ROOT / "pyproject.toml").read_text(), re.M)[1]
+    first, *versions = re.split(r"^## ", (ROOT / "CHANGELOG.md").read_text(), flags=re.M)[1:]
+    assert first.startswith("Unreleased\n")
+    (text,) = [each for each in versions if each.startswith(f"{version}\n")]
+    assert 5 < len(re.findall("^- ", text, re.M)) < 13
+
+
 LISTS = {
     "README.md": r"chooses the ROS \(([\w, ]+)\)",
     ".github/workflows/test.yml": r"distro: \[([\w, ]+)\]",
