@@ -102,7 +102,10 @@ def test_readme_says_what_a_node_does_beside_its_interfaces(render, distro):
     assert "| `replace` | action served; a new goal replaces the current one |" in text
     assert "| `queue` | action served; a new goal waits |" in text
     assert "| `reject` | action served; a new goal is rejected |" in text
-    assert "| `parallel` | action served; a new goal is executed beside the others, 8 in all |" in text
+    assert (
+        "| `parallel` | action served; a new goal is executed beside the others, 8 in all |"
+        in text
+    )
 
 
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
