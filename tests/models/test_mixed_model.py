@@ -42,7 +42,10 @@ def of_language(language):
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_files_of_a_language_are_those_of_its_model(language):
-    """Each is one include; no file of the model is forgotten, none has another path or mode."""
+    """Each is one include; no file of the model is forgotten, none has another path or mode.
+
+    Decision 145.
+    """
     model = ROOT / f"{language}_model/template"
     found = of_language(language)
     included = {
