@@ -174,10 +174,14 @@ public:
     AcceptMethod<Logic> accept)
   : ActionServer(
       node, name, policy, logic, method,
-      [logic, accept, calls = node.calls(), label = "action " + name](const auto & request) {
+      [logic = std::weak_ptr<Logic>(logic), accept, calls = node.calls(),
+      label = "action " + name](const auto & request) {
         bool is_accepted = false;
         calls->run(
-          calls->pass(), label, [&] {is_accepted = (logic.get()->*accept)(request);});
+          calls->pass(), label, [&] {
+            const auto owned = logic.lock();
+            is_accepted = owned && (owned.get()->*accept)(request);
+          });
         return is_accepted;
       })
   {
@@ -195,7 +199,12 @@ public:
   : goals_(std::make_shared<Goals<Action>>(policy)),
     worker_(std::make_shared<GoalThreads>(name, policy.kind == GoalPolicy::parallel))
   {
-    const Execute execute = [logic, method](Goal<Action> & goal) {(logic.get()->*method)(goal);};
+    // A waiting executor of rclcpp 29.3 owns its action servers: they do not own the logic.
+    const Execute execute = [logic = std::weak_ptr<Logic>(logic), method](Goal<Action> & goal) {
+        if (const auto owned = logic.lock()) {
+          (owned.get()->*method)(goal);
+        }
+      };
     const std::string label = "action " + name;
     typename Server::AcceptedCallback accept =
       [goals = goals_, worker = std::weak_ptr<GoalThreads>(worker_), calls = node.calls(),

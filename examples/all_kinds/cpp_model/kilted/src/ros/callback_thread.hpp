@@ -63,9 +63,6 @@ public:
 
   const rclcpp::CallbackGroup::SharedPtr & group() const {return spinner_->group;}
 
-  /// Let go of entities that have been dropped: an executor of rclcpp 29.3 holds what it waits for.
-  void release() {spinner_->group->trigger_notify_guard_condition();}
-
 private:
   struct Spinner
   {

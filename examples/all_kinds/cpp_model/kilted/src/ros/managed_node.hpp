@@ -569,9 +569,6 @@ private:
     session_->cancel_goals(Stop::deadline(stop_timeout()));
     session_->flush(Stop::deadline(timeouts::RECEIVE));
     session_.reset();
-    for (const auto & [name, thread] : callback_threads_) {
-      thread->release();
-    }
   }
 
   rclcpp::Context::SharedPtr context_;

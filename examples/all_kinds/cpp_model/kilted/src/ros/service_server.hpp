@@ -29,14 +29,20 @@ std::shared_ptr<void> create_service_server(
 {
   return node.create_service<Service>(
     name,
-    [calls = node.calls(), pass = node.calls()->pass(), name, logic, serve](
+    // A waiting executor of rclcpp 29.3 owns its services: they do not own the logic.
+    [calls = node.calls(), pass = node.calls()->pass(), name,
+    logic = std::weak_ptr<Logic>(logic), serve](
       std::shared_ptr<rclcpp::Service<Service>> server,
       std::shared_ptr<rmw_request_id_t> id,
       std::shared_ptr<typename Service::Request> request) {
       calls->run(
         pass, "service " + name, [&] {
+          const auto owned = logic.lock();
+          if (!owned) {
+            return;
+          }
           typename Service::Response response;
-          (logic.get()->*serve)(*request, response);
+          (owned.get()->*serve)(*request, response);
           try {
             server->send_response(*id, response);
           } catch (const std::exception &) {

@@ -65,9 +65,15 @@ public:
     void (Logic::* receive)(const Message &),
     const rclcpp::QoS & qos = rclcpp::QoS(10))
   {
-    const auto handle = [logic, receive, calls = node.calls(), pass = node.calls()->pass(),
-        label = "topic " + topic](const Message & message) {
-        calls->run(pass, label, [&] {(logic.get()->*receive)(message);});
+    // A waiting executor of rclcpp 29.3 owns its subscriptions: they do not own the logic.
+    const auto handle = [logic = std::weak_ptr<Logic>(logic), receive, calls = node.calls(),
+        pass = node.calls()->pass(), label = "topic " + topic](const Message & message) {
+        calls->run(
+          pass, label, [&] {
+            if (const auto owned = logic.lock()) {
+              (owned.get()->*receive)(message);
+            }
+          });
       };
     rclcpp::SubscriptionOptions in_its_thread;
     in_its_thread.callback_group = node.callback_group("topic", topic);
