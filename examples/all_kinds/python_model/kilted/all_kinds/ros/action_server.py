@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from concurrent.futures import Future
-from typing import Any, Optional, cast
+from typing import Any, cast, Optional
 
 from all_kinds.ros.callbacks import CallbackThread
 from all_kinds.ros.stop import Stop
