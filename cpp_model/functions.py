@@ -43,6 +43,7 @@ def dependencies_from_interface(
         "dynParameter": ["dynamic_reconfigure"] if ros1 else [],
         "listener": ["geometry_msgs", "tf2", "tf2_ros", *tf2_msgs],
         "broadcaster": ["geometry_msgs", "tf2_ros", *tf2_msgs],
+        "synchronizer": ["message_filters"],
     }.get(kind, [])
     type_ = attributes.get("type", "")
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
@@ -58,6 +59,7 @@ def added_packages(spec: dict[str, Any]) -> list[str]:
         "launch_ros",
         "launch_xml",
         "lifecycle_msgs",
+        "message_filters",
         "rcl_interfaces",
         "rclcpp",
         "rclcpp_action",
@@ -125,7 +127,7 @@ def message_packages(node: dict[str, Any]) -> list[str]:
     """Return the packages whose messages the interface of a node shows, sorted."""
     packages = {
         item["type"].split("/")[0]
-        for items in node.values()
+        for items in (*node.values(), *(each["inputs"] for each in node["synchronizers"]))
         if isinstance(items, list)
         for item in items
         if "/" in item.get("type", "")
@@ -153,6 +155,13 @@ def cpp_topic(topic: dict[str, Any], ros: int = 2, config: str = "config_") -> s
 def cpp_topic_handle(topic: dict[str, Any]) -> str:
     """Return the node handle for a topic; the name in a parameter is resolved."""
     return "node_" if topic["topic_parameter"] else ros1_handle(topic["name"])
+
+
+def cpp_input(topic: dict[str, Any], config: str) -> str:
+    """Return the name of an input in ROS 1, all of which have the node handle of one thread."""
+    if topic["topic_parameter"] or not topic["name"].startswith("~"):
+        return cpp_topic(topic, 1, config)
+    return f'ros::names::resolve("~{ros1_name(topic["name"])}", false)'
 
 
 def ros1_handle(name: str) -> str:

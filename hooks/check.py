@@ -31,7 +31,7 @@ from .parse import Element
 from .ros import DEPENDENCY_KINDS, DISTROS, lacks
 
 Values = dict[str, Any]
-_MOST_HOMES = 4
+_MOST_HOMES = 5
 """How many tags a message names that have an attribute."""
 
 
@@ -243,7 +243,18 @@ class _Checker:
                 what = f"there is one at {first.where}; put all into one"
                 self.fault(child, what, "only-one")
             values[inner.key] = found
+        for inner in kind.interfaces.values():
+            self.check_number(element, inner, len(inner.of(values)))
         return values
+
+    def check_number(self, element: Element, kind: Interface, number: int) -> None:
+        """Insist that an element holds as many of a kind as it must, and may."""
+        if number < kind.least:
+            what = f"has {number} <{kind.kind}>; it needs {kind.least} at least"
+            self.fault(element, what, "too-few")
+        elif kind.most is not None and number > kind.most:
+            what = f"has {number} <{kind.kind}>; it may have {kind.most} at most"
+            self.fault(element, what, "too-many")
 
     def check_own_types(self) -> None:
         """Insist that a type of the package itself is one that the spec declares."""

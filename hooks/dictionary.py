@@ -86,6 +86,10 @@ class Interface:
     requires: list[str] = field(default_factory=list)
     """Attributes of its owner, of which one must be given."""
     once: bool = False
+    least: int = 0
+    """How many of them must be in what may hold them."""
+    most: int | None = None
+    """How many of them may be in it."""
     takes: bool = False
     """Its owner has what stands in the element that it refers to (decision 134)."""
     interfaces: Mapping[str, Interface] = field(default_factory=dict)
@@ -555,11 +559,22 @@ class _Reader:
         return SpecError(": ".join(filter(None, (place, label, what))), id_)
 
 
-_INTERFACE_KEYS = ("attributes", "doc", "elsewhere", "requires", "once", "takes", "interface")
+_INTERFACE_KEYS = (
+    "attributes",
+    "doc",
+    "elsewhere",
+    "requires",
+    "once",
+    "least",
+    "most",
+    "takes",
+    "interface",
+)
 _SHAPES = typing.get_type_hints(Attribute)
 _WORDS = {
     str: "a text",
     bool: "true or false",
+    int: "a whole number",
     float: "a number",
     list: "a list",
     Mapping: "a mapping",

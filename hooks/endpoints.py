@@ -15,7 +15,12 @@ from .data import load_data
 from .dictionary import Dictionary, Interface
 from .parse import Element
 
-_GRAPHS = {"message_type": "topic", "service_type": "service", "action_type": "action"}
+_GRAPHS = {
+    "message_type": "topic",
+    "stamped_type": "topic",
+    "service_type": "service",
+    "action_type": "action",
+}
 _BUILT_IN: Mapping[str, Sequence[str]] = load_data("ros.yaml")["built_in"]
 
 

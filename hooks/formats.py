@@ -27,6 +27,7 @@ TYPES_OF_ROS: dict[str, dict[str, list[str]]] = {
     for package, folders in load_data("types.yaml").items()
 }
 """The types that come with ROS: by package and folder, their names."""
+_WITH_HEADER: dict[str, str] = load_data("ros.yaml")["with_header"]
 BLANKS = " \t\r\n"
 """What is a blank in XML: around a word, it has no meaning."""
 LONGEST_NAME = 100
@@ -258,6 +259,16 @@ _interface_name = _name(
 )
 
 
+def stamped_type(value: str) -> str:
+    """The type of a message with a header, as far as is known."""
+    found = _type("msg", "geometry_msgs/PointStamped")(value)
+    package, _, name = found.split("/")
+    if not re.fullmatch(_WITH_HEADER.get(package, ".*"), name):
+        what = f"{quoted(value)} has no header, and so no stamp; choose a type with one"
+        raise SpecError(what, "type-without-stamp")
+    return found
+
+
 def field_type(value: str) -> str:
     """The type of a field: primitive, `Type` of the package itself, or as a message type.
 
@@ -384,6 +395,7 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "dependency": dependency,
     "ros_name": ros_name,
     "message_type": _type("msg", "std_msgs/String"),
+    "stamped_type": stamped_type,
     "service_type": _type("srv", "std_srvs/Trigger"),
     "action_type": _type("action", "tf2_msgs/LookupTransform"),
     "interface_name": _as_file(interface_name),
@@ -417,7 +429,7 @@ FORMATS_OF_ROS: dict[int, dict[str, Callable[[str], Any]]] = {
     },
 }
 """The formats that are stricter in a generation of ROS."""
-TYPES = ("message_type", "service_type", "action_type", "field_type")
+TYPES = ("message_type", "stamped_type", "service_type", "action_type", "field_type")
 """The formats of types, which may be types that the spec itself declares."""
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from string import Template
 from xml.sax.saxutils import quoteattr
 
@@ -104,8 +105,18 @@ def _examples(owner: Interface, indent: str) -> list[str]:
     return [
         line
         for kind in owner.interfaces.values()
-        for line in _example(kind, indent, _examples(kind, indent + "  "))
+        for number in range(max(1, kind.least))
+        for line in _example(_numbered(kind, number), indent, _examples(kind, indent + "  "))
     ]
+
+
+def _numbered(kind: Interface, number: int) -> Interface:
+    """Return a kind whose example has a name of its own, where there are several."""
+    if not number or not kind.naming:
+        return kind
+    name = kind.attributes[kind.naming]
+    other = replace(name, example=f"{name.example}_{number + 1}")
+    return replace(kind, attributes={**kind.attributes, kind.naming: other})
 
 
 def _example(kind: Interface, indent: str, inside: list[str], start: str = "") -> list[str]:

@@ -29,6 +29,7 @@ def dependencies_from_interface(
         "dynParameter": ["dynamic_reconfigure"] if ros1 else [],
         "listener": ["geometry_msgs", "tf2_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
         "broadcaster": ["geometry_msgs", "tf2_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
+        "synchronizer": ["message_filters"],
     }.get(kind, [])
     type_ = attributes.get("type", "")
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages

@@ -35,6 +35,7 @@ _NODE = {
     "subscribers": [],
     "directPublishers": [],
     "directSubscribers": [],
+    "synchronizers": [{"slop": None, "inputs": []}, {"slop": 1.0, "inputs": []}],
     "serviceClients": [_SERVICE],
     "serviceServers": [_SERVICE],
     "actionServers": [{"accept": True, "goal": "parallel", "max_goals": 2}],

@@ -28,7 +28,7 @@ _TOOL = "ros_package"
 _KINDS = {
     "parameters": ("parameter", "dynParameter"),
     "publishers": ("directPublisher", "publisher"),
-    "subscriptions": ("directSubscriber", "subscriber"),
+    "subscriptions": ("directSubscriber", "subscriber", "input"),
     "service_servers": ("serviceServer",),
     "service_clients": ("serviceClient",),
     "action_servers": ("actionServer",),
@@ -158,6 +158,11 @@ def _say(document: Values, own: Values, element: Tree) -> None:
     """Say an interface in NoDL; and beside, what reading that again would not give."""
     kind, entry = element[0], _entry(element)
     if kind not in _LIST_OF:
+        inside = [each for each in element[2] if each[0] in _LIST_OF]
+        for each in inside:  # such as the inputs of a synchronizer
+            entry.pop(each[0], None)
+        for each in inside:
+            _say(document, entry, each)
         _put(own, kind, entry)
         return
     list_ = _LIST_OF[kind]
@@ -291,26 +296,41 @@ def _interfaces(
 ) -> Iterator[Tree]:
     """Yield the interfaces of a node; `kinds` has what NoDL does not say of them, by tag."""
     more: dict[tuple[str, str], list[Tree]] = {}
+    inner: list[Values] = []
+    """The attributes of what stands within another interface, which has been yielded."""
+
+    def is_whole(each: Tree) -> bool:
+        """Tell whether all of an interface is here; else wait for the rest."""
+        is_there = each[0] not in _LIST_OF or "type" in each[1]
+        if not is_there:
+            more.setdefault((_LIST_OF[each[0]], str(each[1].get("name"))), []).append(each)
+        return is_there
+
     for kind, entries in kinds.items():
         for entry in entries:
             each = _element(kind, entry)
-            if kind not in _LIST_OF or "type" in each[1]:
+            if is_whole(each):
                 yield each
-            else:
-                more.setdefault((_LIST_OF[kind], str(each[1].get("name"))), []).append(each)
+                parts = each[2] if isinstance(each[2], list) else []
+                inner += [part[1] for part in parts if not is_whole(part)]
     for list_ in _KINDS:
         for item in _listed(list_, documents):
             read = {} if _is_implied(list_, item, is_own) else _read(list_, item, notes)
             if not read:
                 continue
             kinds_of = more.get((list_, str(read.get("name")))) or [(_KINDS[list_][0], {}, [])]
-            kind, rest, inside = kinds_of.pop(0)
+            kind, own, inside = kinds_of.pop(0)
+            rest = dict(own)
             if _is_qos(rest):  # it says how the policies come about, where they still do
                 if _are_words(rest, item.get("qos", {})):
                     read = _without_qos(read)
                 else:
                     rest = _without_qos(rest)
-            yield next(iter(item)).here(kind), {**read, **rest}, inside
+            if any(own is each for each in inner):
+                own.clear()
+                own.update({**read, **rest})
+            else:
+                yield next(iter(item)).here(kind), {**read, **rest}, inside
     for (list_, name), left in more.items():
         for kind, _, _ in left:
             what = f'{kind}: no "{name}" is in {list_}; drop it'
@@ -473,6 +493,25 @@ def dependencies_from_component(
 def launched(node: dict[str, Any]) -> list[str]:
     """Return the names by which the launch file starts a node."""
     return [instance["name"] for instance in node["instances"]] or [node["name"]]
+
+
+def inputs(node: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return the inputs of the synchronizers of a node, each with its `synchronizer`."""
+    return [
+        {**item, "synchronizer": each["name"]}
+        for each in node["synchronizers"]
+        for item in each["inputs"]
+    ]
+
+
+def exact_synchronizers(spec: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return the synchronizers of a package that join messages whose stamps are equal."""
+    return [each for node in spec["nodes"] for each in node["synchronizers"] if not each["slop"]]
+
+
+def approximate_synchronizers(spec: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return the synchronizers of a package whose messages may be some time apart."""
+    return [each for node in spec["nodes"] for each in node["synchronizers"] if each["slop"]]
 
 
 def groups_of(spec: dict[str, Any], node: dict[str, Any]) -> list[dict[str, Any]]:

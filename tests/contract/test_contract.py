@@ -62,6 +62,15 @@ def needs_tf(stage):
         pytest.skip("tf2_ros is not installed")
 
 
+def joined(stage, method, told=(), **parameters):
+    """Start joiner; return it, and what tells what a synchronizer has given so far."""
+    if not stage.variant.has_filters:
+        pytest.skip("message_filters is not installed")
+    node = stage.start("joiner", *told, **parameters)
+    node.wait("activate", "end")
+    return node, lambda: [event["value"] for event in node.events(method, "begin")]
+
+
 # The five methods, and the threads
 
 
@@ -648,6 +657,17 @@ def test_failure(stage, where):
     skipped = {"configure": LIFE[1:4], "activate": ["update"]}.get(where, [])
     assert node.methods() == [name for name in LIFE if name not in skipped], node.story()
     node.expect("[ERROR]")
+
+
+@pytest.mark.parametrize("how", ["throw", "fail lost"])
+def test_failure_in_a_synchronizer(stage, how):
+    """It goes through error processing, as that of any callback."""
+    node, _ = joined(stage, "exact", [f"exact: {how}"])
+    stage.points(1.0, 1.0, "left", "joiner/right")
+    assert node.exit(SOON) == 1, node.story()
+    assert re.search("thrown on purpose|The logic failed: lost", node.log()), node.story()
+    assert node.methods() == [name for name in LIFE if name != "update"], node.story()
+    node.expect("Traceback", "[ERROR]", "[FATAL]", "Exception")
 
 
 def test_failure_while_inactive(stage):
@@ -1333,6 +1353,85 @@ def test_silence_while_inactive(stage):
     assert len(heard()) == count
     assert stage.transition("activate")
     wait_for(lambda: len(heard()) > count + 2, node.story)
+
+
+EXACT = ("left", "joiner/right")
+NEAR = ("left", "other", "elsewhere")
+
+
+def meet(stage, node, found, topics):
+    """Publish until all topics are heard; return the stamps of then and later, in s."""
+    stamps = itertools.count(1.0)
+    wait_for(lambda: stage.points(next(stamps), 0.0, *topics) or found(), node.story)
+    return stamps
+
+
+def test_exact_synchronizer(stage):
+    """It gives messages of equal stamps, in whichever order they come, and each once."""
+    node, found = joined(stage, "exact")
+    start = next(meet(stage, node, found, EXACT))
+    left, right = EXACT
+    stage.points(start, 1.0, *EXACT)
+    stage.points(start + 1.0, 2.0, left)
+    stage.points(start + 1.01, 3.0, right)
+    stage.points(start + 2.0, 4.0, right)
+    stage.points(start + 2.0, 5.0, left)
+    wait_for(lambda: [5.0, 4.0] in found(), node.story)
+    assert [each for each in found() if any(each)] == [[1.0, 1.0], [5.0, 4.0]]
+    assert node.wait("exact")["thread"] == "exact"
+    numbers = [float(number) for number in range(6, 13)]
+    for topic in EXACT:  # more than wait: the oldest go
+        for number in numbers:
+            stage.points(start + number, number, topic)
+    wait_for(lambda: [12.0, 12.0] in found(), node.story)
+    assert [first for first, _ in found() if first > 5.0] == numbers[-5:]
+
+
+def test_approximate_synchronizer(stage):
+    """It gives messages whose stamps are near each other, as soon as none can be nearer."""
+    node, found = joined(stage, "near", third_topic="elsewhere")
+    start = next(meet(stage, node, found, NEAR))
+    for value, topic in enumerate(NEAR, 1):
+        stage.points(start + 0.05 * value, float(value), topic)
+    stage.points(start + 10.0, 4.0, *NEAR[:2])
+    stage.points(start + 10.5, 5.0, NEAR[2])
+    stage.points(start + 20.0, 6.0, *NEAR)
+    wait_for(lambda: [6.0] * 3 in found(), node.story)
+    assert [each for each in found() if any(each)] == [[1.0, 2.0, 3.0], [6.0] * 3]
+    assert node.wait("near")["thread"] == "near"
+
+
+def test_synchronizer_while_inactive(stage):
+    """What came before an activation is joined with nothing after it."""
+    only_ros2(stage)
+    node, found = joined(stage, "exact")
+    stamps = meet(stage, node, found, EXACT)
+    left, right = EXACT
+    stage.points(1e6, 1.0, left)
+    stage.points(next(stamps), 2.0, *EXACT)
+    wait_for(lambda: [2.0, 2.0] in found(), node.story)  # so the first one has come, too
+    assert stage.transition("deactivate", node="joiner")
+    stage.points(next(stamps), 3.0, *EXACT, wait=False)
+    assert stage.transition("activate", node="joiner")
+    wait_for(lambda: stage.points(next(stamps), 4.0, *EXACT) or [4.0, 4.0] in found(), node.story)
+    stage.points(1e6, 5.0, right)
+    stage.points(1e6 + 1.0, 6.0, *EXACT)
+    wait_for(lambda: [6.0, 6.0] in found(), node.story)
+    assert not {(1.0, 5.0), (3.0, 3.0)} & {tuple(each) for each in found()}, node.story()
+
+
+def test_synchronizer_that_blocks(stage):
+    """It delays no other, and the log names it when the node stops."""
+    node, found = joined(
+        stage, "near", ["once exact: block 60"], stop_timeout=0.5, third_topic="elsewhere"
+    )
+    exact = itertools.count(1.0)
+    wait_for(lambda: stage.points(next(exact), 0.0, *EXACT) or node.events("exact"), node.story)
+    meet(stage, node, found, NEAR)
+    node.send_signal()
+    assert node.exit(SOON) == 1, node.story()
+    assert re.search(r"Still running when the node stops: .*exact\b", node.log()), node.story()
+    node.ended_well = False
 
 
 # Actions

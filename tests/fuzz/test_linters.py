@@ -14,7 +14,7 @@ from support import ros
 from support.direct_render import variants
 from support.fuzz import LongNames
 from support.linters import cpp_faults, leave_news, python_faults, ruff_faults, type_faults, write
-from support.packages import DISTROS, without_tf
+from support.packages import DISTROS
 from support.repository import ROOT
 
 LINTED = int(os.environ.get("FUZZ_LINTED", "8"))
@@ -64,8 +64,7 @@ def test_packages_pass_their_linters(renderers, tmp_path, ros2):
 
 def test_types_of_packages_in_ros2(renderers, tmp_path, ros2):
     distros = [distro for distro in DISTROS if distro not in ("noetic", "humble")]
-    change = str if ros.has(ros2, "tf2_ros") else without_tf
-    check_types(ros2, renderers, tmp_path, distros, change)
+    check_types(ros2, renderers, tmp_path, distros, lambda spec: ros.fitting(ros2, spec))
 
 
 def test_types_of_packages_in_ros1(renderers, tmp_path, ros1):

@@ -22,7 +22,7 @@ GENERAL = {*FORMATS, *QOS, *vars(Attribute)["__dataclass_fields__"], PACKAGE, DE
 # Tags of interfaces that are words of Python and of ROS as well.
 EVERYDAY = {"message", "service", "services", "action", "actions", "request", "response", "goal"}
 EVERYDAY |= {"result", "feedback", "field", "fields", "constant", "constants", "messages"}
-EVERYDAY |= {"folder", "folders", "group", "groups", "use", "uses"}
+EVERYDAY |= {"input", "inputs", "folder", "folders", "group", "groups", "use", "uses"}
 HOLDERS = {"passthrough"}  # and `config` and `data`, which are everyday words
 # What syntax trees, YAML, C++ and ROS's own files consist of, which the merge reads.
 SYNTAX = {"node", "nodes", "template", "type", "value", "holds", "group"}

@@ -193,7 +193,10 @@ def test_was_that_names_nothing(model, old, new, said):
     ("text", "message"),
     [
         ("{arm: {doc: an arm}}", "arm: has no attributes to tell one from another; it needs once"),
-        ("{arm: {once: true, inside: {}}}", "doc, elsewhere, requires, once, takes, interface"),
+        (
+            "{arm: {once: true, inside: {}}}",
+            "doc, elsewhere, requires, once, least, most, takes, interface",
+        ),
         ("{arm: {once: true, interface: [joint]}}", "must be a mapping of interface kinds"),
         ("{arm: {attributes: [joints], interface: {joint: [name]}}}", 'needs the key "joints"'),
         (

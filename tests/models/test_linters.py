@@ -56,7 +56,8 @@ def long_names(model, size):
     elements += [item for item in small if "name" in item[0].attributes]
     for number, (owner, values) in enumerate(elements):
         name = (string.ascii_lowercase[number] + WORD)[:size].rstrip("_").ljust(size, "x")
-        is_private = owner.attributes["name"].format == "ros_name" and number % 3 == 0
+        attribute = owner.attributes["name"]
+        is_private = attribute.format == "ros_name" and not attribute.pattern and number % 3 == 0
         values["name"] = f"~/{name}" if is_private else name
     return elements
 

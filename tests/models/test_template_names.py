@@ -10,6 +10,7 @@ from support.model_checks import Model
 from support.packages import MODELS as BOTH
 from support.packages import all_kinds
 from support.repository import EXAMPLES, ROOT, commit, git
+from support.ros import SYNCHRONIZER
 
 FILES = git(ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
 TEMPLATES = sorted(name for name in FILES if re.match(r"\w+_model/template/", name))
@@ -129,7 +130,8 @@ def test_helper_files_come_and_go(render, update, model, distro):
     full = all_kinds()
     package = render(full, model=model, ros_distro=distro)
     everything = names(package)
-    few = re.sub(r" *<(?!/|[?]|package|node|parameter|subscriber).*\n", "", full)
+    few = re.sub(SYNCHRONIZER, "", full, flags=re.DOTALL)
+    few = re.sub(r" *<(?!/|[?]|package|node|parameter|subscriber).*\n", "", few)
     file = package / "all_kinds.ros_package"
     for spec in (few, full):
         file.write_text(spec)

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from support import ros
-from support.packages import HOSTILE, MODELS, fill_in, fill_in_serving, without_tf
+from support.packages import HOSTILE, MODELS, fill_in, fill_in_serving
 from support.repository import EXAMPLES
 
 ALL_KINDS = EXAMPLES / "all_kinds.ros_package"
@@ -77,12 +77,9 @@ def ros2_spec(model, tmp_path_factory):
     ros2 = ros.ros2() or pytest.skip(ros.NO_ROS2)
     if model == "cpp_model" and not ros.has_package(ros2, "rclcpp"):
         pytest.skip("rclcpp is not installed; models/test_cpp_model.py checks what can be without")
-    if ros.has(ros2, "tf2_ros"):
-        return ALL_KINDS, ["tf"]
-    print("tf2_ros is not installed: transforms are left out")
-    spec = tmp_path_factory.mktemp("without_tf") / ALL_KINDS.name
-    spec.write_text(without_tf(ALL_KINDS.read_text()))
-    return spec, []
+    spec = tmp_path_factory.mktemp("fitting") / ALL_KINDS.name
+    spec.write_text(ros.fitting(ros2, ALL_KINDS.read_text()))
+    return spec, ["tf"] if "<listener" in spec.read_text() else []
 
 
 @pytest.fixture(scope="session")

@@ -20,7 +20,7 @@ from support import ros
 from support.linters import write
 from support.model_checks import Model
 from support.own_tests import UNTESTED, differences
-from support.packages import DATA, all_kinds, without_tf
+from support.packages import DATA, all_kinds
 from support.repository import ROOT
 
 PATIENT = f"TEST_TIMEOUT={ros.PATIENCE}"
@@ -87,7 +87,7 @@ class Python:
 
 @pytest.fixture
 def python_kilted(ros2, render):
-    return Python(ros2, render(without_tf(all_kinds()), ros_distro=ros2.distro))
+    return Python(ros2, render(ros.fitting(ros2, all_kinds()), ros_distro=ros2.distro))
 
 
 class PythonRos1(Python):
@@ -167,8 +167,7 @@ class CppRos2(Cpp):
 def cpp_kilted(ros2, render, tmp_path):
     if not ros.has_package(ros2, "rclcpp"):
         pytest.skip("rclcpp is not installed")
-    spec = all_kinds() if ros.has(ros2, "tf2_ros") else without_tf(all_kinds())
-    package = render(spec, model="cpp_model", ros_distro=ros2.distro)
+    package = render(ros.fitting(ros2, all_kinds()), model="cpp_model", ros_distro=ros2.distro)
     build = tmp_path / "build"
     cpp = CppRos2(ros2, package, "cpp_kilted", build)
     ros2.run(f"cmake -S {package} -B {build} {cpp.flags}", tmp_path)
@@ -190,6 +189,8 @@ def test_every_mutant_dies(variant, request):
     mutants = mutants_of(variant)
     assert len(mutants) >= 80
     package = request.getfixturevalue(variant)
+    if "<synchronizer" not in (package.package / "all_kinds.ros_package").read_text():
+        mutants = {name: each for name, each in mutants.items() if "synchronizer" not in name}
     with ThreadPoolExecutor(package.at_once) as pool:
         whole = pool.submit(package.run, "the package itself")
         running = {name: pool.submit(package.run, name, mutants[name]) for name in chosen(mutants)}

@@ -5,7 +5,7 @@ import shutil
 import pytest
 
 from support import ros
-from support.packages import LOGIC, all_kinds, fill_in, without_tf
+from support.packages import LOGIC, all_kinds, fill_in
 from support.repository import EXAMPLES, commit, git
 from support.ros import nodes
 
@@ -15,8 +15,8 @@ from support.ros import nodes
 def test_there_and_back(ros1, ros2, ros1_interfaces, render, update, tmp_path, model):
     """The wheels of ROS 2 lack rclcpp, and for Python tf2_ros."""
     in_python = model == "python_model"
-    spec = without_tf(all_kinds()) if in_python else all_kinds()
-    options = [] if in_python else ["tf"]
+    spec = ros.fitting(ros2, all_kinds()) if in_python else all_kinds()
+    options = ["tf"] if "<listener" in spec else []
     package = render(spec, model=model, ros_distro="noetic", name="src/all_kinds")
     logic = fill_in(package, model)
     files = git(package, "ls-files")

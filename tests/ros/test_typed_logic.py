@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from support import ros
-from support.packages import DATA, all_kinds, without_tf
+from support.packages import DATA, all_kinds
 
 
 @pytest.mark.ros1
@@ -21,8 +21,7 @@ def test_mypy_finds_what_is_misspelt_in_ros1(ros1, ros1_interfaces, render, tmp_
 
 @pytest.mark.ros2
 def test_mypy_finds_what_is_misspelt_in_ros2(ros2, render):
-    spec = all_kinds() if ros.has(ros2, "tf2_ros") else without_tf(all_kinds())
-    check(ros2, render(spec, ros_distro=ros2.distro))
+    check(ros2, render(ros.fitting(ros2, all_kinds()), ros_distro=ros2.distro))
 
 
 def check(ros_, package, *workspace):

@@ -17,7 +17,7 @@ from support.packages import shared_runtime, without_tf
 CONTRACT = Path(__file__).parents[1] / "contract"
 METHODS = ("configure", "activate", "update", "deactivate", "cleanup")
 GOALS = ("work", "line", "single", "choice", "crowd")
-CALLBACKS = ("receive", "serve", "accept", *GOALS, "read", "poll")
+CALLBACKS = ("receive", "serve", "accept", *GOALS, "read", "poll", "exact", "near")
 NOISE = (
     "Traceback",
     "Exception",
@@ -57,6 +57,8 @@ class Variant:
         self.is_ros2 = ros_.environment["ROS_VERSION"] == "2"
         self.is_python = model == "python_model"
         self.has_tf = ros.has(ros_, "tf2_ros")
+        in_cpp = self.is_ros2 and not self.is_python
+        self.has_filters = (ros.has_package if in_cpp else ros.has)(ros_, "message_filters")
         self.workspace = once(
             f"contract_{model}_{ros_.distro}_{runtime}",
             lambda folder: self._build(folder, make, underlay),
@@ -74,7 +76,9 @@ class Variant:
         """Build the package, with the logic of the tests in place of the empty one."""
         spec = (CONTRACT / "contract.ros_package").read_text()
         file = workspace / "contract.ros_package"
-        file.write_text(spec if self.has_tf else without_tf(spec))
+        spec = spec if self.has_tf else without_tf(spec)
+        joiner = r' *<node name="joiner">.*?</node>\n'
+        file.write_text(spec if self.has_filters else re.sub(joiner, "", spec, flags=re.S))
         package = workspace / "src/contract"
         if self.runtime == "inside":
             make(package, file, model=self.model, ros_distro=self.ros.distro)
@@ -445,6 +449,12 @@ class Stage:
 
     def publish(self, topic, data, kind="std_msgs/msg/String", **options):
         self.peer.publish(topic=self.name(topic), kind=kind, data=data, **options)
+
+    def points(self, seconds, value, *topics, **options):
+        """Publish a point to each topic, with a value and a stamp."""
+        for topic in topics:
+            name = self.name(topic)
+            self.peer.publish_point(topic=name, seconds=seconds, value=value, **options)
 
     def serve(self, service="ask", **options):
         self.peer.serve(service=self.name(service), **options)

@@ -34,6 +34,7 @@ TYPES = {
         "geometry_msgs::Twist",
         "std_msgs/msg/Bool",
     ],
+    "stamped_type": ["geometry_msgs::PointStamped", "geometry_msgs/TwistStamped"],
     "service_type": ["std_srvs::Trigger", "std_srvs/srv/Empty", "std_srvs::SetBool"],
     "action_type": ["test_msgs::Fibonacci", "control_msgs/action/Grip"],
 }
@@ -283,6 +284,8 @@ class Author(Random):
                 for i, kind in enumerate(kinds)
                 if not (kind.once or kind.takes) or kind not in kinds[:i]
             ]
+        for kind in () if self.seldom(30) else known:
+            kinds += [kind] * (kind.least - kinds.count(kind))
         texts = {}
         for place in sorted(range(len(kinds)), key=lambda place: _turn(kinds[place])):
             kind = kinds[place]

@@ -39,6 +39,7 @@ SAMPLES = {
     "dependency": ("std_msgs", "std_srvs"),
     "ros_name": ("some_name", "other/name", "~/own_name"),
     "message_type": ("std_msgs/msg/String", "std_msgs/msg/Bool"),
+    "stamped_type": ("geometry_msgs/msg/PointStamped", "geometry_msgs/msg/TwistStamped"),
     "service_type": ("std_srvs/srv/Trigger", "std_srvs/srv/SetBool"),
     "action_type": ("test_msgs/action/Fibonacci", "test_msgs/action/NestedMessage"),
     "interface_name": ("SomeType", "OtherType"),
@@ -198,9 +199,28 @@ class Model:
         for owner, values in own:
             if owner.kind and not any(item[1] is values for item in placed):
                 ET.SubElement(parents[owner.path[:-1]], owner.kind, values)
+        self._add_more(root)
         self._refer(root)
         ET.indent(root)
         return ET.tostring(root, encoding="unicode") + "\n"
+
+    def _add_more(self, root):
+        """Give each element as many of a kind as it must have."""
+        for owner in self.owners:
+            kind = self.kind(owner)
+            for element in root.findall("/".join(owner.path[:-1])) if kind and kind.least else ():
+                for number in range(len(element.findall(owner.kind)), kind.least):
+                    values = self.base(owner)
+                    values[kind.naming] += str(number)
+                    ET.SubElement(element, owner.kind, values)
+
+    def kind(self, owner):
+        """Return the interface kind that an owner of attributes is, if it is one."""
+        kinds, found = self.hook.dictionary.components, None
+        for tag in owner.path:
+            found = kinds[tag]
+            kinds = found.interfaces
+        return found if owner.kind else None
 
     def _takers(self, tags):
         """Return the paths of what takes elements of some tags, so that these make something."""

@@ -7,6 +7,7 @@ import yaml
 
 from hooks import ros
 from support.repository import EXAMPLES, ROOT, commit, git
+from support.ros import TF
 
 DATA = ROOT / "tests/data"
 DISTROS = tuple(ros.DISTROS)
@@ -75,7 +76,7 @@ def all_kinds():
 
 
 def without_tf(text):
-    return re.sub(r" *<(listener|broadcaster) .*\n", "", text)
+    return re.sub(TF, "", text)
 
 
 def answers(package):

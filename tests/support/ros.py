@@ -30,6 +30,8 @@ NO_ROS2 = "ROS 2 (sourced, or its wheels in .venv/ros2) is not there"
 SHELL = os.environ | {"PYTHONPATH": os.environ.get("ROS_PYTHONPATH", "")}
 # g++ needs less time where it frees less memory.
 COMPILER_FLAGS = "--param ggc-min-heapsize=500000"
+TF = r" *<(listener|broadcaster) [^\n]*\n"
+SYNCHRONIZER = r" *<synchronizer .*?</synchronizer>\n"
 PATIENCE = 120  # s, which tests of packages give a node that shares the machine with others
 
 
@@ -136,6 +138,17 @@ def _compiler():
     return settings
 
 
+def _linker(environment):
+    """Return settings for the linker, where ROS 2 and Debian's ROS 1 are both installed.
+
+    GNU ld 2.40 takes libraries that need libc before others: the message_filters of ROS 1.
+    """
+    folders = environment.get("LD_LIBRARY_PATH", "").split(os.pathsep)
+    found = [Path(folder, "libmessage_filters.so") for folder in filter(None, folders)]
+    flags = [environment.get("LDFLAGS", ""), *(str(file) for file in found if file.exists())][:2]
+    return {"LDFLAGS": " ".join(flags)} if len(flags) > 1 else {}
+
+
 def _base(home):
     keep = ("LANG", "LC_ALL", "TMPDIR", "TERM")
     environment = {name: os.environ[name] for name in keep if name in os.environ}
@@ -179,6 +192,7 @@ def ros2():
         return None
     home = _home()
     environment = _base(home) | {"PATH": SHELL["PATH"]} if setup else SHELL | _compiler()
+    environment |= {} if setup else _linker(SHELL)
     environment |= {
         "ROS_HOME": str(home),
         "ROS_LOG_DIR": str(home),
@@ -225,6 +239,13 @@ def has_package(ros, name):
     """Say whether a ROS 2 has a package."""
     code = f"from ament_index_python import get_package_prefix as find; find({name!r})"
     return ros.run(f'{ros.python} -c "{code}"', "/", check=False).returncode == 0
+
+
+def fitting(ros, spec):
+    """Return a spec without the kinds that need a module which the Python of a ROS lacks."""
+    for module, kinds in {"tf2_ros": TF, "message_filters": SYNCHRONIZER}.items():
+        spec = spec if has(ros, module) else re.sub(kinds, "", spec, flags=re.S)
+    return spec
 
 
 def wait_for(text, look):

@@ -79,6 +79,18 @@ class Peer:
         fill_message_args(message, [] if data is None else [data])  # fields, or the only one
         publisher.publish(message)
 
+    def publish_point(self, topic, seconds, value, wait=True):
+        kind = load("geometry_msgs/msg/PointStamped")
+        with self.lock:
+            if topic not in self.publishers:
+                self.publishers[topic] = rospy.Publisher(topic, kind, queue_size=10)
+        if wait:
+            wait_for(self.publishers[topic].get_num_connections, f"nobody hears {topic}")
+        message = kind()
+        message.header.stamp = rospy.Time.from_sec(seconds)
+        message.point.x = value
+        self.publishers[topic].publish(message)
+
     def clock(self, seconds):
         publisher = self.publishers.get("/clock")
         if publisher is None:

@@ -13,6 +13,7 @@ from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
 from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.time import Time
 
 TRANSITIONS = {"configure": 1, "cleanup": 2, "activate": 3, "deactivate": 4}
 SHUTDOWN = {"unconfigured": 5, "inactive": 6, "active": 7}
@@ -93,6 +94,20 @@ class Peer:
         if data is not None:
             message.data = data
         publisher.publish(message)
+
+    def publish_point(self, topic, seconds, value, wait=True):
+        kind = load("geometry_msgs/msg/PointStamped")
+        with self.lock:
+            if topic not in self.publishers:
+                self.publishers[topic] = self.node.create_publisher(
+                    kind, topic, profile(), callback_group=self.group
+                )
+        if wait:
+            wait_for(self.publishers[topic].get_subscription_count, f"nobody hears {topic}")
+        message = kind()
+        message.header.stamp = Time(nanoseconds=round(seconds * 1e9)).to_msg()
+        message.point.x = value
+        self.publishers[topic].publish(message)
 
     def clock(self, seconds):
         publisher = self.publishers.get("/clock")

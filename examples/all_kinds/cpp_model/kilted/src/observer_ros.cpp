@@ -17,6 +17,7 @@
 #include "ros/calls.hpp"
 #include "ros/inbox.hpp"
 #include "ros/managed_node.hpp"
+#include "ros/synchronizer.hpp"
 #include "ros/timing.hpp"
 #include "ros/topics.hpp"
 
@@ -69,6 +70,22 @@ public:
       node,
       "/status",
       in_status_);
+    const auto synchronizer_pair = synchronize<
+      observer_types::PairLeft,
+      observer_types::PairRight>(
+      node,
+      "pair",
+      impl_,
+      &ObserverImpl::receive_pair,
+      5);
+    topics_.subscribe_input<0>(
+      node,
+      "left",
+      synchronizer_pair);
+    topics_.subscribe_input<1>(
+      node,
+      "~/right",
+      synchronizer_pair);
   }
 
   /// Destroy subscriptions and servers.

@@ -43,6 +43,12 @@ void WorkerImpl::receive_say(
 {
 }
 
+// Synchronizer sighting
+void WorkerImpl::receive_sighting(
+  [[maybe_unused]] const worker_types::SightingMessages & messages)
+{
+}
+
 // Service reset
 void WorkerImpl::serve_reset(
   [[maybe_unused]] const worker_types::ResetService::Request & request,

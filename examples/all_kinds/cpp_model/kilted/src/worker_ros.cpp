@@ -33,6 +33,7 @@
 #include "ros/ros_transforms.hpp"
 #include "ros/service_server.hpp"
 #include "ros/stop.hpp"
+#include "ros/synchronizer.hpp"
 #include "ros/timing.hpp"
 #include "ros/topics.hpp"
 
@@ -144,6 +145,24 @@ public:
       "say",
       impl_,
       &WorkerImpl::receive_say);
+    const auto synchronizer_sighting = synchronize<
+      worker_types::SightingPoint,
+      worker_types::SightingMotion>(
+      node,
+      "sighting",
+      impl_,
+      &WorkerImpl::receive_sighting,
+      10,
+      0.05);
+    topics_.subscribe_input<0>(
+      node,
+      "point",
+      synchronizer_sighting);
+    topics_.subscribe_input<1>(
+      node,
+      "motion",
+      synchronizer_sighting,
+      rclcpp::SensorDataQoS());
     service_servers_.push_back(
       create_service_server<worker_types::ResetService>(
         node,

@@ -31,6 +31,12 @@ void ObserverImpl::update(
 {
 }
 
+// Synchronizer pair
+void ObserverImpl::receive_pair(
+  [[maybe_unused]] const observer_types::PairMessages & messages)
+{
+}
+
 void ObserverImpl::deactivate()
 {
 }

@@ -5,6 +5,7 @@
 // Generated from all_kinds.ros_package.
 // The logic is in observer_impl.cpp.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -12,12 +13,15 @@
 
 #include "all_kinds/observer_impl.hpp"
 #include "all_kinds/observer_interface.hpp"
+#include "ros/callback_thread.hpp"
 #include "ros/inbox.hpp"
 #include "ros/parameters.hpp"
 #include "ros/process.hpp"
+#include "ros/receiver.hpp"
 #include "ros/ros.h"
 #include "ros/ros_log.hpp"
 #include "ros/supervisor.hpp"
+#include "ros/synchronizer.hpp"
 #include "ros/timing.hpp"
 
 namespace all_kinds
@@ -65,8 +69,14 @@ public:
     supervisor_.step("cleanup", [this] {impl_->cleanup(); return true;});
   }
 
-  /// This node has no goals to abort.
-  void abort_goals() {}
+  /// Abort the goals whose execution does not end.
+  void abort_goals()
+  {
+    for (const auto & receiver : receivers_) {
+      receiver->stop();
+      receiver->abandon();
+    }
+  }
 
 private:
   /// Return how often update runs, in Hz.
@@ -110,6 +120,7 @@ private:
       supervisor_.guard("connect_receivers", [this] {connect_receivers();});
     }
     loop_.run(supervisor_, log_, [this] {update();});
+    stop_receivers();
   }
 
   /// Create subscriptions and servers; callbacks that may block get their own thread.
@@ -119,6 +130,44 @@ private:
       node_,
       "/status",
       in_status_);
+    const auto synchronizer_pair = synchronize<
+      observer_types::PairLeft,
+      observer_types::PairRight>(
+      callback_thread("pair"),
+      [this](const auto & ... messages) {
+        supervisor_.guard(
+          "receive_pair", [&] {
+            impl_->receive_pair({messages ...});
+          });
+      },
+      5);
+    subscribe_input<0>(
+      "left",
+      synchronizer_pair);
+    subscribe_input<1>(
+      ros::names::resolve("~right", false),
+      synchronizer_pair);
+  }
+
+  /// Wait for the callbacks to return. Subscriptions and servers last as long as the node: it takes
+  /// an answer of the master to destroy them.
+  void stop_receivers()
+  {
+    for (const auto & receiver : receivers_) {
+      receiver->stop();
+    }
+    std::string late;
+    for (const auto & receiver : receivers_) {
+      if (!receiver->wait_until(supervisor_.deadline())) {
+        late += (late.empty() ? "" : ", ") + receiver->name();
+        receiver->abandon();
+      }
+    }
+    if (!late.empty()) {
+      supervisor_.report_late(late);
+      return;
+    }
+    wait_for_sending();  // the last responses and results
   }
 
   /// Run one cycle: take the latest messages, call update, publish the active outputs.
@@ -148,6 +197,34 @@ private:
         hints));
   }
 
+  /// Return the node handle of a thread of its own for callbacks.
+  ros::NodeHandle & callback_thread(const std::string & name)
+  {
+    const auto thread = std::make_shared<CallbackThread>(node_, name);
+    receivers_.push_back(thread);
+    return thread->node();
+  }
+
+  /// Subscribe to a topic whose messages are joined with those of others.
+  template<std::size_t Input, typename Joined>
+  void subscribe_input(
+    const std::string & topic,
+    const std::shared_ptr<Joined> & synchronizer,
+    std::uint32_t queue_size = 10,
+    const ros::TransportHints & hints = ros::TransportHints())
+  {
+    using Message = typename Joined::template Message<Input>;
+    subscribers_.push_back(
+      synchronizer->node().template subscribe<Message>(
+        topic,
+        queue_size,
+        [synchronizer](const boost::shared_ptr<const Message> & message) {
+          synchronizer->template add<Input>(message);
+        },
+        ros::VoidConstPtr(),
+        hints));
+  }
+
   Supervisor & supervisor_;
   Logger log_{write_log};
   ros::NodeHandle node_;
@@ -158,6 +235,7 @@ private:
   ObserverData data_;
   Inbox<observer_types::InStatus> in_status_;
   std::unique_ptr<ObserverImpl> impl_;
+  std::vector<std::shared_ptr<Receiver>> receivers_;
   std::vector<ros::Subscriber> subscribers_;
   ros::AsyncSpinner spinner_{1};
 };

@@ -6,6 +6,7 @@
 // The logic is in worker_impl.cpp.
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -33,6 +34,7 @@
 #include "ros/ros_service_client.hpp"
 #include "ros/ros_transforms.hpp"
 #include "ros/supervisor.hpp"
+#include "ros/synchronizer.hpp"
 #include "ros/timing.hpp"
 
 namespace all_kinds
@@ -210,6 +212,26 @@ private:
       "say",
       "receive_say",
       &WorkerImpl::receive_say);
+    const auto synchronizer_sighting = synchronize<
+      worker_types::SightingPoint,
+      worker_types::SightingMotion>(
+      callback_thread("sighting"),
+      [this](const auto & ... messages) {
+        supervisor_.guard(
+          "receive_sighting", [&] {
+            impl_->receive_sighting({messages ...});
+          });
+      },
+      10,
+      0.05);
+    subscribe_input<0>(
+      "point",
+      synchronizer_sighting);
+    subscribe_input<1>(
+      "motion",
+      synchronizer_sighting,
+      5,
+      ros::TransportHints().tcpNoDelay());
     serve<worker_types::ResetService>(
       node_,
       "reset",
@@ -368,6 +390,34 @@ private:
         queue_size,
         [inbox](const boost::shared_ptr<Message> & message) {
           inbox.put(message);
+        },
+        ros::VoidConstPtr(),
+        hints));
+  }
+
+  /// Return the node handle of a thread of its own for callbacks.
+  ros::NodeHandle & callback_thread(const std::string & name)
+  {
+    const auto thread = std::make_shared<CallbackThread>(node_, name);
+    receivers_.push_back(thread);
+    return thread->node();
+  }
+
+  /// Subscribe to a topic whose messages are joined with those of others.
+  template<std::size_t Input, typename Joined>
+  void subscribe_input(
+    const std::string & topic,
+    const std::shared_ptr<Joined> & synchronizer,
+    std::uint32_t queue_size = 10,
+    const ros::TransportHints & hints = ros::TransportHints())
+  {
+    using Message = typename Joined::template Message<Input>;
+    subscribers_.push_back(
+      synchronizer->node().template subscribe<Message>(
+        topic,
+        queue_size,
+        [synchronizer](const boost::shared_ptr<const Message> & message) {
+          synchronizer->template add<Input>(message);
         },
         ros::VoidConstPtr(),
         hints));

@@ -6,6 +6,7 @@
 
 import unittest
 
+import geometry_msgs.msg
 from roslib.packages import find_node
 import rostest
 import std_msgs.msg
@@ -21,7 +22,24 @@ class TestObserverNode(NodeTests, unittest.TestCase):
     frequency = 12.5  # Hz
     interfaces = {
         'in_status': ('/status', std_msgs.msg.String, 'subscription', None, None, None),
+        'input_pair.left': (
+            'left',
+            geometry_msgs.msg.PointStamped,
+            'subscription',
+            None,
+            None,
+            None,
+        ),
+        'input_pair.right': (
+            '~/right',
+            geometry_msgs.msg.PointStamped,
+            'subscription',
+            None,
+            None,
+            None,
+        ),
     }
+    synchronizers = {'pair': 0}  # s between stamps
     parameters = {  # default, other values, refused ones
         'limit': (100, [0, 1, -999900, 1000100], [True]),
     }

@@ -32,6 +32,22 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'pub_echo': ('{echo_topic}', std_msgs.msg.String, 'publisher', None, 'volatile', None),
         'pub_empty': ('~/empty', std_msgs.msg.Empty, 'publisher', None, 'volatile', None),
         'receive_say': ('say', std_msgs.msg.String, 'subscription', None, None, 10),
+        'input_sighting.point': (
+            'point',
+            geometry_msgs.msg.PointStamped,
+            'subscription',
+            None,
+            None,
+            None,
+        ),
+        'input_sighting.motion': (
+            'motion',
+            geometry_msgs.msg.TwistStamped,
+            'subscription',
+            None,
+            None,
+            None,
+        ),
         'serve_reset': ('reset', std_srvs.srv.Empty),
         'serve_enable': ('enable', std_srvs.srv.SetBool),
         'client_permit': ('permit', std_srvs.srv.Trigger),
@@ -40,6 +56,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'accept_compute': ('compute', test_msgs.msg.FibonacciAction, 'replace'),
         'action_delegate': ('delegate', test_msgs.msg.FibonacciAction),
     }
+    synchronizers = {'sighting': 0.05}  # s between stamps
     threads = ('read',)
     timers = {'poll': 4}  # Hz
     transforms = ['publisher', 'subscription']  # of /tf

@@ -11,6 +11,7 @@ from all_kinds.observer_interface import (
     ObserverConfig,
     ObserverData,
     ObserverPassthrough,
+    PairMessages,
 )
 
 
@@ -35,6 +36,13 @@ class ObserverImpl:
         config: ObserverConfig,
     ) -> None:
         """Compute the outputs of one cycle from the latest inputs."""
+
+    # Synchronizer pair
+    def receive_pair(
+        self,
+        messages: PairMessages,
+    ) -> None:
+        """Handle messages whose stamps belong together, in a thread of its own."""
 
     def deactivate(self) -> None:
         """Stop everything that moves; publishers, service calls and goals still work here."""

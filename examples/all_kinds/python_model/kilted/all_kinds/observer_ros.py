@@ -17,11 +17,14 @@ from all_kinds.observer_interface import (
     ObserverConfig,
     ObserverData,
     ObserverPassthrough,
+    PairMessages,
 )
 from all_kinds.ros.log import Log
 from all_kinds.ros.loop import Loop
 from all_kinds.ros.managed_node import ManagedNode
 from all_kinds.ros.process import run
+from all_kinds.ros.synchronizer import Synchronizer
+import geometry_msgs.msg
 from rcl_interfaces.msg import ParameterDescriptor
 import std_msgs.msg
 
@@ -80,6 +83,26 @@ class ObserverNode(ManagedNode):
             std_msgs.msg.String,
             '/status',
             self._receive_status,
+        )
+        synchronizer = Synchronizer(
+            self._callback(
+                'pair',
+                'receive_pair',
+            ),
+            PairMessages,
+            queue_size=5,
+        )
+        self._subscribe(
+            geometry_msgs.msg.PointStamped,
+            'left',
+            synchronizer.input('left'),
+            callback_group=synchronizer.callback_group,
+        )
+        self._subscribe(
+            geometry_msgs.msg.PointStamped,
+            '~/right',
+            synchronizer.input('right'),
+            callback_group=synchronizer.callback_group,
         )
 
     def _update(self) -> None:

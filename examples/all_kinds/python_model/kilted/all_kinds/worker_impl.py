@@ -16,6 +16,7 @@ from all_kinds.worker_interface import (
     ResetRequest,
     ResetResponse,
     SayMessage,
+    SightingMessages,
     WorkerConfig,
     WorkerData,
     WorkerPassthrough,
@@ -54,6 +55,13 @@ class WorkerImpl:
         message: SayMessage,
     ) -> None:
         """Handle a message when it arrives, in a thread of its own."""
+
+    # Synchronizer sighting
+    def receive_sighting(
+        self,
+        messages: SightingMessages,
+    ) -> None:
+        """Handle messages whose stamps belong together, in a thread of its own."""
 
     # Service reset
     def serve_reset(

@@ -34,6 +34,8 @@ OutStatus = std_msgs.msg.String
 PubEcho = std_msgs.msg.String
 PubEmpty = std_msgs.msg.Empty
 SayMessage = std_msgs.msg.String
+SightingPoint = geometry_msgs.msg.PointStamped
+SightingMotion = geometry_msgs.msg.TwistStamped
 ClientPermitRequest = std_srvs.srv.Trigger.Request
 ClientPermitResponse = std_srvs.srv.Trigger.Response
 ResetRequest = std_srvs.srv.Empty.Request
@@ -112,6 +114,17 @@ class WorkerData:
         self.out_status = OutStatus()
         self.out_status_active = True
         self.out_status_subscribers = 0
+
+
+@dataclass(frozen=True)
+class SightingMessages:
+    """Messages whose stamps belong together, for receive_sighting."""
+
+    # What is seen
+    point: SightingPoint
+
+    # How the worker moves
+    motion: SightingMotion
 
 
 @dataclass

@@ -19,9 +19,11 @@ from all_kinds.ros.loop import Loop
 from all_kinds.ros.managed_node import ManagedNode
 from all_kinds.ros.process import run
 from all_kinds.ros.publisher import Publisher
+from all_kinds.ros.synchronizer import Synchronizer
 from all_kinds.ros.transforms import TransformBroadcaster, TransformListener
 from all_kinds.worker_impl import WorkerImpl
 from all_kinds.worker_interface import (
+    SightingMessages,
     WorkerConfig,
     WorkerData,
     WorkerPassthrough,
@@ -241,6 +243,28 @@ class WorkerNode(ManagedNode):
                 'say',
                 'receive_say',
             ).receive,
+        )
+        synchronizer = Synchronizer(
+            self._callback(
+                'sighting',
+                'receive_sighting',
+            ),
+            SightingMessages,
+            queue_size=10,
+            slop=0.05,
+        )
+        self._subscribe(
+            geometry_msgs.msg.PointStamped,
+            'point',
+            synchronizer.input('point'),
+            callback_group=synchronizer.callback_group,
+        )
+        self._subscribe(
+            geometry_msgs.msg.TwistStamped,
+            'motion',
+            synchronizer.input('motion'),
+            QoSProfile(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5),
+            callback_group=synchronizer.callback_group,
         )
         self._serve(
             std_srvs.srv.Empty,

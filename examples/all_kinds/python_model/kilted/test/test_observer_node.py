@@ -7,6 +7,7 @@ import os
 import sys
 import unittest
 
+import geometry_msgs.msg
 import std_msgs.msg
 from support.node_tests import NodeTests
 
@@ -29,7 +30,24 @@ class TestObserverNode(NodeTests, unittest.TestCase):
     frequency = 12.5  # Hz
     interfaces = {
         'in_status': ('/status', std_msgs.msg.String, 'subscription', 'reliable', 'volatile', 10),
+        'input_pair.left': (
+            'left',
+            geometry_msgs.msg.PointStamped,
+            'subscription',
+            'reliable',
+            'volatile',
+            10,
+        ),
+        'input_pair.right': (
+            '~/right',
+            geometry_msgs.msg.PointStamped,
+            'subscription',
+            'reliable',
+            'volatile',
+            10,
+        ),
     }
+    synchronizers = {'pair': 0}  # s between stamps
     parameters = {  # default, other values, refused ones
         'limit': (100, [0, 1, -999900, 1000100], [True]),
     }

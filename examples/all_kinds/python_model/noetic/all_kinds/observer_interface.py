@@ -14,10 +14,13 @@ from all_kinds.ros.protocols import (
     Log,
     Stamp,
 )
+import geometry_msgs.msg
 import std_msgs.msg
 
 # Message, service and action types, under the same names in ROS 1 and ROS 2.
 InStatus = std_msgs.msg.String
+PairLeft = geometry_msgs.msg.PointStamped
+PairRight = geometry_msgs.msg.PointStamped
 
 
 @dataclass(frozen=True)
@@ -42,6 +45,17 @@ class ObserverData:
         # What the worker does
         self.in_status = InStatus()
         self.in_status_updated = False
+
+
+@dataclass(frozen=True)
+class PairMessages:
+    """Messages whose stamps belong together, for receive_pair."""
+
+    # The left side
+    left: PairLeft
+
+    # The right side
+    right: PairRight
 
 
 @dataclass

@@ -17,11 +17,14 @@ from all_kinds.observer_interface import (
     ObserverConfig,
     ObserverData,
     ObserverPassthrough,
+    PairMessages,
 )
 from all_kinds.ros.log import Log
 from all_kinds.ros.loop import Loop
 from all_kinds.ros.managed_node import check_range, ManagedNode, read_parameter
 from all_kinds.ros.process import run
+from all_kinds.ros.synchronizer import Synchronizer
+import geometry_msgs.msg
 import rospy
 import std_msgs.msg
 
@@ -63,6 +66,26 @@ class ObserverNode(ManagedNode):
             '/status',
             std_msgs.msg.String,
             self._receive_status,
+            queue_size=10,
+        )
+        synchronizer = Synchronizer(
+            self._callback(
+                'pair',
+                'receive_pair',
+            ),
+            PairMessages,
+            queue_size=5,
+        )
+        rospy.Subscriber(
+            'left',
+            geometry_msgs.msg.PointStamped,
+            synchronizer.input('left'),
+            queue_size=10,
+        )
+        rospy.Subscriber(
+            '~right',
+            geometry_msgs.msg.PointStamped,
+            synchronizer.input('right'),
             queue_size=10,
         )
 

@@ -30,10 +30,12 @@ from all_kinds.ros.process import run
 from all_kinds.ros.publisher import Publisher
 from all_kinds.ros.service_client import ServiceClient
 from all_kinds.ros.service_server import ServiceServer
+from all_kinds.ros.synchronizer import Synchronizer
 from all_kinds.ros.transforms import TransformBroadcaster, TransformListener
 from all_kinds.ros.worker import Worker
 from all_kinds.worker_impl import WorkerImpl
 from all_kinds.worker_interface import (
+    SightingMessages,
     WorkerConfig,
     WorkerData,
     WorkerPassthrough,
@@ -160,6 +162,28 @@ class WorkerNode(ManagedNode):
                 'receive_say',
             ).receive,
             queue_size=10,
+        )
+        synchronizer = Synchronizer(
+            self._callback(
+                'sighting',
+                'receive_sighting',
+            ),
+            SightingMessages,
+            queue_size=10,
+            slop=0.05,
+        )
+        rospy.Subscriber(
+            'point',
+            geometry_msgs.msg.PointStamped,
+            synchronizer.input('point'),
+            queue_size=10,
+        )
+        rospy.Subscriber(
+            'motion',
+            geometry_msgs.msg.TwistStamped,
+            synchronizer.input('motion'),
+            queue_size=5,
+            tcp_nodelay=True,
         )
         ServiceServer(
             'reset',

@@ -31,6 +31,11 @@ public:
     ObserverData & data,
     const ObserverConfig & config);
 
+  // Synchronizer pair
+  /// Handle messages whose stamps belong together, in a thread of its own.
+  void receive_pair(
+    const observer_types::PairMessages & messages);
+
   /// Stop everything that moves; publishers, service calls and goals still work here.
   void deactivate();
 

@@ -42,6 +42,11 @@ public:
   void receive_say(
     const worker_types::SayMessage & message);
 
+  // Synchronizer sighting
+  /// Handle messages whose stamps belong together, in a thread of its own.
+  void receive_sighting(
+    const worker_types::SightingMessages & messages);
+
   // Service reset
   /// Fill in the response, in a thread of its own.
   void serve_reset(

@@ -22,8 +22,10 @@
 #include "all_kinds/ros/service_client.hpp"
 #include "all_kinds/ros/time.hpp"
 #include "all_kinds/ros/transforms.hpp"
+#include "geometry_msgs/msg/point_stamped.hpp"
 #include "geometry_msgs/msg/transform_stamped.hpp"
 #include "geometry_msgs/msg/twist.hpp"
+#include "geometry_msgs/msg/twist_stamped.hpp"
 #include "std_msgs/msg/empty.hpp"
 #include "std_msgs/msg/int64.hpp"
 #include "std_msgs/msg/string.hpp"
@@ -46,6 +48,8 @@ using OutStatus = std_msgs::msg::String;
 using PubEcho = std_msgs::msg::String;
 using PubEmpty = std_msgs::msg::Empty;
 using SayMessage = std_msgs::msg::String;
+using SightingPoint = geometry_msgs::msg::PointStamped;
+using SightingMotion = geometry_msgs::msg::TwistStamped;
 using ClientPermit = std_srvs::srv::Trigger;
 using ResetService = std_srvs::srv::Empty;
 using EnableService = std_srvs::srv::SetBool;
@@ -53,6 +57,16 @@ using ActionDelegate = test_msgs::action::Fibonacci;
 using ComputeAction = test_msgs::action::Fibonacci;
 using MeasureAction = test_msgs::action::Fibonacci;
 using Transform = geometry_msgs::msg::TransformStamped;
+
+/// Messages whose stamps belong together, for receive_sighting: valid until it returns.
+struct SightingMessages
+{
+  /// What is seen
+  const SightingPoint & point;
+
+  /// How the worker moves
+  const SightingMotion & motion;
+};
 
 }  // namespace worker_types
 

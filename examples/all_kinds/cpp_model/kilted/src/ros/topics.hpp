@@ -5,6 +5,7 @@
 #define ROS__TOPICS_HPP_
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <memory>
 #include <stdexcept>
@@ -81,6 +82,27 @@ public:
       create(
         in_its_thread, [&](const rclcpp::SubscriptionOptions & options) {
           return node.create_subscription<Message>(topic, qos, handle, options);
+        }));
+  }
+
+  /// Subscribe to a topic whose messages a synchronizer joins with those of others.
+  template<std::size_t Input, typename Synchronizer>
+  void subscribe_input(
+    ManagedNode & node,
+    const std::string & topic,
+    const std::shared_ptr<Synchronizer> & synchronizer,
+    const rclcpp::QoS & qos = rclcpp::QoS(10))
+  {
+    using Message = typename Synchronizer::template Message<Input>;
+    const auto receive = [synchronizer](std::shared_ptr<const Message> message) {
+        synchronizer->template add<Input>(message);
+      };
+    rclcpp::SubscriptionOptions in_its_thread;
+    in_its_thread.callback_group = synchronizer->callback_group();
+    subscriptions_.push_back(
+      create(
+        in_its_thread, [&](const rclcpp::SubscriptionOptions & options) {
+          return node.create_subscription<Message>(topic, qos, receive, options);
         }));
   }
 

@@ -10,14 +10,14 @@ from signal import SIGINT as INT, SIGTERM as TERM
 from time import sleep
 
 from diagnostic_msgs.msg import DiagnosticStatus
-from support.peer import decode, encode, Peer, sample
+from support.peer import decode, encode, Peer, sample, stamped
 from support.running import eventually, LIFE, RunningNode, TIMEOUT
 from tf2_msgs.msg import TFMessage
 
 OK, WARN, ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.ERROR
 OTHER = {'reliable': 'best_effort', 'volatile': 'transient_local'}
 OTHER = {**OTHER, **{other: policy for policy, other in OTHER.items()}}
-TOPICS = ('out_', 'pub_', 'in_', 'receive_')
+TOPICS = ('out_', 'pub_', 'in_', 'receive_', 'input_')
 
 
 class NodeTests:
@@ -28,6 +28,7 @@ class NodeTests:
     interfaces = {}
     can_refuse = ()
     transforms = ()
+    synchronizers = {}
     threads = ()
     timers = {}
     parameters = {}
@@ -179,6 +180,51 @@ class NodeTests:
             first, *rest = (sample(type_, number) for number in (1, 2, 3))
             self.assertEqual(*([each for each in all_ if each != first] for all_ in (got, rest)))
 
+    def sender(self, node, name):
+        """Return a function that publishes messages for a synchronizer."""
+        inputs = [each for each in self.interfaces if each.startswith(f'input_{name}.')]
+        publishers = [
+            (type_, self.peer.publisher(type_, topic, *qos))
+            for _, topic, type_, _, *qos, _ in self.each(*inputs, node=node.name)
+        ]
+
+        def send(apart=0.0):
+            start = next(self.numbers) * (1.0 + 10.0 * self.synchronizers[name])
+            stamps = [start] * (len(publishers) - 1) + [start + apart]
+            messages = [stamped(type_, at) for (type_, _), at in zip(publishers, stamps)]
+            for message, (_, publisher) in zip(messages, publishers):
+                publisher.publish(message)
+            return messages
+
+        return send
+
+    def test_synchronizers(self):
+        """Messages reach the logic together where their stamps belong together, and only there."""
+        for name, slop in self.synchronizers.items():
+            send = self.sender(self.node, name)
+            types = [type(message) for message in send()]
+
+            def got():
+                found = self.node.got(f'receive_{name}')
+                return [list(map(decode, texts, types)) for texts in found]
+
+            self.assertTrue(eventually(lambda: send() and got()), name)
+            near, next_one = send(slop / 2), send()
+            self.assertTrue(eventually(lambda: next_one in got()), name)
+            send(2 * slop or 0.5)
+            last = send()
+            self.assertTrue(eventually(lambda: last in got()), name)
+            start = got().index(near)
+            self.assertEqual(got()[start:], [near, next_one, last])
+            self.assertTrue(self.peer.change(self.node, 'deactivate'))
+            send()
+            self.assertTrue(self.peer.change(self.node, 'activate'))
+            count = len(got())
+            self.assertTrue(eventually(lambda: send() and got()[count:]), name)
+            sent = [send(), send()]
+            self.assertTrue(eventually(lambda: sent[-1] in got()), name)
+            self.assertEqual(got()[-2:], sent)
+
     def release(self, count=1):
         """Let callbacks go on that block, or are about to."""
         count += len(self.node.got('block'))
@@ -188,6 +234,11 @@ class NodeTests:
             return len(self.node.got('block')) >= count
 
         self.assertTrue(eventually(are_released))
+
+    def callbacks(self):
+        """Return the methods that messages, requests and goals call."""
+        found = [member for member, *_ in self.each('receive_', 'serve_', 'execute_')]
+        return found + [f'receive_{name}' for name in self.synchronizers]
 
     def trigger(self, node, member):
         """Have the node call a callback."""
@@ -204,11 +255,14 @@ class NodeTests:
                 self.peer.send(node, type_, name, type_.Request(), *rest)
             if member.startswith('execute_'):
                 self.peer.goal(node, type_, name, type_.Goal())
+        if member.startswith('receive_') and member[8:] in self.synchronizers:
+            send = self.sender(node, member[8:])
+            eventually(lambda: is_called() or not send())
         self.assertTrue(eventually(is_called), member)
 
     def test_callbacks(self):
         """Callbacks that block do not delay each other, nor the loop."""
-        callbacks = [member for member, *_ in self.each('receive_', 'serve_', 'execute_')]
+        callbacks = self.callbacks()
         for member in callbacks:
             self.node.order(member, 'block')
             self.trigger(self.node, member)
@@ -568,7 +622,7 @@ class NodeTests:
         if self.frequency:
             ends.append(('update raise', 2.0, [], 1, LIFE, 'told to raise'))
             ends.append(('update sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
-        for member, *_ in self.each('receive_', 'serve_', 'execute_'):
+        for member in self.callbacks():
             ends.append((f'{member} raise', 2.0, [], 1, LIFE, 'told to raise'))
         for member, *_ in self.each(*self.can_refuse):
             ends.append((f'{member} refuse', 2.0, [], 1, LIFE, 'no response'))

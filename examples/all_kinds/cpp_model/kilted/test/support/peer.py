@@ -204,6 +204,14 @@ def sample(message_type, number=3):
     return message
 
 
+def stamped(message_type, seconds):
+    """Return a message with a stamp."""
+    message = sample(message_type)
+    stamp = message.header.stamp
+    stamp.sec, stamp.nanosec = divmod(round(seconds * 1e9), 10**9)
+    return message
+
+
 class SentGoal:
     """A goal that a node executes."""
 

@@ -13,6 +13,7 @@
 
 #include "all_kinds/ros/logger.hpp"
 #include "all_kinds/ros/time.hpp"
+#include "geometry_msgs/PointStamped.h"
 #include "std_msgs/String.h"
 
 namespace all_kinds
@@ -23,6 +24,18 @@ namespace observer_types
 {
 
 using InStatus = std_msgs::String;
+using PairLeft = geometry_msgs::PointStamped;
+using PairRight = geometry_msgs::PointStamped;
+
+/// Messages whose stamps belong together, for receive_pair: valid until it returns.
+struct PairMessages
+{
+  /// The left side
+  const PairLeft & left;
+
+  /// The right side
+  const PairRight & right;
+};
 
 }  // namespace observer_types
 

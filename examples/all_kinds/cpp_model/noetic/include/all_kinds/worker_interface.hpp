@@ -22,8 +22,10 @@
 #include "all_kinds/ros/service_client.hpp"
 #include "all_kinds/ros/time.hpp"
 #include "all_kinds/ros/transforms.hpp"
+#include "geometry_msgs/PointStamped.h"
 #include "geometry_msgs/TransformStamped.h"
 #include "geometry_msgs/Twist.h"
+#include "geometry_msgs/TwistStamped.h"
 #include "std_msgs/Empty.h"
 #include "std_msgs/Int64.h"
 #include "std_msgs/String.h"
@@ -46,6 +48,8 @@ using OutStatus = std_msgs::String;
 using PubEcho = std_msgs::String;
 using PubEmpty = std_msgs::Empty;
 using SayMessage = std_msgs::String;
+using SightingPoint = geometry_msgs::PointStamped;
+using SightingMotion = geometry_msgs::TwistStamped;
 using ClientPermit = std_srvs::Trigger;
 using ResetService = std_srvs::Empty;
 using EnableService = std_srvs::SetBool;
@@ -71,6 +75,16 @@ struct MeasureAction
   using Result = test_msgs::FibonacciResult;
 };
 using Transform = geometry_msgs::TransformStamped;
+
+/// Messages whose stamps belong together, for receive_sighting: valid until it returns.
+struct SightingMessages
+{
+  /// What is seen
+  const SightingPoint & point;
+
+  /// How the worker moves
+  const SightingMotion & motion;
+};
 
 }  // namespace worker_types
 

@@ -26,7 +26,11 @@ from all_kinds.ros.service_client import ServiceClient
 from all_kinds.ros.stop import Stop
 from all_kinds.ros.worker import Worker
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from rclpy.callback_groups import (
+    CallbackGroup,
+    MutuallyExclusiveCallbackGroup,
+    ReentrantCallbackGroup,
+)
 from rclpy.client import Client
 from rclpy.clock import Clock, ClockType
 from rclpy.duration import Duration
@@ -329,6 +333,7 @@ class ManagedNode(LifecycleNode):
         topic: str,
         callback: Callable[[Any], Any],
         qos: Any = 10,
+        callback_group: Optional[CallbackGroup] = None,
     ) -> None:
         """Create a subscription; its QoS, a profile or a depth, can be overridden."""
         subscription = self.create_subscription(
@@ -336,7 +341,7 @@ class ManagedNode(LifecycleNode):
             topic,
             callback,
             qos,
-            callback_group=MutuallyExclusiveCallbackGroup(),
+            callback_group=callback_group or MutuallyExclusiveCallbackGroup(),
             qos_overriding_options=QoSOverridingOptions(OVERRIDABLE_QOS),
         )
         self._active.callback(self.destroy_subscription, subscription)

@@ -10,6 +10,7 @@ serialized, in hexadecimal. What is not ordered is not done: no output is active
 """
 
 from collections import Counter, defaultdict, deque
+from dataclasses import is_dataclass
 from functools import partial
 from importlib import import_module
 import json
@@ -132,6 +133,9 @@ class _Recorder:
         return TURNS[method], monotonic(), self.passthrough.now()
 
     def _call_back(self, method, item, *response):
+        if is_dataclass(item):  # messages that belong together
+            report(method, [encode(each) for each in vars(item).values()])
+            return self._obey(method)
         report(method, encode(item.request if method.startswith('execute_') else item))
         responses = list(response)
         is_accepted = self._obey(method, responses or item)

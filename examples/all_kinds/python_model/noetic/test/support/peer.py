@@ -174,6 +174,13 @@ def sample(message_type, number=3):
     return decode(encode(message), message_type)  # for its arrays are of other types then
 
 
+def stamped(message_type, seconds):
+    """Return a message with a stamp."""
+    message = sample(message_type)
+    message.header.stamp = rospy.Time.from_sec(seconds)
+    return message
+
+
 def parts(action_type):
     """Return the types of goal, feedback and result."""
     action = action_type()

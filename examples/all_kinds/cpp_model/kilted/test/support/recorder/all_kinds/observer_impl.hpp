@@ -62,6 +62,15 @@ public:
     recorder_.run(words);
   }
 
+  void receive_pair(const observer_types::PairMessages & messages)
+  {
+    report(
+      "receive_pair",
+      "[" + encode(messages.left) +
+      ", " + encode(messages.right) + "]");
+    recorder_.run(recorder_.next("receive_pair"));
+  }
+
 private:
   /// Report the parameters, if they have changed.
   void record(const ObserverConfig & config)

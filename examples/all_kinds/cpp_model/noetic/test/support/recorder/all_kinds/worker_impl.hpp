@@ -115,6 +115,15 @@ public:
     recorder_.run(recorder_.next("receive_say"));
   }
 
+  void receive_sighting(const worker_types::SightingMessages & messages)
+  {
+    report(
+      "receive_sighting",
+      "[" + encode(messages.point) +
+      ", " + encode(messages.motion) + "]");
+    recorder_.run(recorder_.next("receive_sighting"));
+  }
+
   void serve_reset(
     const worker_types::ResetService::Request & request,
     worker_types::ResetService::Response & response)
