@@ -6,8 +6,10 @@
 from __future__ import annotations
 
 from concurrent.futures import Future
+from time import monotonic, sleep
 from typing import Any, cast, Optional
 
+from all_kinds.ros import timeouts
 from all_kinds.ros.callbacks import CallbackThread
 from all_kinds.ros.stop import Stop
 from rclpy.action import ActionServer as RosActionServer, CancelResponse, GoalResponse
@@ -119,6 +121,7 @@ class ActionServer:
         self._new_goal = new_goal
         self._asks = asks
         self._open = False
+        self._last_time = 0.0  # when a goal came or ended
         self._goals: list[Goal] = []
         self._server = RosActionServer(
             node,
@@ -141,6 +144,10 @@ class ActionServer:
         for goal in self._goals.copy():
             goal.give_up()
 
+    def flush(self) -> None:
+        """Wait for clients to ask for the results of the last goals."""
+        sleep(max(0.0, self._last_time + timeouts.RESULT_TIMEOUT - monotonic()))
+
     async def _answer(self, request: Any) -> GoalResponse:
         is_accepted = self._is_welcome()
         if is_accepted and self._asks:
@@ -155,6 +162,7 @@ class ActionServer:
         return is_limited and len(self._goals) >= self._thread.count
 
     def _accept(self, handle: ServerGoalHandle[Any, Any, Any]) -> None:
+        self._last_time = monotonic()
         if self._new_goal == 'replace':
             for goal in self._goals:
                 goal.replace()
@@ -167,6 +175,7 @@ class ActionServer:
         """Execute a goal and start the next that waits."""
         goal = next(goal for goal in self._goals if goal.is_of(handle))
         await goal.execute(self._thread)
+        self._last_time = monotonic()
         self._goals.remove(goal)
         if len(self._goals) >= self._thread.count:
             self._goals[self._thread.count - 1].start()

@@ -513,6 +513,8 @@ class ManagedNode(LifecycleNode):
         if self._is_configured:
             self._is_configured = False
             self._logic.finish('cleanup', self._impl.cleanup)
+        for server in self._action_servers:
+            server.flush()
         self._logic.finish('cleanup', self._disconnect_senders)
 
     def _disconnect_senders(self) -> None:
