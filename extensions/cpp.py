@@ -96,13 +96,29 @@ def _broken(line: str, is_value: bool = False) -> list[str]:
         parts = [(0, match[1]), (0 if match[1].endswith(">") else 2, match[2])]
     elif match := re.fullmatch(r"([^=\"(]+ =) (.+)", code):
         value = " " * (indent + 2) + match[2]
-        return [line[: indent + match.end(1)], *_broken(value, is_value=True)]
+        return [*_broken(line[: indent + match.end(1)]), *_broken(value, is_value=True)]
+    elif parts := _long_names(code, _LIMIT - indent):
+        return [" " * (indent + more) + text for more, text in parts]
     else:
         parts = _parts(code, is_value)
     if len(parts) == 1:
         return [line]
     first, *rest = [" " * (indent + more) + text for more, text in parts]
     return [*_broken(first, is_value), *(part for text in rest for part in _broken(text))]
+
+
+def _long_names(code: str, room: int) -> list[tuple[int, str]]:
+    """Return the parts of an alias or of a reference whose names alone are too long for a line."""
+    if match := re.fullmatch(r"(using) (\w+) =", code):
+        words, end = match.groups(), [(2, "=")]
+    elif match := re.fullmatch(r"(const) (\w+) & (\w+;)", code):
+        words, end = match.groups()[:2], [(0, f"& {match[3]}")]
+        if len(f"{' '.join(words)} &") <= room:
+            return [(0, f"{' '.join(words)} &"), (0, match[3])]
+    else:
+        return []
+    is_short = len(" ".join(words)) <= room
+    return [(0, each) for each in ([" ".join(words)] if is_short else words)] + end
 
 
 def _parts(code: str, is_value: bool) -> list[tuple[int, str]]:

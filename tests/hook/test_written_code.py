@@ -193,7 +193,8 @@ forty_callback_name_of(
   return std::vector<std::shared_ptr<
       fifty_types::
       thirty_forty>>{};
-  using fifty_forty =  // NOLINT(whitespace/line_length)
+  using fifty_forty
+    =
     thirty::fifty_type;
 """
 

@@ -95,13 +95,13 @@ class ObserverNode(ManagedNode):
         self._subscribe(
             geometry_msgs.msg.PointStamped,
             'left',
-            synchronizer.input('left'),
+            synchronizer.receiver('left'),
             callback_group=synchronizer.callback_group,
         )
         self._subscribe(
             geometry_msgs.msg.PointStamped,
             '~/right',
-            synchronizer.input('right'),
+            synchronizer.receiver('right'),
             callback_group=synchronizer.callback_group,
         )
 

@@ -256,13 +256,13 @@ class WorkerNode(ManagedNode):
         self._subscribe(
             geometry_msgs.msg.PointStamped,
             'point',
-            synchronizer.input('point'),
+            synchronizer.receiver('point'),
             callback_group=synchronizer.callback_group,
         )
         self._subscribe(
             geometry_msgs.msg.TwistStamped,
             'motion',
-            synchronizer.input('motion'),
+            synchronizer.receiver('motion'),
             QoSProfile(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5),
             callback_group=synchronizer.callback_group,
         )

@@ -79,13 +79,13 @@ class ObserverNode(ManagedNode):
         rospy.Subscriber(
             'left',
             geometry_msgs.msg.PointStamped,
-            synchronizer.input('left'),
+            synchronizer.receiver('left'),
             queue_size=10,
         )
         rospy.Subscriber(
             '~right',
             geometry_msgs.msg.PointStamped,
-            synchronizer.input('right'),
+            synchronizer.receiver('right'),
             queue_size=10,
         )
 

@@ -175,13 +175,13 @@ class WorkerNode(ManagedNode):
         rospy.Subscriber(
             'point',
             geometry_msgs.msg.PointStamped,
-            synchronizer.input('point'),
+            synchronizer.receiver('point'),
             queue_size=10,
         )
         rospy.Subscriber(
             'motion',
             geometry_msgs.msg.TwistStamped,
-            synchronizer.input('motion'),
+            synchronizer.receiver('motion'),
             queue_size=5,
             tcp_nodelay=True,
         )

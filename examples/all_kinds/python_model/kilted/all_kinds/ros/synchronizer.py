@@ -47,7 +47,7 @@ class Synchronizer:
         self._joined: deque[Any] = deque()
         joined.registerCallback(lambda *each: self._joined.append(messages(*each)))
 
-    def input(self, name: str) -> Callable[[Any], Any]:
+    def receiver(self, name: str) -> Callable[[Any], Any]:
         """Return the callback of the subscription of an input."""
 
         async def receive(message: Any) -> None:

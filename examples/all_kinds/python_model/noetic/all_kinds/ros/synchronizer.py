@@ -38,6 +38,6 @@ class Synchronizer:
             joined = ApproximateTimeSynchronizer(inputs, queue_size, slop)
         joined.registerCallback(lambda *each: callback.receive(messages(*each)))
 
-    def input(self, name: str) -> Callable[[Any], None]:
+    def receiver(self, name: str) -> Callable[[Any], None]:
         """Return the callback of the subscription of an input."""
         return self._inputs[name].signalMessage
