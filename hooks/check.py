@@ -164,7 +164,7 @@ class _Checker:
                 self.spec.unused.append((child, self.takers(kind.tag)))
         needed = [component for component in components.values() if not component.is_plain]
         if needed and not any(values[component.key] for component in needed) and not unknown:
-            tags = " or ".join(f"<{component.tag}>" for component in needed)
+            tags = _tags(component.tag for component in needed)
             self.fault(element, f"has no {tags}; it needs one at least", "missing-tag")
         self.spec.package = values
 
@@ -422,11 +422,9 @@ class _Checker:
         owners |= {kind.kind: kind.attributes for kind in self.dictionary.kinds}
         homes = [tag for tag, attributes in owners.items() if name in attributes]
         if 0 < len(homes) <= _MOST_HOMES:
-            where = " or ".join(f"<{home}>" for home in homes)
-            return f"it belongs to {where}; allowed: {', '.join(known)}"
+            return f"it belongs to {_tags(homes)}; allowed: {', '.join(known)}"
         if homes := self.homes(name):
-            where = " or ".join(f"<{home}>" for home in homes)
-            return f"it is an element: <{name}> inside {where}"
+            return f"it is an element: <{name}> inside {_tags(homes)}"
         return allowed(name, known)
 
     def homes(self, tag: str) -> list[str]:
@@ -449,12 +447,11 @@ class _Checker:
         """Report an element that may not stand in another, which has these attributes."""
         tag, homes = element.tag, self.homes(element.tag)
         homes = [home for home in homes if home in known] or homes
-        tags = " or ".join(f"<{home}>" for home in homes)
         kinds = {kind.kind for kind in self.dictionary.kinds if tag in kind.elsewhere}
         meant = [f'"{kind}"' for kind in known if kind in kinds]
         kind_of_dependency = tag.removesuffix(f"_{DEPEND}")
         if homes:
-            where = f"it belongs inside {tags}; {allowed(tag, known)}"
+            where = f"it belongs inside {_tags(homes)}; {allowed(tag, known)}"
         elif tag in attributes:
             where = f'did you mean {tag}="..."?'
         elif hint := _meant(tag, attributes):
@@ -496,6 +493,10 @@ def _meant_by(text: str, attribute: Attribute, known: Mapping[str, Attribute]) -
         if text in other.choices or is_count:
             return f'did you mean {other.name}="{text}"?'
     return None
+
+
+def _tags(names: Iterable[str]) -> str:
+    return " or ".join(f"<{name}>" for name in names)
 
 
 def _plain(name: str) -> str:
