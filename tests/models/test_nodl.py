@@ -173,6 +173,21 @@ publishers:
     assert found["serviceServers"] == []
 
 
+@pytest.mark.parametrize("name", ["python_model", "cpp_model"])
+def test_inputs_of_a_synchronizer_are_subscriptions(name):
+    """Others read which topics a node hears, whatever it does with their messages."""
+    model = MODELS[name]
+    context = model.context((EXAMPLES / "all_kinds.ros_package").read_text(), "kilted")
+    said = 0
+    for node in context["nodes"]:
+        document = yaml.safe_load(documents(model, context)[f"{node['name']}.nodl.yaml"])
+        inputs = [each for joined in node["synchronizers"] for each in joined["inputs"]]
+        heard = {(each["name"], each["type"]) for each in document["subscriptions"]}
+        assert {(each["name"], each["type"]) for each in inputs} <= heard
+        said += len(inputs)
+    assert said
+
+
 def test_words_that_nodl_does_not_have(tmp_path):
     """Whatever a dictionary comes to have: attributes with lists, kinds inside of others."""
     rule = ("rule", {"name": "least", "of": [1, 2]}, [("case", {"name": "x"}, [])])
