@@ -8,6 +8,7 @@ import itertools
 import os
 import re
 import subprocess
+import sys
 import time
 
 import copier
@@ -79,6 +80,31 @@ def context(model, xml, distro):
         return None
 
 
+def test_inputs_are_the_same_whatever_ran_before(tmp_path):
+    (tmp_path / "loaded_before.py").write_text(f"NUMBERS = {[*range(10**6, 10**6 + 500)]}\n")
+    program = (
+        "from hypothesis import given, settings\n"
+        "from support.fuzz import authors\n"
+        "@settings(max_examples=1000, database=None, derandomize=True)\n"
+        "@given(authors())\n"
+        "def run(author): print(author.getrandbits(64))\n"
+        "run()\n"
+    )
+    runs = [
+        subprocess.run(
+            [sys.executable, "-c", loaded + program],
+            cwd=tmp_path,
+            env={**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path), *sys.path])},
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for loaded in ["", "import loaded_before\n"]
+    ]
+    assert len(set(runs[0].split())) > 900
+    assert runs[0] == runs[1]
+
+
 @pytest.mark.parametrize(
     "models", [NODES, MIXED, INTERFACES], ids=["nodes", "mixed", "interfaces"]
 )
@@ -97,6 +123,16 @@ def test_inputs_are_refused_or_give_sound_packages(renderers, progress, models):
             check(files, renderer.render(plain(spec), distro), spec)
 
     run()
+
+
+def test_quotes_in_a_default_are_text(renderers):
+    package = 'name="arm" author="A" author_email="a@example.org" description="d" license="MIT"'
+    field = """<field name="a" type="string" default='"b=c'/>"""
+    xml = f'<package {package}><message name="Arm">{field}</message></package>'
+    spec = context("interfaces_model", xml.encode(), "kilted")
+    renderer = renderers["interfaces_model"]
+    files, harmless = (renderer.render(each, "kilted") for each in (spec, plain(spec)))
+    check(files, harmless, spec)
 
 
 @pytest.mark.parametrize("model", MODELS)
