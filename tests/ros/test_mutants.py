@@ -21,10 +21,12 @@ from support.linters import write
 from support.model_checks import Model
 from support.own_tests import UNTESTED, differences
 from support.packages import DATA, all_kinds
-from support.repository import ROOT
+from support.repository import EXAMPLES, ROOT
 
 PATIENT = f"TEST_TIMEOUT={ros.PATIENCE}"
 IMPATIENT = "TEST_TIMEOUT=20"
+BUILT = "all_kinds/cfg"
+"""Where a Python package for ROS 1 has what dynamic_reconfigure makes."""
 
 
 @dataclass(frozen=True)
@@ -102,8 +104,7 @@ class PythonRos1(Python):
 def python_noetic(ros1, ros1_interfaces, render, tmp_path):
     package = render(all_kinds(), ros_distro="noetic", name="src/all_kinds")
     ros1.build(tmp_path, ros1_interfaces)
-    built = tmp_path / "devel/lib/python3/dist-packages/all_kinds/cfg"
-    shutil.copytree(built, package / "all_kinds/cfg")
+    shutil.copytree(tmp_path / "devel/lib/python3/dist-packages" / BUILT, package / BUILT)
     return PythonRos1(ros1, package, tmp_path)
 
 
@@ -182,6 +183,20 @@ VARIANTS = [
     pytest.param("python_kilted", marks=pytest.mark.ros2),
     pytest.param("python_noetic", marks=pytest.mark.ros1),
 ]
+
+
+@pytest.mark.parametrize("variant", [param.values[0] for param in VARIANTS])
+def test_every_mutant_changes_the_package(variant, tmp_path):
+    """Said where the ROS of the variant is not installed, too."""
+    language, distro = variant.split("_")
+    package = tmp_path / "package"
+    shutil.copytree(EXAMPLES / f"all_kinds/{language}_model/{distro}", package)
+    if language == "cpp":
+        Cpp(package, variant)  # each applied to what the others have made
+        return
+    for mutant in mutants_of(variant).values():
+        if (package / mutant.file).parent != package / BUILT:
+            assert mutant.old in (package / mutant.file).read_text(), mutant
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
