@@ -18,8 +18,8 @@ def dependencies_from_interface(
         value = attributes.get(key)
         for item in value if isinstance(value, list) else [value]:
             _check_byte(type_, item, ros)
-            if isinstance(item, str) and (ros == 2 or key == "value"):
-                _check_text(item, isinstance(value, list), ros)
+            if isinstance(item, str):  # only ROS 2 has defaults; in ROS 1 they are comments
+                _check_text(item, isinstance(value, list), 2 if key == "default" else ros)
     base = _base(type_)
     if base in ("time", "duration"):
         return [] if ros == 1 else ["builtin_interfaces"]

@@ -357,6 +357,12 @@ def test_texts_that_ros1_would_change(value):
     context(message(field("string", default=value)), "noetic")  # a comment there
 
 
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_lines_of_a_default_do_not_become_members(distro):
+    inside = message(field("string", default="a&#10;int8 b"))
+    assert "has a line break, which ROS 2 would change" in refusal(inside, distro)
+
+
 def test_byte_of_ros1():
     for inside in (field("byte", default="200"), constant("byte", value="200")):
         context(message(inside))

@@ -61,6 +61,12 @@ string message
     )
 
 
+def test_default_of_ros1_does_not_end_a_comment(make):
+    """genmsg repeats comments in those of C++."""
+    spec = SPEC.replace('type="bool" default="false"', 'type="string" default="*/ b"')
+    assert '# Default: "* / b"' in (make(spec, "noetic") / "srv/SetString.srv").read_text()
+
+
 @pytest.mark.parametrize("spec", [SPEC, ODD.read_text()], ids=["contact_msgs", "odd_msgs"])
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
 def test_files_end_with_their_last_line(make, spec, distro):
