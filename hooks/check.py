@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from . import in_code
 from .collisions import Checked, Filters, collisions
 from .dictionary import (
     DEPEND,
@@ -23,7 +24,7 @@ from .dictionary import (
     nested,
 )
 from .endpoints import clashes
-from .faults import SpecError, allowed, first_of, quoted, shown
+from .faults import SpecError, allowed, closest, first_of, quoted, shown
 from .formats import BLANKS, FORMATS, FORMATS_OF_ROS, TYPES, comparable, dependency, split_type
 from .literals import literal, spelled
 from .names import class_name
@@ -31,8 +32,8 @@ from .parse import Element
 from .ros import DEPENDENCY_KINDS, DISTROS, lacks
 
 Values = dict[str, Any]
-_MOST_HOMES = 5
-"""How many tags a message names that have an attribute."""
+_MOST_TAGS = 5
+"""How many tags a message names that have an attribute, or may stand in another."""
 
 
 @dataclass
@@ -118,6 +119,8 @@ class _Checker:
         """By element with a type, the declared type that it is a part of, or nothing."""
         self.declaring = ""
         self.told: set[tuple[int, str]] = set()
+        self.hints: dict[tuple[str, ...], str] = {}
+        """What is said of a tag among the tags that are known."""
         self.is_sharing = False
         """Whether what is being checked stands in an element that others take."""
         self.shared: dict[tuple[str, str], Element] = {}
@@ -131,7 +134,13 @@ class _Checker:
             self.fault(element, what, "wrong-root")
             return
         components = self.dictionary.components
-        values = self.values(element, self.dictionary.package)
+        known = self.dictionary.package
+        name = naming(known)
+        if name not in element.attributes and name in element.content:
+            what = f'a spec has attributes, as <{PACKAGE} {name}="...">, not elements'
+            self.fault(element, f"{what} as a package.xml of ROS", "wrong-root")
+            return
+        values = self.values(element, known, [*components, DEPEND])
         package = self.checked(PACKAGE, element, values)
         values |= {component.key: [] for component in components.values()}
         unknown = False
@@ -171,7 +180,8 @@ class _Checker:
     def component(self, element: Element, component: Component, package: Checked) -> Values:
         self.declaring = ""
         has_name = component.can_be_renamed
-        values = given = self.values(element, component.attributes, (component.tag,), has_name)
+        attributes, inside = component.attributes, component.interfaces
+        values = given = self.values(element, attributes, inside, (component.tag,), has_name)
         if has_name:
             name = class_name(str(given.get(component.naming, "")))
             tag = {} if component.is_shared else {"tag": component.tag}
@@ -216,13 +226,16 @@ class _Checker:
     ) -> Values:
         """Return what stands inside of an element, which is one of `kind` with values `given`."""
         values: Values = {each.key: None if each.once else [] for each in kind.interfaces.values()}
+        unknown = False
         for child in self.children(element, kind):
             if child.tag not in kind.interfaces:
+                unknown = True
                 self.unknown_tag(child, list(kind.interfaces), kind.attributes)
                 continue
             inner = kind.interfaces[child.tag]
             scope = (element, inner.kind)
-            found = self.values(child, inner.attributes, scope, has_name=inner.can_be_renamed)
+            attributes, inside = inner.attributes, inner.interfaces
+            found = self.values(child, attributes, inside, scope, inner.can_be_renamed)
             requires = [] if self.is_sharing else inner.requires
             if requires and not any(_is_said(name, element, given) for name in requires):
                 what = f"its <{element.tag}> at line {element.line} must have the attribute"
@@ -243,7 +256,7 @@ class _Checker:
                 what = f"there is one at {first.where}; put all into one"
                 self.fault(child, what, "only-one")
             values[inner.key] = found
-        for inner in kind.interfaces.values():
+        for inner in () if unknown else kind.interfaces.values():
             self.check_number(element, inner, len(inner.of(values)))
         return values
 
@@ -283,7 +296,7 @@ class _Checker:
                     if declared.startswith(f"{folder}/")
                 )
                 fault = f"{quoted(word)} is not declared in this package"
-                what = f"{name}: {fault}; {allowed(word, known)}"
+                what = f"{name}: {fault}; {allowed(word, known, in_code.field(word))}"
                 self.fault(element, what, "undeclared-type")
 
     def check_references(self) -> None:
@@ -333,7 +346,8 @@ class _Checker:
         if set(element.attributes) - {DEPEND_KIND} or element.children:
             form = f'<{DEPEND}>std_msgs</{DEPEND}>, with {DEPEND_KIND}="exec" and the like'
             self.fault(element, f"takes a package name: {form}", "wrong-depend")
-        elif kind is not None and kind not in DEPENDENCY_KINDS:
+            return
+        if kind is not None and kind not in DEPENDENCY_KINDS:
             fault = f"unknown {quoted(kind)}; {allowed(kind, DEPENDENCY_KINDS)}"
             self.fault(element, f"{DEPEND_KIND}: {fault}", "unknown-choice")
         try:
@@ -345,19 +359,27 @@ class _Checker:
         self,
         element: Element,
         known: Mapping[str, Attribute],
+        inside: Iterable[str],
         scope: tuple[Any, ...] = (),
         has_name: bool = True,
     ) -> Values:
-        """Return the values of one element; `scope` is where those that name it are unique."""
+        """Return the values of one element, in which the tags `inside` may stand.
+
+        `scope` is where those that name it are unique.
+        """
+        told = set()
+        """Attributes that are there by another name."""
         if element.text:
-            what = f"text is not allowed here: {quoted(element.text)}"
-            if re.match("//|#|/[*]|--", element.text):
-                what += "; a comment is <!-- ... -->"
+            meant, hint = _instead_of_text(element, known, inside)
+            told.add(meant)
+            what = f"text is not allowed here: {quoted(element.text)}; {hint}"
             self.fault(element, what, "text-not-allowed")
         known = {**known, WAS: NAME_BEFORE} if has_name else known
         for name in element.attributes:
             if name not in known:
-                hint = _meant(name, known) or self.belongs(name, known)
+                meant, hint = _meant(name, known) or _meant_choice(name, known) or ("", "")
+                hint = hint or self.belongs(name, known)
+                told.add(meant or closest(name, known))
                 what = f"unknown attribute {quoted(name)}; {hint}"
                 self.fault(element, what, "unknown-attribute")
         values: Values = {}
@@ -367,7 +389,7 @@ class _Checker:
                 continue
             default = values.get(attribute.same_as) if attribute.same_as else attribute.default
             values[name] = default if given is None else None
-            if given is None and not attribute.optional:
+            if given is None and not attribute.optional and name not in told:
                 what = f'attribute "{name}" is missing{_doc(attribute)}'
                 self.fault(element, what, "missing-attribute")
             elif given is not None and not self.is_misplaced(element, attribute, values):
@@ -421,7 +443,7 @@ class _Checker:
         owners |= {tag: component.attributes for tag, component in components.items()}
         owners |= {kind.kind: kind.attributes for kind in self.dictionary.kinds}
         homes = [tag for tag, attributes in owners.items() if name in attributes]
-        if 0 < len(homes) <= _MOST_HOMES:
+        if 0 < len(homes) <= _MOST_TAGS:
             return f"it belongs to {_tags(homes)}; allowed: {', '.join(known)}"
         if homes := self.homes(name):
             return f"it is an element: <{name}> inside {_tags(homes)}"
@@ -445,24 +467,32 @@ class _Checker:
         self, element: Element, known: list[str], attributes: Mapping[str, Attribute]
     ) -> None:
         """Report an element that may not stand in another, which has these attributes."""
-        tag, homes = element.tag, self.homes(element.tag)
+        key = (element.tag, *known)
+        if key not in self.hints:
+            self.hints[key] = self.instead_of_tag(element.tag, known, attributes)
+        what = f"<{shown(element.tag)}> is not known here; {self.hints[key]}"
+        self.fault(element, what, "unknown-tag")
+
+    def instead_of_tag(
+        self, tag: str, known: list[str], attributes: Mapping[str, Attribute]
+    ) -> str:
+        """Say what a tag is for, or which are known."""
+        homes = self.homes(tag)
         homes = [home for home in homes if home in known] or homes
         kinds = {kind.kind for kind in self.dictionary.kinds if tag in kind.elsewhere}
         meant = [f'"{kind}"' for kind in known if kind in kinds]
         kind_of_dependency = tag.removesuffix(f"_{DEPEND}")
+        if meant:
+            return f"did you mean {' or '.join(meant)}? allowed: {', '.join(known)}"
         if homes:
-            where = f"it belongs inside {_tags(homes)}; {allowed(tag, known)}"
-        elif tag in attributes:
-            where = f'did you mean {tag}="..."?'
-        elif hint := _meant(tag, attributes):
-            where = hint
-        elif DEPEND in known and kind_of_dependency in DEPENDENCY_KINDS:
-            where = f'did you mean <{DEPEND} {DEPEND_KIND}="{kind_of_dependency}">?'
-        elif meant:
-            where = f"did you mean {' or '.join(meant)}? allowed: {', '.join(known)}"
-        else:
-            where = allowed(tag, known)
-        self.fault(element, f"<{shown(tag)}> is not known here; {where}", "unknown-tag")
+            return f"it belongs inside {_tags(homes)}; {allowed(tag, known)}"
+        if tag in attributes:
+            return f'did you mean {tag}="..."?'
+        if hint := _meant(tag, attributes):
+            return hint[1]
+        if DEPEND in known and kind_of_dependency in DEPENDENCY_KINDS:
+            return f'did you mean <{DEPEND} {DEPEND_KIND}="{kind_of_dependency}">?'
+        return allowed(tag, known)
 
     def fault(self, element: Element, message: str, id_: str) -> None:
         """Keep a fault; that of an element is said once, however many take it."""
@@ -474,14 +504,38 @@ class _Checker:
         self.faults.append((element.place[1], fault))
 
 
-def _meant(name: str, known: Mapping[str, Attribute]) -> str | None:
-    """Return what is meant by the name that another tool has for an attribute."""
+def _meant(name: str, known: Mapping[str, Attribute]) -> tuple[str, str] | None:
+    """Return the attribute for which another tool has a name, and what is meant by that."""
     for attribute in known.values():
         for word, meant in attribute.elsewhere.items():
             if _plain(word) == _plain(name):
                 written = meant or f'{attribute.name}="..."'
-                return f"did you mean {written}?"
+                return attribute.name, f"did you mean {written}?"
     return None
+
+
+def _meant_choice(name: str, known: Mapping[str, Attribute]) -> tuple[str, str] | None:
+    """Return the attribute of which a name is a choice, and that: `reliable="true"`."""
+    for attribute in known.values():
+        for choice, others in attribute.choices.items():
+            if _plain(name) in map(_plain, (choice, *others)):
+                return attribute.name, f'did you mean {attribute.name}="{choice}"?'
+    return None
+
+
+def _instead_of_text(
+    element: Element, known: Mapping[str, Attribute], inside: Iterable[str]
+) -> tuple[str, str]:
+    """Return the attribute that a text in an element is for, if one alone, and what it takes."""
+    if re.match("//|#|/[*]|--", element.text):
+        return "", "a comment is <!-- ... -->"
+    needed = (each for each in known.values() if not each.optional and not each.ignored)
+    lacking = [each for each in needed if each.name not in element.attributes]
+    if len(lacking) == 1 and element.text in (lacking[0].choices or [element.text]):
+        return lacking[0].name, f'did you mean {lacking[0].name}="..."?'
+    tags = list(inside)
+    elements = f"; elements: {', '.join(tags)}" if 0 < len(tags) <= _MOST_TAGS else ""
+    return "", f"it takes attributes: {', '.join(known)}{elements}"
 
 
 def _meant_by(text: str, attribute: Attribute, known: Mapping[str, Attribute]) -> str | None:
@@ -490,7 +544,10 @@ def _meant_by(text: str, attribute: Attribute, known: Mapping[str, Attribute]) -
         return f"did you mean {meant}?"
     for other in known.values():
         is_count = other.optional and other.format == "int" and text.isdecimal()
-        if text in other.choices or is_count:
+        for word, others in other.choices.items():
+            if text in (word, *others):
+                return f'did you mean {other.name}="{word}"?'
+        if is_count:
             return f'did you mean {other.name}="{text}"?'
     return None
 
@@ -546,7 +603,8 @@ def _value(
             if text.strip(BLANKS) in (word, *others):
                 return word
         hint = _meant_by(text.strip(BLANKS), attribute, known)
-        what = f"unknown {quoted(text)}; {hint or allowed(text, attribute.choices)}"
+        held = in_code.choice(text, attribute.choices)
+        what = f"unknown {quoted(text)}; {hint or allowed(text, attribute.choices, held)}"
         raise SpecError(what, "unknown-choice")
     if attribute.pattern and not re.fullmatch(attribute.pattern, text):
         what = f"{quoted(text)} does not match the pattern {attribute.pattern}"

@@ -58,10 +58,18 @@ def first_of(faults: Sequence[SpecError]) -> SpecError:
     return SpecError("\n".join(lines), faults[0].id)
 
 
-def allowed(word: str, words: Iterable[str]) -> str:
-    """Say which `words` are allowed in place of `word`, the nearest one first."""
+def allowed(word: str, words: Iterable[str], meant: str = "") -> str:
+    """Say which `words` are allowed in place of `word`, first what is meant, or the nearest."""
     known = list(words)
-    return nearest(word, known) + (f"allowed: {', '.join(known)}" if known else "none is allowed")
+    first = f"did you mean {quoted(meant)}? " if meant else nearest(word, known)
+    return first + (f"allowed: {', '.join(known)}" if known else "none is allowed")
+
+
+def closest(word: str, words: Iterable[str], likeness: float = 0.6) -> str:
+    """Return the one of the `words` that is spelled most like `word`; nothing if none is."""
+    spelled = {known.lower(): known for known in words}
+    near = difflib.get_close_matches(word[:_LONGEST].lower(), spelled, 1, likeness)
+    return spelled[near[0]] if near else ""
 
 
 def nearest(word: str, words: Iterable[str]) -> str:
@@ -71,8 +79,7 @@ def nearest(word: str, words: Iterable[str]) -> str:
     """
     known, word = list(words), word[:_LONGEST].lower()
     parts = [w for w in known if len(word) >= _SHORTEST_PART and word in w.lower()]
-    spelled = {known_word.lower(): known_word for known_word in known}
-    if 1 < len(parts) <= _MOST_PARTS and not difflib.get_close_matches(word, spelled, 1, _SLIP):
+    if 1 < len(parts) <= _MOST_PARTS and not closest(word, known, _SLIP):
         return f"did you mean {', '.join(map(quoted, parts[:-1]))} or {quoted(parts[-1])}? "
-    near = difflib.get_close_matches(word, spelled, 1)
-    return f"did you mean {quoted(spelled[near[0]])}? " if near else ""
+    near = closest(word, known)
+    return f"did you mean {quoted(near)}? " if near else ""

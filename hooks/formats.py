@@ -15,18 +15,14 @@ from typing import Any
 
 from packaging.licenses import InvalidLicenseExpression, canonicalize_license_expression
 
+from . import in_code
 from .data import load_data
 from .faults import SpecError, allowed, quoted, shown
-from .names import class_name
+from .in_code import FOLDERS, PRIMITIVES
 from .names import identifier as identifier_of
 from .words import CPP_NAMES, DEVICES, KEYWORDS, MODULES, PACKAGES, meaning
 
 _LICENSES = {name: spdx for spdx, names in load_data("licenses.yaml").items() for name in names}
-TYPES_OF_ROS: dict[str, dict[str, list[str]]] = {
-    package: {folder: names.split() for folder, names in folders.items()}
-    for package, folders in load_data("types.yaml").items()
-}
-"""The types that come with ROS: by package and folder, their names."""
 _WITH_HEADER: dict[str, str] = load_data("ros.yaml")["with_header"]
 BLANKS = " \t\r\n"
 """What is a blank in XML: around a word, it has no meaning."""
@@ -116,7 +112,7 @@ def package_name(value: str) -> str:
 
 dependency = _matching(
     r"[A-Za-z][A-Za-z0-9_.+-]*",
-    'not a package name; allowed: letters, digits and "_", a letter first',
+    'not a package name; allowed: one name of letters, digits and "_", a letter first',
     "invalid-name",
 )
 email = _matching(  # catkin_pkg's own expression
@@ -161,8 +157,7 @@ def with_capital(type_: str) -> str:
     Nothing where it begins with a capital.
     """
     name = re.split("[/:]", type_)[-1]
-    meant = class_name(name).replace("Uint", "UInt")
-    return type_.removesuffix(name) + meant if name[0].islower() else ""
+    return type_.removesuffix(name) + in_code.with_capital(name) if name[0].islower() else ""
 
 
 def check_capital(type_: str) -> None:
@@ -172,25 +167,21 @@ def check_capital(type_: str) -> None:
         raise SpecError(f"{quoted(type_)}: {rule}", "type-without-capital")
 
 
-_FOLDERS = {"msg": "a message", "srv": "a service", "action": "an action"}
-_CODE = r"\[.*|[&*]|\bconst\b|\bstd::|(::)?(Const|Shared|Unique)*Ptr\b"
-"""What code has around a type."""
-
-
 def _as_in_code(value: str, folder: str) -> str:
     """Say what a type is that is written as in code, as its file, or as a list."""
-    words = re.findall(r"[^.:/\\\s-]+", re.sub(_CODE, "", value))
-    others = [word for word in words if word in _FOLDERS and word != folder]
-    words = [word for word in words if word not in _FOLDERS]
+    words = in_code.words(value)
+    others = [word for word in words if word in FOLDERS and word != folder]
+    words = [word for word in words if word not in FOLDERS]
     if others and len(words) == 2:
-        return f"the type of {_FOLDERS[others[0]]}, where that of {_FOLDERS[folder]} belongs;"
+        return f"the type of {FOLDERS[others[0]]}, where that of {FOLDERS[folder]} belongs;"
     why = "not a type; "
+    if words in ([package] for package in in_code.TYPES_OF_ROS):
+        return f"{why}it names a package alone;"
+    if words:
+        words[-1] = in_code.with_capital(words[-1])
     if len(words) == 1:
         why += "it lacks its package; "
-        word = _IN_CODE.get(words[0], words[0])
-        name = class_name(word).replace("Uint", "UInt") if word in PRIMITIVES else word
-        words = [package for package, of in TYPES_OF_ROS.items() if name in of.get(folder, ())]
-        words.append(name)
+        words = [*in_code.packages(words[0], folder), *words]
     why += f'did you mean "{shown("::".join(words))}"?' if len(words) == 2 else ""
     return why.rstrip()
 
@@ -204,7 +195,7 @@ def _type(folder: str, example: str) -> Callable[[str], str]:
         complaint = f"{_as_in_code(value, folder)} allowed: {forms}"
         match = _match(pattern, value, complaint, "invalid-type")
         package = _free(match[1], (*CPP_NAMES, *MODULES))
-        if match[1] == "std":
+        if in_code.is_of_code(value):
             raise SpecError(f"{quoted(value)} is {complaint}", "invalid-type")
         if meaning(match[3], CPP_NAMES):
             check_capital(value)
@@ -213,30 +204,12 @@ def _type(folder: str, example: str) -> Callable[[str], str]:
     return parse
 
 
-PRIMITIVES = (
-    *("bool", "byte", "char", "float32", "float64"),
-    *(f"{sign}int{bits}" for bits in (8, 16, 32, 64) for sign in ("", "u")),
-    *("string", "wstring", "time", "duration"),
-)
-"""The types of fields that ROS has built in; time and duration in ROS 1 alone."""
 _FIELD_TYPE = r"([\w:/]+)(?:<=([0-9]+))?(?:\[(<=)?([0-9]*)\])?"
 _SYNONYMS = {
     "Header": "std_msgs/msg/Header",
     "builtin_interfaces/msg/Time": "time",
     "builtin_interfaces/msg/Duration": "duration",
 }
-_IN_CODE = {
-    "boolean": "bool",
-    "double": "float64",
-    "float": "float32",
-    "int": "int32",
-    "long": "int64",
-    "str": "string",
-    "std::string": "string",
-    "std::wstring": "wstring",
-    **{f"{std}{name}_t": name for std in ("", "std::") for name in PRIMITIVES if "int" in name},
-}
-"""What fields of the languages of nodes are in messages."""
 _BIGGEST_SIZE = 2**31 - 1
 
 
@@ -269,6 +242,11 @@ def stamped_type(value: str) -> str:
     return found
 
 
+def _field_in_code(value: str) -> str:
+    meant = in_code.field(value)
+    return f"did you mean {quoted(meant)}? " if meant else ""
+
+
 def field_type(value: str) -> str:
     """The type of a field: primitive, `Type` of the package itself, or as a message type.
 
@@ -277,7 +255,7 @@ def field_type(value: str) -> str:
     """
     forms = "allowed: a primitive type, Type, package::Type; [], [3] or [<=3] after it"
     id_ = "invalid-type"
-    match = _match(_FIELD_TYPE, value, f"not a field type; {forms}", id_)
+    match = _match(_FIELD_TYPE, value, f"not a field type; {_field_in_code(value)}{forms}", id_)
     base, bound, limit, size = match.groups()
     for number_ in filter(None, (bound, size)):
         if not 0 < int(number_) <= _BIGGEST_SIZE:
@@ -286,8 +264,8 @@ def field_type(value: str) -> str:
         raise SpecError(f"{quoted(value)} is not a field type; {forms}", id_)
     if bound and base not in ("string", "wstring"):
         raise SpecError(f"{quoted(value)}: only a string has a bound; {forms}", id_)
-    if meant := _IN_CODE.get(base):
-        raise SpecError(f'{quoted(base)} is no type of ROS; did you mean "{meant}"?', id_)
+    if in_code.is_of_code(base):
+        raise SpecError(f"{quoted(base)} is no type of ROS; {_field_in_code(base)}{forms}", id_)
     if base not in (*PRIMITIVES, *_SYNONYMS):
         base = _message(base)
     base = _SYNONYMS.get(base, base)
@@ -325,8 +303,10 @@ def number(value: str) -> float:
     except ValueError:
         result = math.nan
     if not math.isfinite(result) or "_" in value:
-        what = f"{quoted(value)} is not a number; allowed: a finite number, such as 12.5"
-        raise SpecError(what, "invalid-value")
+        point = re.sub(r"^\s*([+-]?\d+),(\d+)\s*$", r"\1.\2", value)
+        hint = f"did you mean {quoted(point)}? " if point != value else ""
+        form = "allowed: a finite number without a unit, such as 12.5"
+        raise SpecError(f"{quoted(value)} is not a number; {hint}{form}", "invalid-value")
     return result
 
 

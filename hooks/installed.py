@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -15,13 +16,19 @@ from typing import Any
 from .advice import elements
 from .dictionary import Dictionary
 from .faults import with_id
-from .formats import TYPES, TYPES_OF_ROS, split_type
+from .formats import TYPES, split_type
+from .in_code import TYPES_OF_ROS, with_capital
 
 _PATHS = {
     1: {"CMAKE_PREFIX_PATH": "share", "ROS_PACKAGE_PATH": ""},
     2: {"AMENT_PREFIX_PATH": "share"},
 }
 """The variables that name where packages are installed, and the folder of packages in each."""
+_SUFFIXES = {
+    "srv": "(Request|Response)$",
+    "action": "(Action)?(Goal|Result|Feedback)$|Action$",
+}
+"""What names of classes have after that of the type."""
 
 
 def missing_types(
@@ -56,8 +63,13 @@ def _slips(package: str, folder: str, name: str) -> Iterator[str]:
     if package not in TYPES_OF_ROS and f"{package}s" in TYPES_OF_ROS:
         yield f"no package {package} comes with ROS; is {package}s meant?"
     known = TYPES_OF_ROS.get(package, {}).get(folder, [])
-    if name not in known and (near := difflib.get_close_matches(name, known, 1)):
+    in_code = re.sub(_SUFFIXES.get(folder, "$"), "", name) or name
+    meant = [each for each in (in_code, with_capital(name.lower())) if each in known]
+    near = meant or difflib.get_close_matches(name, known, 1)
+    if known and name not in known and near:
         yield f"{package} has no {folder}/{name} in any ROS known here; is {near[0]} meant?"
+    elif not known and in_code != name:
+        yield f"{package}/{folder}/{name} looks like a class of code; is {in_code} meant?"
 
 
 def _types(context: Mapping[str, Any], dictionary: Dictionary) -> Iterator[tuple[str, str, str]]:

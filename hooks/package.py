@@ -68,6 +68,9 @@ class Package:
                     f"{copy} and leave spec_file out",
                     "other-spec",
                 )
+        if re.match(r"\w+://", given):
+            what = f"{given}: an address is not read; download the file, and name that"
+            raise SpecError(what, "no-such-file")
         if given:
             return Path(given)
         if not found and self.is_made:
@@ -138,7 +141,9 @@ def read(file: Path | str) -> bytes:
             what = f"{name}: no such file; spec_file must name the XML of a package"
             raise SpecError(what, "no-such-file")
         if not path.is_file():
-            what = f"{name}: not a file; spec_file must name the XML of a package"
+            inside = [f"did you mean {name}/{each.name}?" for each in path.glob(f"*{SUFFIX}")]
+            hint = inside[0] if inside else "spec_file must name the XML of a package"
+            what = f"{name}: not a file; {hint}"
             raise SpecError(what, "no-such-file")
         return path.read_bytes()
     except (OSError, RuntimeError, ValueError) as error:

@@ -105,7 +105,8 @@ def _places(xml: bytes, file: str) -> list[Place]:
 
     def declaration(version: str, encoding: str | None, standalone: int) -> None:
         if encoding and encoding.upper() != "UTF-8":
-            what = f"encoding {quoted(encoding)} is not read; save the spec as UTF-8 and say so"
+            what = f"encoding {quoted(encoding)} is not read; save the spec as UTF-8"
+            what += ', and write encoding="UTF-8"'
             refuse(what, "not-utf-8")
 
     def doctype(name: str, system: str | None, public: str | None, internal: bool) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from . import installed, package, questions, trees
-from .faults import with_id
+from .faults import SpecError, with_id
 from .model import Model
 from .parse import Element
 from .ros import DISTROS
@@ -50,7 +50,13 @@ class Specs:
         if isinstance(run.given.get("spec"), str):  # Copier itself gives a mapping
             questions.check_options(["spec"], self.root)
         known = {"model": self._choices(), "ros_distro": list(DISTROS)}
-        questions.check_choices({**run.package.answers(), **run.given}, self.root, known)
+        answers = {**run.package.answers(), **run.given}
+        model = str(answers.get("model") or "")
+        is_other = model and known["model"] and model not in known["model"]
+        if is_other and (self.root / model / "copier.yml").is_file():
+            how = f"copy it from its own address; {model}/README.md has the command"
+            raise SpecError(f"model: {model} is a template by itself; {how}", "unknown-choice")
+        questions.check_choices(answers, self.root, known)
         return ""
 
     def context(self, run: Run, spec_file: str) -> dict[str, Any]:

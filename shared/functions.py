@@ -273,8 +273,12 @@ def spec_from_yaml(files: list[str], load: Callable[[str], Any]) -> tuple[Tree, 
 def _documents(file: str, load: Callable[[str], Any], seen: set[str]) -> Iterator[Values]:
     """Yield a document and those that it includes."""
     seen.add(file)
-    document = _mapping(f"{file}:1", load(file) or None, _KEYS)
-    version = document.get("nodl_version", "none")
+    loaded = load(file) or None
+    if isinstance(loaded, dict) and "nodl_version" not in loaded:
+        what = f"it has no nodl_version; a spec is XML, or NoDL of version {_VERSION}"
+        raise _fault(f"{file}:1", what, "nodl-version")
+    document = _mapping(f"{file}:1", loaded, _KEYS)
+    version = document["nodl_version"]
     if version != _VERSION:
         what = f"nodl_version: {version} is not read; allowed: {_VERSION}"
         raise _fault(document, what, "nodl-version")

@@ -114,3 +114,22 @@ def test_slip_in_an_installed_package_is_told_once(tmp_path):
     interface = found("publisher", "geometry_msgs::Twst")
     (note,) = notes({"AMENT_PREFIX_PATH": str(tmp_path)}, "kilted", interface)
     assert note.startswith(f"geometry_msgs in {tmp_path}")
+
+
+@pytest.mark.parametrize("distro", VARIABLES)
+@pytest.mark.parametrize(
+    ("kind", "type_", "meant"),
+    [
+        ("publisher", "std_msgs::Double", "Float64"),
+        ("publisher", "std_msgs::Int", "Int32"),
+        ("publisher", "std_msgs::Float", "Float32"),
+        ("publisher", "std_msgs::Boolean", "Bool"),
+        ("serviceServer", "std_srvs::TriggerRequest", "Trigger"),
+        ("serviceServer", "arm_msgs::PlanResponse", "Plan"),
+        ("actionServer", "arm_msgs::MoveAction", "Move"),
+        ("actionClient", "arm_msgs::MoveActionGoal", "Move"),
+    ],
+)
+def test_what_code_calls_a_type(distro, kind, type_, meant):
+    (note,) = notes({}, distro, found(kind, type_))
+    assert f"is {meant} meant?" in note

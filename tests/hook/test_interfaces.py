@@ -111,7 +111,10 @@ def test_type_that_a_ros_lacks():
         ("std_msgs::bool", 'did you mean "std_msgs::Bool"?'),
         ("geometry_msgs::srv::Point", "the type of a service"),
         ("a::b::c::D", "not a type"),
-        ("Point", '"Point" is not declared in this package; allowed: Pose'),
+        (
+            "Point",
+            'not declared in this package; did you mean "geometry_msgs::Point"? allowed: Pose',
+        ),
         (
             "arm_msgs::Poze[]",
             '"Poze" is not declared in this package; did you mean "Pose"? allowed: Pose',

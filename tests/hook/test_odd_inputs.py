@@ -11,7 +11,7 @@ from hooks import package
 from hooks.faults import SpecError
 from hooks.model import Model
 from hooks.package import Package
-from support.repository import ROOT, commit, git
+from support.repository import EXAMPLES, ROOT, commit, git
 
 resource = pytest.importorskip("resource", reason="Windows: no limits of processes, no FIFOs")
 MODEL = Model(ROOT / "python_model", ROOT)
@@ -133,12 +133,13 @@ except SpecError as error:
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda path: path.mkdir(), "not a file"),
+        (lambda path: path.mkdir(), "not a file; spec_file must name the XML of a package"),
+        (lambda path: path.symlink_to(EXAMPLES), r"did you mean .*/\w+.ros_package\?"),
         (lambda path: path.symlink_to("nowhere"), "no such file"),
         (os.mkfifo, "not a file"),
         (lambda path: None, "no such file"),
     ],
-    ids=["folder", "dangling link", "fifo", "nothing"],
+    ids=["folder", "folder of specs", "dangling link", "fifo", "nothing"],
 )
 def test_what_is_no_file(tmp_path, make, message):
     make(tmp_path / "arm.ros_package")

@@ -214,7 +214,7 @@ NODE = ITEM.format('<node name="n" frequency="1">{}</node>')
         ),
         (
             NODE.format('<subscriber name="x" type="a::B" qos="rmw_qos_profile_sensor_data"/>'),
-            'did you mean qos="sensor_data"?',
+            'did you mean "sensor_data"? allowed: ',
         ),
         (
             NODE.format('<publisher name="x" type="a::B" durability="latch"/>'),
@@ -270,11 +270,11 @@ NODE = ITEM.format('<node name="n" frequency="1">{}</node>')
         ),
         (
             NODE.format('<parameter name="x" type="double_array" value="[]"/>'),
-            'did you mean type="double[]"?',
+            'did you mean "double[]"? allowed: ',
         ),
         (
             NODE.format('<parameter name="x" type="std::vector&lt;int>" value="[]"/>'),
-            'did you mean type="int[]"?',
+            'did you mean "int[]"? allowed: ',
         ),
         (
             NODE.format('<parameter name="x" type="int" value="1" lower_bound="0"/>'),
@@ -344,10 +344,107 @@ NODE = ITEM.format('<node name="n" frequency="1">{}</node>')
             NODE.format('<publisher name="x" type="std_msgs String"/>'),
             'did you mean "std_msgs::String"?',
         ),
+        # What code has around a type, and types of the languages.
+        *(
+            (NODE.format(f'<publisher name="x" type="{type_}"/>'), f'did you mean "{meant}"?')
+            for type_, meant in [
+                ("geometry_msgs/msg/twist.hpp", "geometry_msgs::Twist"),
+                ("geometry_msgs/msg/twist_stamped.hpp", "geometry_msgs::TwistStamped"),
+                ("geometry_msgs/Twist.h", "geometry_msgs::Twist"),
+                ("#include &lt;std_msgs/String.h>", "std_msgs::String"),
+                ("from std_msgs.msg import String", "std_msgs::String"),
+                ("std::shared_ptr&lt;std_msgs::msg::String>", "std_msgs::String"),
+                ("std_msgs->String", "std_msgs::String"),
+                ("std_msgs::msgs::String", "std_msgs::String"),
+                ("rclcpp::Publisher&lt;std_msgs::msg::String>::SharedPtr", "std_msgs::String"),
+                ("std_msgs::float", "std_msgs::Float32"),
+            ]
+        ),
+        (
+            NODE.format('<publisher name="x" type="geometry_msgs"/>'),
+            '"geometry_msgs" is not a type; it names a package alone; allowed: package::Type',
+        ),
+        (
+            NODE.format('<serviceServer name="x" type="std_srvs::Trigger::Request"/>'),
+            'did you mean "std_srvs::Trigger"?',
+        ),
+        (
+            NODE.format('<actionServer name="x" type="nav_msgs::MoveAction::Goal"/>'),
+            'did you mean "nav_msgs::MoveAction"?',
+        ),
+        *(
+            (NODE.format(f'<parameter name="x" type="{type_}"/>'), f'did you mean "{meant}"?')
+            for type_, meant in [
+                ("unsigned int", "int"),
+                ("long double", "double"),
+                ("const std::string&amp;", "string"),
+                ("std_msgs::Float64", "double"),
+                ("PARAMETER_DOUBLE", "double"),
+                ("PARAMETER_STRING_ARRAY", "string[]"),
+                ("float32[]", "double[]"),
+                ("int[3]", "int[]"),
+                ("std::array&lt;float, 3>", "double[]"),
+                ("list[str]", "string[]"),
+            ]
+        ),
+        *(
+            (NODE.format(f'<publisher name="x" type="a::B" {said}/>'), f"did you mean {meant}?")
+            for said, meant in [
+                ('qos="rclcpp::SensorDataQoS()"', '"sensor_data"'),
+                ('qos="latched"', 'durability="transient_local"'),
+                ('reliability="RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT"', '"best_effort"'),
+                ('best_effort="true"', 'reliability="best_effort"'),
+                ('reliable="1"', 'reliability="reliable"'),
+                ('transientLocal="true"', 'durability="transient_local"'),
+                ('remap="/a"', "a <remap> in the launch file"),
+            ]
+        ),
+        # What is written between tags, where an attribute is for it.
+        (
+            NODE.format('<parameter name="x" type="int">1</parameter>'),
+            'text is not allowed here: "1"; it takes attributes: name, type, min, max, choices, v',
+        ),
+        (
+            ITEM.format("<folder>urdf</folder>"),
+            'text is not allowed here: "urdf"; did you mean name="..."?',
+        ),
+        (
+            NODE.format("a text"),
+            'text is not allowed here: "a text"; it takes attributes: name, executable, ',
+        ),
+        # What belongs to another file, or to Copier.
+        (NODE.format('<remap from="a" to="b"/>'), "did you mean a <remap> in the launch file?"),
+        (ITEM.format('<node name="n" pkg="p"/>'), '"pkg"; did you mean a <node> in the launch'),
+        (
+            ITEM.format('<node name="n" output="screen"/>'),
+            '"output"; did you mean a <node> in the launch',
+        ),
+        (
+            ITEM.format("<node/>").replace("<package", '<package ros_distro="humble"'),
+            'did you mean copier\'s "-d ros_distro=..."?',
+        ),
+        (
+            ITEM.format('<message name="M"/>'),
+            "<message> is not known here; did you mean a package of interfaces_model?",
+        ),
+        (NODE.format('<output name="x"/>'), 'did you mean "publisher"?'),
+        (NODE.format('<tf2 name="x"/>'), 'did you mean "listener" or "broadcaster"?'),
+        # Values.
+        (NODE.format('<parameter name="x" type="double" value="0,5"/>'), 'did you mean "0.5"?'),
+        (
+            NODE.format('<timer name="x" frequency="10 Hz"/>'),
+            '"10 Hz" is not a number; allowed: a finite number without a unit, such as 12.5',
+        ),
+        (
+            ITEM.format("<depend>nav_msgs, tf2</depend>"),
+            '"nav_msgs, tf2" is not a package name; allowed: one name of letters,',
+        ),
     ],
 )
 def test_habits_of_other_tools(spec, says, distro):
     for name in ("python_model", "cpp_model", "mixed_model"):
+        if name == "mixed_model":
+            spec = spec.replace("<node ", '<node language="cpp" ')
         with pytest.raises(SpecError) as raised:
             Model(ROOT / name, ROOT).context(spec.encode(), "spec", distro)
         assert says in str(raised.value)
@@ -400,3 +497,75 @@ def test_comment_of_another_language(text):
     with pytest.raises(SpecError) as raised:
         Model(ROOT / "cpp_model", ROOT).context(ITEM.format(text).encode(), "spec", "kilted")
     assert f'not allowed here: "{text}"; a comment is <!-- ... -->' in str(raised.value)
+
+
+@pytest.mark.parametrize(
+    ("spec", "says"),
+    [
+        (NODE.format('<publisher nmae="x" type="a::B"/>'), 'did you mean "name"?'),
+        (NODE.format('<publisher name="x" msg="a::B"/>'), 'did you mean type="..."?'),
+        (NODE.format('<timer name="x" period="1"/>'), 'did you mean frequency="...", in Hz?'),
+        (NODE.format('<publisher name="x" type="std_msgs::str"/>'), '"std_msgs::String"?'),
+        (NODE.format('<publisher name="x" type="std_msgs/uint8"/>'), '"std_msgs/UInt8"?'),
+        (ITEM.format('<depend name="tf2"/><node name="n"/>'), "takes a package name: <depend>"),
+        (ITEM.format("<folder>urdf</folder><node name='n'/>"), 'did you mean name="..."?'),
+        (
+            NODE.format('<synchronizer name="x"><subscriber name="a"/></synchronizer>'),
+            '<subscriber> is not known here; did you mean "input"?',
+        ),
+        (
+            '<package format="3"><name>arm</name><version>0.1.0</version><license>MIT</license>'
+            '<maintainer email="a@b.de">A</maintainer></package>',
+            'a spec has attributes, as <package name="...">, not elements as a package.xml of ROS',
+        ),
+        ("<package><name>arm</name><license>MIT</license></package>", "as a package.xml of ROS"),
+    ],
+)
+def test_one_slip_is_one_message(spec, says):
+    with pytest.raises(SpecError) as raised:
+        Model(ROOT / "cpp_model", ROOT).context(spec.encode(), "spec", "kilted")
+    (message,) = str(raised.value).splitlines()
+    assert says in message
+
+
+@pytest.mark.parametrize(
+    ("inside", "says"),
+    [
+        *(
+            (f'<field name="x" type="{type_}"/>', f'did you mean "{meant}"?')
+            for type_, meant in [
+                ("std::vector&lt;double>", "float64[]"),
+                ("std::vector&lt;geometry_msgs::msg::Point>", "geometry_msgs::Point[]"),
+                ("list[int]", "int32[]"),
+                ("double[3]", "float64"),
+                ("unsigned char", "uint8"),
+                ("unsigned int", "uint32"),
+                ("String", "string"),
+                ("Point", "geometry_msgs::Point"),
+                ("Point[]", "geometry_msgs::Point"),
+                ("Time", "time"),
+                ("ros::Time", "time"),
+                ("rclcpp::Duration", "duration"),
+                ("std_msgs/Header.msg", "std_msgs::Header"),
+                ("std_msgs.msg.Header", "std_msgs::Header"),
+                ("geometry_msgs::msg::Point::SharedPtr", "geometry_msgs::Point"),
+            ]
+        ),
+        ('<constant name="X" type="double" value="1"/>', 'did you mean "float64"?'),
+        ('<constant name="X" type="int" value="1"/>', 'did you mean "int32"?'),
+        ('<constant name="X" type="int32">5</constant>', 'did you mean value="..."?'),
+        ('<enum name="X"/>', 'did you mean "constant"?'),
+        ("float64 x", "it takes attributes: name, description; elements: field, constant"),
+    ],
+)
+def test_habits_in_a_message(inside, says):
+    spec = ITEM.format(f'<message name="M">{inside}</message>')
+    with pytest.raises(SpecError) as raised:
+        Model(ROOT / MESSAGES, ROOT).context(spec.encode(), "spec", "kilted")
+    (message,) = str(raised.value).splitlines()
+    assert says in message
+
+
+def test_node_among_messages():
+    with pytest.raises(SpecError, match="did you mean a package of python_model or cpp_model?"):
+        Model(ROOT / MESSAGES, ROOT).context(ITEM.format("<node/>").encode(), "spec", "kilted")

@@ -234,7 +234,8 @@ def test_words_of_ours_that_are_out_of_date(tmp_path):
     ("right", "wrong", "line", "message"),
     [
         ("nodl_version: 2", "nodl_version: 1", 1, "nodl_version: 1 is not read; allowed: 2"),
-        ("nodl_version: 2", "other: 2", 1, 'unknown key "other"; allowed: nodl_version'),
+        ("nodl_version: 2", "other: 2", 1, "it has no nodl_version; a spec is XML, or NoDL"),
+        ("nodl_version: 2", "nodl_version: 2\nother: 2", 2, 'unknown key "other"; allowed: nodl'),
         ("publishers", "publisher", 3, 'unknown key "publisher"; allowed: nodl_version'),
         ("name: speed", "name: 2fast", 4, '<directPublisher name="2fast">: name: "2fast" is not'),
         ("name: speed, ", "", 4, 'attribute "name" is missing'),

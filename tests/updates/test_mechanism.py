@@ -236,12 +236,31 @@ def test_bad_spec_on_update_changes_nothing(package, copier_command, command):
     assert git(package, "status", "--short") == ""
 
 
+def test_template_that_is_no_model(collection, copier_command, tmp_path):
+    data = ("-d", "model=starter_model")
+    fails(
+        copier_command("copy", *QUIET, *data, collection, "new", cwd=tmp_path),
+        "starter_model is a template by itself; copy it from its own address",
+    )
+    assert not (tmp_path / "new").exists()
+
+
 def test_faults_around_the_spec_file(collection, package, copier_command, tmp_path):
     data = ("-d", "model=python_model", "-d")
     copy = ("copy", *QUIET, *data)
     fails(
         copier_command(*copy, "spec_file=none.xml", collection, "new", cwd=tmp_path),
         "none.xml: no such file",
+    )
+    address = "https://example.org/robot.xml"
+    fails(
+        copier_command(*copy, f"spec_file={address}", collection, "new", cwd=tmp_path),
+        f"{address}: an address is not read; download the file",
+    )
+    (tmp_path / "parameters.yaml").write_text("/**: {ros__parameters: {gain: 1}}")
+    fails(
+        copier_command(*copy, "spec_file=parameters.yaml", collection, "new", cwd=tmp_path),
+        "parameters.yaml:1: it has no nodl_version; a spec is XML, or NoDL of version 2",
     )
     (tmp_path / "latin.xml").write_bytes(SPEC.replace("Ada", "Zoë").encode("latin-1"))
     fails(
