@@ -1043,6 +1043,16 @@ def test_stop_ends_wait_of_a_thread(stage, where):
 
 
 @pytest.mark.parametrize("where", ["read", "poll"])
+def test_turn_that_a_stop_ends_is_the_last(stage, where):
+    """In many rounds, as it depends on what the stop and the thread do first."""
+    for _ in range(10):
+        node = stage.start("clerk", f"{where}: sleep 60")
+        node.wait(where)
+        assert node.stop(timeout=SOON) == 0, node.story()
+        assert len(node.events(where, "begin")) == 1, node.story()
+
+
+@pytest.mark.parametrize("where", ["read", "poll"])
 def test_stop_of_a_thread_that_blocks(stage, where):
     """The node ends with 1, and its log names the method."""
     node = stage.start("clerk", f"{where}: block 60", stop_timeout=0.5)

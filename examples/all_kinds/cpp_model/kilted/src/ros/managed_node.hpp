@@ -145,8 +145,8 @@ public:
   void repeat(const std::string & name, const std::function<void()> & method)
   {
     run_beside(
-      name, [calls = calls_, method] {
-        while (calls->is_open()) {
+      name, [calls = calls_, stop = stop_, method] {
+        while (calls->is_open() && !stop->requested()) {
           method();
         }
       });

@@ -53,8 +53,8 @@ public:
       return;
     }
     deadline_ = Stop::deadline(stop_timeout_);
-    waits_.request();
     stopping_ = true;
+    waits_.request();
     changed_.notify_all();
   }
 
