@@ -86,6 +86,13 @@ def test_figure_4_of_the_paper(tmp_path):
     assert spec["nodes"][0]["subscribers"][0]["type"] == "geometry_msgs::Point"
 
 
+def test_a_default_counts_where_the_attribute_has_a_meaning(model):
+    server = '<actionServer name="x" type="a::B" {}/>'
+    for said, most in [("", None), ('goal="queue"', None), ('goal="parallel"', 8)]:
+        found = context(model, NODE.format(server.format(said)))
+        assert found["nodes"][0]["actionServers"][0]["max_goals"] == most
+
+
 def test_component_and_template_are_understood(model):
     node = context(model, NODE.format(""))
     component = NODE.format("").replace("node", "component")
