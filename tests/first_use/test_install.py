@@ -83,13 +83,18 @@ def test_readme_names_every_distribution():
     assert dict(re.findall(r"`([\w-]+)`(?:\s([\d.]+))?", told)) == dependencies()
 
 
-def test_newest_copier_is_the_same_everywhere():
+def test_lowest_and_newest_copier_are_the_same_everywhere():
     """Of the extension, what is installed for the tests, CI of packages, models of one's own."""
     text = (ROOT / "extensions/spec.py").read_text()
     major, minor = map(int, re.search(r"^NEWEST_COPIER = \((\d+), (\d+)\)$", text, re.M).groups())
     below = f"<{major}.{minor + 1}"
-    assert f'"copier>=9.19,{below}"' in (ROOT / "pyproject.toml").read_text()
-    assert below in (ROOT / "starter_model/template/requirements.txt").read_text()
+    declared = (ROOT / "pyproject.toml").read_text()
+    lowest = re.search(rf'"copier>=([\d.]+),{below}"', declared)[1]
+    required = (ROOT / "starter_model/template/requirements.txt").read_text()
+    assert f"copier>={lowest},{below}\n" in required
+    for template in ("hooks", "starter_model"):
+        said = (ROOT / template / "copier.yml").read_text()
+        assert f'_min_copier_version: "{lowest}"' in said
     assert f" copier=={major}.{minor}.* " in (ROOT / "shared/ci/commands.jinja").read_text()
     assert tuple(map(int, copier.__version__.split(".")[:2])) <= (major, minor)
 
