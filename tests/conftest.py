@@ -1,6 +1,7 @@
 """The fixtures of all tests: the collection, rendering, updating, and ROS."""
 
 import functools
+import inspect
 import os
 import re
 import shutil
@@ -29,8 +30,17 @@ settings.register_profile("any machine", deadline=None)
 settings.load_profile("any machine")
 
 ROOM = 8e9  # bytes
-NEEDS = {"ros1": "ros1", "ros2": "ros2", "network": "installers"}
+NEEDS = {
+    "ros1": "ros1",
+    "ros2": "ros2",
+    "network": "installers",
+    "posix": "copier|collection|github|laboratory|once|own|pairs|published|render|seen|uncloned",
+}
 """Marks, and the fixtures whose tests have them."""
+POSIX = re.compile(
+    r"link|mkfifo|chmod|[\"'](ba|)sh\b|/dev/|/proc/|os\.kill|run_copier|\bgit\(|commit\("
+)
+"""What tests have in name or text that do what Windows does otherwise."""
 LONGEST = """
   test_contract test_mutants test_ros1 test_lab test_ros2 test_runtime test_models test_cpp_model
   test_readme test_mixed test_fuzz test_benchmarks test_driver test_linters test_other_ros
@@ -61,10 +71,13 @@ def pytest_collection_modifyitems(items):
     """Begin with the files that take minutes, so that no process is left with one at the end."""
     place = {name: number for number, name in enumerate(LONGEST)}
     items.sort(key=lambda item: place.get(item.path.stem, len(LONGEST)))
+    source = functools.cache(inspect.getsource)
     for item in items:
         for need, fixture in NEEDS.items():
-            if any(re.match(rf"_?{fixture}(_|$)", name) for name in item.fixturenames):
+            if any(re.match(rf"_?({fixture})(_|$)", name) for name in item.fixturenames):
                 item.add_marker(need)
+        if POSIX.search(item.name + source(item.function)):
+            item.add_marker("posix")
 
 
 def pytest_xdist_make_scheduler(config, log):

@@ -1,8 +1,10 @@
 """What Windows has otherwise, as far as another system can show it.
 
-The workflow runs `tests/hook` on Windows itself; `tests/hook/test_collisions.py` has its devices.
+The workflow runs what has no mark `posix` on Windows; `tests/hook/test_collisions.py` has its
+devices.
 """
 
+import ast
 import re
 import subprocess
 
@@ -79,3 +81,14 @@ def test_paths_may_be_on_several_drives():
     for folder in ("hooks", "extensions"):
         for file in (ROOT / folder).rglob("*.py"):
             assert not re.search(r"relpath|commonpath|walk_up", file.read_text()), file
+
+
+def test_no_text_is_read_in_the_encoding_of_the_system():
+    """On Windows it is another one than UTF-8."""
+    run_by_users = ("scripts/adopt.py", "scripts/describe_node.py", "scripts/publish.py")
+    for pattern in ("hooks/**/*.py", "extensions/*.py", "*/functions.py", *run_by_users):
+        for file in ROOT.glob(pattern):
+            for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+                called = ast.unparse(node) if isinstance(node, ast.Call) else ""
+                if re.match(r"[^(]*\b(read_text|write_text|open)\(", called):
+                    assert re.search("encoding=|[\"'][rw]b[\"']", called), (file, called)

@@ -40,7 +40,7 @@ class Renders:
 @pytest.fixture
 def package(tmp_path):
     (tmp_path / "arm").mkdir()
-    (tmp_path / PATH).write_text(MINE)
+    (tmp_path / PATH).write_text(MINE, newline="\n")
     (tmp_path / "answers.yml").write_text("spec: {name: arm, nodes: []}\n")
     commit(tmp_path, "Write the logic")
     return tmp_path
