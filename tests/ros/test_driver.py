@@ -208,11 +208,13 @@ def test_page_about_drivers(request, render, version):
     methods = re.search(r"as generated\n\n(.*?)```", page, re.DOTALL)[1]
     logic = package / "driver/sensor_impl.py"
     head, rest = logic.read_text().split("    def configure(")
-    head = head.replace("from driver", "import serial\nfrom driver", 1)
-    head = head.replace("    SensorPassthrough,\n", "    PubReading,\n    SensorPassthrough,\n")
+    head = head.replace("    SensorConfig,\n", "    PubReading,\n    SensorConfig,\n")
+    head = head.replace("SensorPassthrough,\n)", "SensorPassthrough,\n)\nimport serial", 1)
     rest = rest[rest.index("    def activate(") : rest.index("    # Thread read")]
-    last = "    def deactivate(self) -> None:\n        pass\n"
+    last = '    def deactivate(self) -> None:\n        """Leave the device open."""\n'
     logic.write_text(f"{head}{rest}{methods}\n{last}")
+    if version == 2:
+        ros_.run("ament_flake8 driver/sensor_impl.py", package)
     (package / "serial.py").write_text(SERIAL)
     test = package / "test/test_sensor_impl.py"
     text = test.read_text().replace("import unittest", "import serial\nimport unittest", 1)
