@@ -143,10 +143,12 @@ def cpp_bases(names: list[str]) -> str:
 
 
 def cpp_topic(topic: dict[str, Any], ros: int = 2, config: str = "config_") -> str:
-    """Return the name of a topic, or the parameter that has it, as code of a node."""
-    if not (parameter := topic["topic_parameter"]):
+    """Return the name of a topic, or the parameter that has it or several, as code of a node."""
+    if not (parameter := topic["topic_parameter"] or topic.get("for_each")):
         return f'"{ros1_name(topic["name"]) if ros == 1 else topic["name"]}"'
     member = parameter.replace(".", "_")
+    if topic.get("for_each"):
+        return f"{config}->{member}" if ros == 1 else f"std::atomic_load(config_.get())->{member}"
     if ros == 1:
         return f"ros::names::resolve({config}->{member}, false)"
     return f"std::atomic_load(config_.get())->{member}"

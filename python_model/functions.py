@@ -43,10 +43,12 @@ def logic_file(node: dict[str, Any], package: str) -> str:
 def topic_name(topic: dict[str, Any], ros: int = 2) -> str:
     """Return the name of a topic, or the parameter that has it, as code of a node.
 
-    rospy 1.15 takes `~/pose` for `/pose`, but not `~pose`.
+    Of several topics it is that of one, in a loop. rospy 1.15 takes `~/pose` for `/pose`, but not
+    `~pose`.
     """
-    if parameter := topic["topic_parameter"]:
-        code = f"self._config.{parameter.replace('.', '_')}"
+    parameter = topic["topic_parameter"]
+    if topic.get("for_each") or parameter:
+        code = f"self._config.{parameter.replace('.', '_')}" if parameter else "topic"
         return f"{code}.replace('~/', '~', 1)" if ros == 1 else code
     return repr(topic["name"].replace("~/", "~", 1) if ros == 1 else topic["name"])
 

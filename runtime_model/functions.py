@@ -34,7 +34,7 @@ _NODE = {
     "publishers": [{"topic_parameter": "topic"}],
     "subscribers": [],
     "directPublishers": [],
-    "directSubscribers": [],
+    "directSubscribers": [{"topic_parameter": None, "for_each": "topics"}],
     "synchronizers": [{"slop": None, "inputs": []}, {"slop": 1.0, "inputs": []}],
     "serviceClients": [_SERVICE],
     "serviceServers": [_SERVICE],

@@ -157,7 +157,7 @@ def _entry(element: Tree) -> Any:
 def _say(document: Values, own: Values, element: Tree) -> None:
     """Say an interface in NoDL; and beside, what reading that again would not give."""
     kind, entry = element[0], _entry(element)
-    if kind not in _LIST_OF:
+    if kind not in _LIST_OF or "for_each" in entry:  # of several topics, NoDL knows no names
         inside = [each for each in element[2] if each[0] in _LIST_OF]
         for each in inside:  # such as the inputs of a synchronizer
             entry.pop(each[0], None)

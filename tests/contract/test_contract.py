@@ -860,6 +860,110 @@ def test_parameter_that_names_no_topic(stage, name):
     node.expect("[ERROR]", "[FATAL]")
 
 
+def router(stage, *told, **topics):
+    """Start router with lists of topics, and wait until it is active."""
+    group = "take.topics" if stage.variant.is_ros2 else "take/topics"
+    node = with_lists(
+        stage, "router", *told, **{group: topics.get("take"), "give_topics": topics.get("give")}
+    )
+    node.wait("activate", "end")
+    return node
+
+
+def with_lists(stage, node, *told, **given):
+    """Start a node with parameters that are lists, of which roscpp takes none as arguments."""
+    given = {name: value for name, value in given.items() if value is not None}
+    if not stage.variant.is_ros2:
+        for name, value in given.items():
+            stage.peer.set_global(name=stage.name(f"{node}/{name}"), value=value)
+        return stage.start(node, *told)
+    return stage.start(node, *told, **{name: json.dumps(value) for name, value in given.items()})
+
+
+def taken(node):
+    return [tuple(event["value"]) for event in node.events("take", "begin")]
+
+
+def test_topics_of_a_list(stage):
+    """Relative, absolute and private; the logic knows each by the text in the list."""
+    topics = ["a/take", stage.name("b/take"), "~/take"]
+    names = ["a/take", "b/take", "router/take"]
+    node = router(
+        stage, "take: topics", "take: give ~/given heard", take=topics, give=["a/given", "~/given"]
+    )
+    given = stage.hear("router/given", durability="transient_local")
+    for name in names:
+        stage.publish(name, f"to {name}")
+        wait_for(lambda name=name: f"to {name}" in [text for _, text in taken(node)], node.story)
+    assert taken(node) == [
+        (topic, f"to {name}") for topic, name in zip(topics, names, strict=True)
+    ]
+    wait_for(lambda: given() == ["heard"] * 3, node.story)
+    assert node.wait("take", "topics")["value"] == ["a/given", "~/given"]
+    assert stage.hear("a/given", durability="transient_local")() == []
+    assert {(event["thread"], event["id"]) for event in node.events("take")} == {
+        ("take", node.wait("take")["id"])
+    }
+
+
+def test_list_without_topics(stage):
+    """It is a list as any other: the node has none of these topics."""
+    node = router(stage, "deactivate: topics")
+    assert node.stop() == 0
+    assert node.wait("deactivate", "topics")["value"] == []
+
+
+def test_topics_of_a_list_read_anew(stage):
+    """The next configuration reads the list as it then is; while configured it does not change."""
+    only_ros2(stage)
+    node = router(stage)
+    stage.publish("left/take", "one")
+    node.wait("take")
+    change = {"node": stage.name("router"), "name": "take.topics", "value": ["other"]}
+    assert not stage.peer.set_parameter(**change)
+    assert stage.transition("deactivate", "cleanup", node="router")
+    assert stage.peer.set_parameter(**change)
+    assert stage.transition("configure", "activate", node="router")
+    stage.publish("other", "two")
+    wait_for(lambda: ("other", "two") in taken(node), node.story)
+
+
+def test_callback_of_a_list_that_blocks(stage):
+    """It delays the other topics of its list, whose messages wait; a stop names it."""
+    node = router(stage, "once take: hold first")
+    stage.publish("left/take", "first")
+    node.wait("take")
+    for topic in ("left", "right", "right"):
+        stage.publish(f"{topic}/take", f"{topic} waits")
+    node.tell("once take: block 60")
+    waiting = [("left/take", "left waits")] + [("right/take", "right waits")] * 2
+    wait_for(lambda: len(taken(node)) > 1, node.story)
+    assert taken(node)[1] in waiting
+    node.tell("")
+    node.send_signal()
+    assert node.exit(SOON) == 1, node.story()
+    assert re.search(r"Still running when the node stops: .*\btake\b", node.log()), node.story()
+    node.ended_well = False
+
+
+@pytest.mark.parametrize("kind", ["take", "give"])
+@pytest.mark.parametrize(
+    ("wrong", "what"), [("a b", "'a b'"), ("", "''"), ("left", "'left' twice")]
+)
+def test_list_that_names_no_topics(stage, kind, wrong, what):
+    """The node refuses to configure, and says why."""
+    name = {
+        "take": "take.topics" if stage.variant.is_ros2 else "take/topics",
+        "give": "give_topics",
+    }
+    node = with_lists(stage, "router", **{name[kind]: ["left", wrong]})
+    assert node.exit() == 1, node.story()
+    line = f"Parameter {name[kind]} must have names of topics, each once, not {what}."
+    assert line in node.log(), node.story()
+    assert node.methods() == []
+    node.expect("[ERROR]", "[FATAL]")
+
+
 def test_parameter_without_a_default(stage):
     """Unless it is set, the node refuses to configure, and names it."""
     node = stage.start("dial")

@@ -1,5 +1,6 @@
 """NoDL: the documents of a package are valid and say all of its spec; those of others are read."""
 
+import itertools
 from pathlib import Path
 from random import Random
 
@@ -41,9 +42,14 @@ def without(value, key):
 
 
 def written_out(context):
-    """Return a context without groups, whose nodes keep what they have of these."""
+    """Return a context without groups, whose nodes keep what they have of these.
+
+    What has its names from a list comes before others of its kind, as NoDL has no names of it.
+    """
     kinds = [kind for kind in context["kinds"] if kind != "use"]
     nodes = [{**without(node, "group"), "uses": []} for node in context["nodes"]]
+    for node, kind in itertools.product(nodes, ("directPublishers", "directSubscribers")):
+        node[kind] = sorted(node[kind], key=lambda each: not each["for_each"])
     return {**context, "groups": [], "kinds": kinds, "nodes": nodes}
 
 
@@ -186,6 +192,22 @@ def test_inputs_of_a_synchronizer_are_subscriptions(name):
         assert {(each["name"], each["type"]) for each in inputs} <= heard
         said += len(inputs)
     assert said
+
+
+@pytest.mark.parametrize("name", ["python_model", "cpp_model"])
+def test_topics_of_a_list_have_no_names(name):
+    """A parameter has them: a document with the spec's own would name topics that are none."""
+    model = MODELS[name]
+    context = model.context((EXAMPLES / "all_kinds.ros_package").read_text(), "kilted")
+    document = yaml.safe_load(documents(model, context)["worker.nodl.yaml"])
+    own = document["codegen"]["ros_package"]["node"]
+    for list_, kind in {
+        "publishers": "directPublisher",
+        "subscriptions": "directSubscriber",
+    }.items():
+        (listed,) = [each for each in own[kind] if isinstance(each, dict) and "for_each" in each]
+        assert listed["type"] == "std_msgs/msg/String"
+        assert listed["name"] not in [each["name"] for each in document[list_]]
 
 
 def test_words_that_nodl_does_not_have(tmp_path):

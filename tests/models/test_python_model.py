@@ -85,6 +85,8 @@ def test_readme_shows_every_interface(render):
             parameter = element.get("topic_parameter")
             name = f"`{element.get('name')}`"
             name += f", by the name in `{parameter}`" if parameter else ""
+            listed = element.get("for_each")
+            name += f", by each name in `{listed}`" if listed else ""
             assert f"| {name} |" in readme, name
     assert "```mermaid" in readme
     assert 'topic_speed(["speed"]) --> node_worker' in readme

@@ -1,4 +1,4 @@
-"""Topics that have their name from a parameter."""
+"""Topics that have their names from parameters."""
 
 import re
 
@@ -51,5 +51,67 @@ def test_readme_names_the_parameter(render):
 def test_it_must_be_a_text(model, type_):
     text = spec("topic", type_).replace('value="1"', "")
     message = 'topic_parameter: "topic" is no <parameter> of this <node> whose type is string'
+    with pytest.raises(SpecError, match=re.escape(message)):
+        Model(ROOT / model, ROOT).context(text.encode(), "spec", "kilted")
+
+
+def listed(name, type_="string[]"):
+    stem = name[:-1].replace(".", "_")
+    topics = "\n".join(
+        f'<{kind} name="{stem}{number}" type="std_msgs::Bool" depth="1" for_each="{name}"/>'
+        for number, kind in enumerate(KINDS[2:])
+    )
+    return SPEC.format(f'{topics}<parameter name="{name}" type="{type_}" value="[a]"/>')
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("distro", ["noetic", "humble", "kilted"])
+def test_code_for_a_list_is_sound(render, model, distro):
+    package = render(listed("a" * 60), model=model, ros_distro=distro)
+    if model == "python_model":
+        check_sound(package)
+    for path in package.rglob("*.[ch]pp"):
+        lines = path.read_text().splitlines()
+        assert not [line for line in lines if len(line) > 100], path
+
+
+def test_readme_names_the_list(render):
+    text = (render(listed("rooms.topics"), name="arm") / "README.md").read_text()
+    assert len(re.findall(r'named_reach_rooms_topics\(\["parameter rooms.topics"\]\)', text)) == 2
+    assert text.count(", by each name in `rooms.topics`") == 2
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (
+            '"string[]"',
+            '"string"',
+            '"topics" is no <parameter> of this <node> whose type is string[',
+        ),
+        (
+            '"string[]" value="[a]"',
+            '"int[]"',
+            '"topics" is no <parameter> of this <node> whose type is string[',
+        ),
+        (
+            '<parameter name="topics"',
+            '<dynParameter name="topics"',
+            'for_each: "topics" is no <parameter> of this <node> whose',
+        ),
+        (
+            '2" ',
+            '2" topic_parameter="one" ',
+            'attribute "for_each" has no meaning where topic_parameter is "one"; drop it',
+        ),
+        ("<directPublisher", "<publisher", 'unknown attribute "for_each"'),
+    ],
+)
+@pytest.mark.parametrize("model", MODELS)
+def test_a_list_of_texts_alone(model, old, new, message):
+    one = '<parameter name="one" type="string" value="1"/></node>'
+    text = listed("topics").replace("</node>", one)
+    Model(ROOT / model, ROOT).context(text.encode(), "spec", "kilted")
+    text = text.replace("topic0", "topic2").replace(old, new, 1)
     with pytest.raises(SpecError, match=re.escape(message)):
         Model(ROOT / model, ROOT).context(text.encode(), "spec", "kilted")

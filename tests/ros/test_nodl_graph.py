@@ -20,6 +20,20 @@ def full(name, node):
     return name if name.startswith("/") else f"/{name}"
 
 
+def listed(document, node):
+    """Return the topics that lists have by their defaults, of which NoDL has no names."""
+    given = document.get("codegen", {}).get("ros_package", {}).get("node", {})
+    kinds = [
+        each for kind in ("directPublisher", "directSubscriber") for each in given.get(kind, [])
+    ]
+    lists = [each["for_each"] for each in kinds if "for_each" in each]
+    return [
+        full(name, node)
+        for each in lists
+        for name in document["parameters"][each]["default_value"]
+    ]
+
+
 def differences(document, found, node):
     """Say what a document and the graph tell differently, as `nodl conform` does."""
     for list_, entities in found.items():
@@ -27,6 +41,7 @@ def differences(document, found, node):
             continue
         said = {full(each["name"], node): each["type"] for each in document.get(list_, [])}
         there = {name: type_ for name, type_ in entities.items() if not type_.startswith(HIDDEN)}
+        there = {name: there[name] for name in there if name not in listed(document, node)}
         yield from sorted(f"{list_}: {each}" for each in said.items() ^ there.items())
     said = {name: each["type"] for name, each in document.get("parameters", {}).items()}
     hidden = ("use_sim_time", "start_type_description_service", "qos_overrides.")

@@ -17,7 +17,7 @@ from support.packages import shared_runtime, without_tf
 CONTRACT = Path(__file__).parents[1] / "contract"
 METHODS = ("configure", "activate", "update", "deactivate", "cleanup")
 GOALS = ("work", "line", "single", "choice", "crowd")
-CALLBACKS = ("receive", "serve", "accept", *GOALS, "read", "poll", "exact", "near")
+CALLBACKS = ("receive", "serve", "accept", *GOALS, "read", "poll", "exact", "near", "take")
 NOISE = (
     "Traceback",
     "Exception",

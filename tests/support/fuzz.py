@@ -253,7 +253,9 @@ class Author(Random):
     def element(self, tag, attributes, inside=""):
         made = {}
         for name, given in attributes.items():
-            unfit = any(made.get(other) not in words for other, words in given.when.items())
+            unfit = any(
+                made.get(other) not in (words or [None]) for other, words in given.when.items()
+            )
             unfit |= given.format == "literal" and made.get(given.of) in NO_VALUES
             unfit |= bool(given.refers_to) and not self.names(given)
             if not given.ignored and (not given.optional or self.seldom(100 if unfit else 2)):

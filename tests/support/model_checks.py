@@ -166,7 +166,7 @@ class Model:
         for name, attribute in owner.attributes.items():
             if attribute.ignored:
                 continue
-            needed = {other: words[0] for other, words in attribute.when.items()}
+            needed = {other: words[0] for other, words in attribute.when.items() if words}
             base = self.base(owner, needed)
             before = self.context(self.spec([(owner, base)]))
             for text in candidates(attribute, base):
@@ -251,6 +251,7 @@ class Model:
     def _refer(self, root):
         """Let each value that refers to an element be the name of one that is there."""
         around = {child: parent for parent in root.iter() for child in parent}
+        claims = {}
         for owner in self.owners:
             refers = [(name, a) for name, a in owner.attributes.items() if a.refers_to]
             found = root.findall("/".join(owner.path)) if owner.path else [root]
@@ -259,9 +260,25 @@ class Model:
                 while home.find(tag) is None and home is not root:
                     home = around[home]
                 if name in element.attrib and home.find(tag) is not None:
-                    element.set(name, next(iter(home.find(tag).attrib.values()), ""))
-                    for other, words in attribute.whose.items():
-                        home.find(tag).set(other, words[0])
+                    named = self._named(home.findall(tag), attribute, around, claims)
+                    element.set(name, next(iter(named.attrib.values()), ""))
+
+    def _named(self, known, attribute, around, claims):
+        """Return an element that an attribute may name: one that none needs otherwise, or more."""
+        asked = {other: words[0] for other, words in attribute.whose.items()}
+        for each in known:
+            if not asked or claims.get(each, asked) == asked:
+                if asked:
+                    claims[each] = asked
+                    each.attrib |= asked
+                return each
+        owner = next(each for each in self.owners if each.path[-1:] == (attribute.refers_to,))
+        values = self.base(owner)
+        first = next(iter(values))
+        values[first] += f"_{len(known)}"
+        made = ET.SubElement(around[known[0]], owner.kind, values | asked)
+        claims[made] = asked
+        return made
 
     def faulty(self, owner):
         """Yield specs with a fault that a schema can know: what is unknown, missing, no choice."""

@@ -39,6 +39,23 @@ TEST_F(Worker, Cycles) {
   EXPECT_EQ(harness.broadcaster_pose->sent.at(0).child_frame_id, "worker");
 }
 
+TEST_F(Worker, TopicsOfAList) {
+  worker_types::CallMessage call;
+  call.data = "come";
+  harness.impl.receive_call("hall/call", call);
+  harness.impl.receive_call("~/call", call);
+  EXPECT_EQ(harness.pub_answer.at("hall/answer")->published.at(0).data, "come");
+  EXPECT_TRUE(harness.pub_answer.at("/answer")->published.empty());
+}
+
+TEST(Harness, HasTheTopicsOfItsParameters) {
+  WorkerConfig config;
+  config.answer_topics = {"kitchen"};
+  WorkerHarness harness(config);
+  EXPECT_EQ(harness.pub_answer.size(), 1u);
+  EXPECT_EQ(harness.passthrough.pub_answer.at("kitchen"), harness.pub_answer.at("kitchen"));
+}
+
 TEST_F(Worker, Transforms) {
   harness.run_cycle();
   EXPECT_NE(harness.passthrough.listener_frames->reason().find("map"), std::string::npos);

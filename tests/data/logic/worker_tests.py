@@ -8,6 +8,7 @@ from all_kinds import worker_interface
 from all_kinds.worker_impl import WorkerImpl
 from all_kinds.worker_interface import (
     ActionDelegateResult,
+    CallMessage,
     ClientPermitResponse,
     ComputeGoal,
     EnableRequest,
@@ -47,6 +48,13 @@ class TestWorker(unittest.TestCase):
             self.ros.broadcaster_pose.sent[0],
             ("map", "worker", (1.0, 2.0, 3.0), (0.0, 0.0, 0.0, 1.0)),
         )
+
+    def test_topics_of_a_list(self):
+        call = CallMessage(data="come")
+        self.impl.receive_call("hall/call", call)
+        self.impl.receive_call("~/call", call)
+        self.assertEqual(self.ros.pub_answer["hall/answer"].published, [call])
+        self.assertEqual(self.ros.pub_answer["/answer"].published, [])
 
     def test_transforms(self):
         found = harness.protocols.Transform()

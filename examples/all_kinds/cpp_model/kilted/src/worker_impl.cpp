@@ -43,6 +43,13 @@ void WorkerImpl::receive_say(
 {
 }
 
+// Topic call
+void WorkerImpl::receive_call(
+  [[maybe_unused]] const std::string & topic,
+  [[maybe_unused]] const worker_types::CallMessage & message)
+{
+}
+
 // Synchronizer sighting
 void WorkerImpl::receive_sighting(
   [[maybe_unused]] const worker_types::SightingMessages & messages)

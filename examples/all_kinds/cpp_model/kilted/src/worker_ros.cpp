@@ -88,6 +88,14 @@ public:
       topics_.advertise<worker_types::PubEmpty>(
         node,
         "~/empty"));
+    const auto topics_of_answer = std::atomic_load(config_.get())->answer_topics;
+    for (const auto & topic : topics_of_answer) {
+      passthrough.pub_answer[topic] =
+        std::make_shared<RosPublisher<worker_types::PubAnswer>>(
+        topics_.advertise<worker_types::PubAnswer>(
+          node,
+          topic));
+    }
     const auto client_permit =
       std::make_shared<RosServiceClient<worker_types::ClientPermit>>(
       node,
@@ -145,6 +153,12 @@ public:
       "say",
       impl_,
       &WorkerImpl::receive_say);
+    topics_.subscribe<worker_types::CallMessage>(
+      node,
+      "call",
+      std::atomic_load(config_.get())->call_topics,
+      impl_,
+      &WorkerImpl::receive_call);
     const auto synchronizer_sighting = synchronize<
       worker_types::SightingPoint,
       worker_types::SightingMotion>(
@@ -297,10 +311,14 @@ public:
     fixed_ = {
       "prefix",
       "echo_topic",
+      "call_topics",
+      "answer_topics",
       "weights",
     };
     topic_parameters_ = {
       "echo_topic",
+      "answer_topics",
+      "call_topics",
     };
   }
 
@@ -329,6 +347,14 @@ private:
       "echo_topic",
       config.echo_topic,
       Descriptor().set__description("Where things are said again"));
+    declare(
+      "call_topics",
+      config.call_topics,
+      Descriptor().set__description("Where to listen for calls"));
+    declare(
+      "answer_topics",
+      config.answer_topics,
+      Descriptor().set__description("Where to answer"));
     declare(
       "weights",
       config.weights,
@@ -363,6 +389,8 @@ private:
     const auto config = std::make_shared<WorkerConfig>();
     get_parameter("prefix", config->prefix);
     get_parameter("echo_topic", config->echo_topic);
+    get_parameter("call_topics", config->call_topics);
+    get_parameter("answer_topics", config->answer_topics);
     get_parameter("weights", config->weights);
     get_parameter("gain", config->gain);
     get_parameter("step", config->step);

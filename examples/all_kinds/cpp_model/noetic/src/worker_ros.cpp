@@ -119,6 +119,10 @@ private:
     read_parameter(private_, "prefix", config.prefix);
     read_parameter(private_, "echo_topic", config.echo_topic);
     check_topic("echo_topic", config.echo_topic);
+    read_parameter(private_, "call_topics", config.call_topics);
+    check_topics("call_topics", config.call_topics);
+    read_parameter(private_, "answer_topics", config.answer_topics);
+    check_topics("answer_topics", config.answer_topics);
     read_parameter(private_, "weights", config.weights);
     read_parameter(private_, "gain", config.gain);
     read_parameter(private_, "step", config.step);
@@ -153,6 +157,12 @@ private:
       private_,
       "empty",
       10);
+    for (const auto & topic : config_->answer_topics) {
+      passthrough.pub_answer[topic] = advertise<worker_types::PubAnswer>(
+        node_,
+        ros::names::resolve(topic, false),
+        10);
+    }
     passthrough.client_permit = watch(
       "service permit",
       std::make_shared<RosServiceClient<worker_types::ClientPermit>>(
@@ -212,6 +222,11 @@ private:
       "say",
       "receive_say",
       &WorkerImpl::receive_say);
+    subscribe_each<worker_types::CallMessage>(
+      "call",
+      current_config()->call_topics,
+      "receive_call",
+      &WorkerImpl::receive_call);
     const auto synchronizer_sighting = synchronize<
       worker_types::SightingPoint,
       worker_types::SightingMotion>(
@@ -447,6 +462,34 @@ private:
         },
         ros::VoidConstPtr(),
         hints));
+  }
+
+  /// Subscribe to topics whose messages go directly to a callback of the logic, all in one thread.
+  template<typename Message>
+  void subscribe_each(
+    const std::string & name,
+    const std::vector<std::string> & topics,
+    const std::string & method,
+    void (WorkerImpl::* receive)(const std::string &, const Message &),
+    std::uint32_t queue_size = 10,
+    const ros::TransportHints & hints = ros::TransportHints())
+  {
+    const auto thread = std::make_shared<CallbackThread>(node_, name);
+    receivers_.push_back(thread);
+    for (const auto & topic : topics) {
+      subscribers_.push_back(
+        thread->node().subscribe<Message>(
+          ros::names::resolve(topic, false),
+          queue_size,
+          [this, topic, method, receive](const boost::shared_ptr<const Message> & message) {
+            supervisor_.guard(
+              method, [&] {
+                (impl_.get()->*receive)(topic, *message);
+              });
+          },
+          ros::VoidConstPtr(),
+          hints));
+    }
   }
 
   /// Create a service server.

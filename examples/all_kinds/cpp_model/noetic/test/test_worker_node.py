@@ -31,7 +31,16 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'in_counter': ('counter', std_msgs.msg.Int64, 'subscription', None, None, None),
         'pub_echo': ('{echo_topic}', std_msgs.msg.String, 'publisher', None, 'volatile', None),
         'pub_empty': ('~/empty', std_msgs.msg.Empty, 'publisher', None, 'volatile', None),
+        'pub_answer': (
+            '{answer_topics}',
+            std_msgs.msg.String,
+            'publisher',
+            None,
+            'volatile',
+            None,
+        ),
         'receive_say': ('say', std_msgs.msg.String, 'subscription', None, None, 10),
+        'receive_call': ('{call_topics}', std_msgs.msg.String, 'subscription', None, None, 10),
         'input_sighting.point': (
             'point',
             geometry_msgs.msg.PointStamped,
@@ -62,7 +71,9 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     transforms = ['publisher', 'subscription']  # of /tf
     parameters = {  # default, other values, refused ones
         'prefix': ('it\'s "said" <so> & für immer', ['other', 'another'], [True]),
-        'echo_topic': ('echo', ['other', 'another'], [True]),
+        'echo_topic': ('echo', ['other_echo_topic'], [True]),
+        'call_topics': (['hall/call', '~/call'], [['other_call_topics']], [True]),
+        'answer_topics': (['hall/answer', '/answer'], [['other_answer_topics']], [True]),
         'weights': ([0.5, 1.0, 2000.0], [[0.0]], [True]),
     }
     dynamic_parameters = {  # default, other values, refused ones

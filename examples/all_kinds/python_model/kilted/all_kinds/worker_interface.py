@@ -8,7 +8,7 @@ Generated from all_kinds.ros_package; change the interface there.
 """
 
 from dataclasses import dataclass
-from typing import Callable, Sequence
+from typing import Callable, Mapping, Sequence
 
 from all_kinds.ros.logic_status import LogicStatus
 from all_kinds.ros.protocols import (
@@ -33,7 +33,9 @@ OutCounter = std_msgs.msg.Int64
 OutStatus = std_msgs.msg.String
 PubEcho = std_msgs.msg.String
 PubEmpty = std_msgs.msg.Empty
+PubAnswer = std_msgs.msg.String
 SayMessage = std_msgs.msg.String
+CallMessage = std_msgs.msg.String
 SightingPoint = geometry_msgs.msg.PointStamped
 SightingMotion = geometry_msgs.msg.TwistStamped
 ClientPermitRequest = std_srvs.srv.Trigger.Request
@@ -72,6 +74,12 @@ class WorkerConfig:
 
     # Where things are said again
     echo_topic: str = 'echo'
+
+    # Where to listen for calls
+    call_topics: Sequence[str] = ('hall/call', '~/call')
+
+    # Where to answer
+    answer_topics: Sequence[str] = ('hall/answer', '/answer')
 
     # Weights of the inputs
     weights: Sequence[float] = (0.5, 1.0, 2000.0)
@@ -155,6 +163,10 @@ class WorkerPassthrough:
 
     # Nothing, as a message
     pub_empty: Publisher[PubEmpty]
+
+    # What is answered in each room
+    # A publisher for each name in config.answer_topics.
+    pub_answer: Mapping[str, Publisher[PubAnswer]]
 
     # Asks whether it may work
     client_permit: ServiceClient[

@@ -9,6 +9,7 @@ Generated from all_kinds.ros_package; the logic is in worker_impl.py.
 
 from __future__ import annotations
 
+from functools import partial
 from threading import Lock
 from typing import Any, Optional
 
@@ -53,11 +54,15 @@ class WorkerNode(ManagedNode):
     fixed_parameters = [
         'prefix',
         'echo_topic',
+        'call_topics',
+        'answer_topics',
         'weights',
     ]
 
     topic_parameters = [
         'echo_topic',
+        'answer_topics',
+        'call_topics',
     ]
 
     reconfigures = True
@@ -77,6 +82,22 @@ class WorkerNode(ManagedNode):
             'echo',
             ParameterDescriptor(
                 description='Where things are said again',
+            ),
+        )
+        self._declare_list(
+            'call_topics',
+            Parameter.Type.STRING_ARRAY,
+            ('hall/call', '~/call'),
+            ParameterDescriptor(
+                description='Where to listen for calls',
+            ),
+        )
+        self._declare_list(
+            'answer_topics',
+            Parameter.Type.STRING_ARRAY,
+            ('hall/answer', '/answer'),
+            ParameterDescriptor(
+                description='Where to answer',
             ),
         )
         self._declare_list(
@@ -168,6 +189,8 @@ class WorkerNode(ManagedNode):
         return WorkerConfig(
             prefix=self.get_parameter('prefix').value,
             echo_topic=self.get_parameter('echo_topic').value,
+            call_topics=tuple(self.get_parameter('call_topics').value),
+            answer_topics=tuple(self.get_parameter('answer_topics').value),
             weights=tuple(self.get_parameter('weights').value),
             gain=self.get_parameter('gain').value,
             step=self.get_parameter('step').value,
@@ -212,6 +235,15 @@ class WorkerNode(ManagedNode):
                         '~/empty',
                     ),
                 ),
+                pub_answer={
+                    topic: Publisher(
+                        self._advertise(
+                            std_msgs.msg.String,
+                            topic,
+                        ),
+                    )
+                    for topic in self._config.answer_topics
+                },
                 client_permit=self._service_client(
                     std_srvs.srv.Trigger,
                     'permit',
@@ -244,6 +276,18 @@ class WorkerNode(ManagedNode):
                 'receive_say',
             ).receive,
         )
+        for topic in self._config.call_topics:
+            self._subscribe(
+                std_msgs.msg.String,
+                topic,
+                partial(
+                    self._callback(
+                        'call',
+                        'receive_call',
+                    ).receive,
+                    topic,
+                ),
+            )
         synchronizer = Synchronizer(
             self._callback(
                 'sighting',

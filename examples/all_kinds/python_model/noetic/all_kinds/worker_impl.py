@@ -8,6 +8,7 @@ Edit this file: worker_interface.py declares what the logic can use.
 """
 
 from all_kinds.worker_interface import (
+    CallMessage,
     ComputeGoal,
     ComputeGoalRequest,
     EnableRequest,
@@ -53,6 +54,14 @@ class WorkerImpl:
     def receive_say(
         self,
         message: SayMessage,
+    ) -> None:
+        """Handle a message when it arrives, in a thread of its own."""
+
+    # Topic call
+    def receive_call(
+        self,
+        topic: str,
+        message: CallMessage,
     ) -> None:
         """Handle a message when it arrives, in a thread of its own."""
 

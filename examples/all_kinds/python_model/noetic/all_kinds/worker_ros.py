@@ -10,6 +10,7 @@ Generated from all_kinds.ros_package; the logic is in worker_impl.py.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from threading import Lock
 from time import sleep
 from typing import Any, Dict
@@ -22,6 +23,7 @@ from all_kinds.ros.loop import Loop
 from all_kinds.ros.managed_node import (
     check_range,
     check_topic,
+    check_topics,
     ManagedNode,
     read_list,
     read_parameter,
@@ -61,6 +63,8 @@ class WorkerNode(ManagedNode):
         self._config = WorkerConfig(
             prefix=read_parameter('prefix', default.prefix),
             echo_topic=read_parameter('echo_topic', default.echo_topic),
+            call_topics=read_list('call_topics', str, default.call_topics),
+            answer_topics=read_list('answer_topics', str, default.answer_topics),
             weights=read_list('weights', float, default.weights),
             gain=read_parameter('gain', default.gain),
             step=read_parameter('step', default.step),
@@ -68,6 +72,8 @@ class WorkerNode(ManagedNode):
             label=read_parameter('label', default.label),
         )
         check_topic('echo_topic', self._config.echo_topic)
+        check_topics('call_topics', self._config.call_topics)
+        check_topics('answer_topics', self._config.answer_topics)
         self._data = WorkerData()
         self._received: Dict[str, Any] = {}
         self._received_lock = Lock()
@@ -120,6 +126,16 @@ class WorkerNode(ManagedNode):
                         queue_size=10,
                     ),
                 ),
+                pub_answer={
+                    topic: Publisher(
+                        rospy.Publisher(
+                            topic.replace('~/', '~', 1),
+                            std_msgs.msg.String,
+                            queue_size=10,
+                        ),
+                    )
+                    for topic in self._config.answer_topics
+                },
                 client_permit=self._client(
                     'service permit',
                     ServiceClient(
@@ -163,6 +179,19 @@ class WorkerNode(ManagedNode):
             ).receive,
             queue_size=10,
         )
+        for topic in self._config.call_topics:
+            rospy.Subscriber(
+                topic.replace('~/', '~', 1),
+                std_msgs.msg.String,
+                partial(
+                    self._callback(
+                        'call',
+                        'receive_call',
+                    ).receive,
+                    topic,
+                ),
+                queue_size=10,
+            )
         synchronizer = Synchronizer(
             self._callback(
                 'sighting',

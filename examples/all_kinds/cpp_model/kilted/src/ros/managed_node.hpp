@@ -428,14 +428,25 @@ private:
   bool has_topics()
   {
     for (const auto & name : topic_parameters_) {
-      const auto value = get_parameter(name).as_string();
-      try {
-        get_node_topics_interface()->resolve_topic_name(value);
-      } catch (const std::exception &) {
-        RCLCPP_ERROR(
-          get_logger(), "Parameter %s must be the name of a topic, not '%s'.", name.c_str(),
-          value.c_str());
-        return false;
+      const auto value = get_parameter(name);
+      const bool is_list = value.get_type() == rclcpp::PARAMETER_STRING_ARRAY;
+      const auto topics = is_list ? value.as_string_array() : std::vector{value.as_string()};
+      const std::string wanted =
+        is_list ? "have names of topics, each once" : "be the name of a topic";
+      std::set<std::string> known;
+      for (const auto & topic : topics) {
+        std::string found = known.insert(topic).second ? "" : "'" + topic + "' twice";
+        try {
+          get_node_topics_interface()->resolve_topic_name(topic);
+        } catch (const std::exception &) {
+          found = "'" + topic + "'";
+        }
+        if (!found.empty()) {
+          RCLCPP_ERROR(
+            get_logger(), "Parameter %s must %s, not %s.", name.c_str(), wanted.c_str(),
+            found.c_str());
+          return false;
+        }
       }
     }
     return true;

@@ -85,6 +85,36 @@ public:
         }));
   }
 
+  /// Subscribe to topics whose messages go to a method of the logic, all in one thread of its own.
+  template<typename Message, typename Logic>
+  void subscribe(
+    ManagedNode & node,
+    const std::string & name,
+    const std::vector<std::string> & topics,
+    const std::shared_ptr<Logic> & logic,
+    void (Logic::* receive)(const std::string &, const Message &),
+    const rclcpp::QoS & qos = rclcpp::QoS(10))
+  {
+    rclcpp::SubscriptionOptions in_its_thread;
+    in_its_thread.callback_group = node.callback_group("topics", name);
+    for (const auto & topic : topics) {
+      const auto handle = [logic = std::weak_ptr<Logic>(logic), receive, calls = node.calls(),
+          pass = node.calls()->pass(), topic, label = "topic " + topic](const Message & message) {
+          calls->run(
+            pass, label, [&] {
+              if (const auto owned = logic.lock()) {
+                (owned.get()->*receive)(topic, message);
+              }
+            });
+        };
+      subscriptions_.push_back(
+        create(
+          in_its_thread, [&](const rclcpp::SubscriptionOptions & options) {
+            return node.create_subscription<Message>(topic, qos, handle, options);
+          }));
+    }
+  }
+
   /// Subscribe to a topic whose messages a synchronizer joins with those of others.
   template<std::size_t Input, typename Synchronizer>
   void subscribe_input(

@@ -68,8 +68,7 @@ class NodeTests:
         command = [*(command or cls.recorder), '--ros-args', '-r', '__ns:=' + space]
         for name, value in given.items():
             command += ['-p', f'{name}:={json.dumps(value)}']
-        for name, *_ in cls.interfaces.values():
-            name = cls.named(name, override)
+        for _, name, *_ in cls.endpoints(override):
             command += ['-r', f'{name}:={space}/absolute{name}'] if name[0] == '/' else []
         running = RunningNode(node, command, *orders)
         cls.addClassCleanup(running.kill)
@@ -86,20 +85,29 @@ class NodeTests:
         """Return member, full name, type and more of each interface, or all of a kind."""
         node = node or cls.node.name
         kinds = tuple(each for each in members if each.endswith('_'))
-        for member, (name, *rest) in cls.interfaces.items():
+        for member, name, *rest in cls.endpoints(given):
             if member in members or member.startswith(kinds):
-                name = cls.named(name, given)
                 space = {'~': node, '/': node.rpartition('/')[0] + '/absolute'}
                 start = space.get(name[0], node.rpartition('/')[0] + '/')
                 yield (member, start + name.lstrip('~'), *rest)
 
     @classmethod
     def named(cls, name, given):
-        """Return a name, or that in the parameter which stands for it: {topic}."""
+        """Return a name, or what is in the parameter which stands for it: {topic}."""
         if name[0] != '{':
             return name
         default, others, _ = cls.parameters[name[1:-1]]
         return others[0] if given or default is None else default
+
+    @classmethod
+    def endpoints(cls, given):
+        """Yield member, name, type and more of each interface; MEMBER.TOPIC of a list."""
+        for member, (name, *rest) in cls.interfaces.items():
+            found = cls.named(name, given)
+            if isinstance(found, str):
+                yield (member, found, *rest)
+            else:
+                yield from ((f'{member}.{topic}', topic, *rest) for topic in found)
 
     def test_topics(self):
         """Every topic has its name, type and QoS, or the QoS that is given."""
@@ -238,6 +246,8 @@ class NodeTests:
     def callbacks(self):
         """Return the methods that messages, requests and goals call."""
         found = [member for member, *_ in self.each('receive_', 'serve_', 'execute_')]
+        # The topics of a list share a callback: one of them stands for all.
+        found = [*{member.partition('.')[0]: member for member in found}.values()]
         return found + [f'receive_{name}' for name in self.synchronizers]
 
     def trigger(self, node, member):

@@ -5,6 +5,7 @@
 #define SUPPORT__WORKER_HARNESS_HPP_
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,7 +21,12 @@ namespace all_kinds
 /// With messages received, a cycle is `harness.in_NAME(message).run_cycle().out_NAME`.
 struct WorkerHarness
 {
-  WorkerHarness() = default;
+  /// Create the publishers for the topics that the parameters have.
+  explicit WorkerHarness(const WorkerConfig & given = WorkerConfig())
+  : config(given)
+  {
+  }
+
   WorkerHarness(const WorkerHarness &) = delete;
 
   /// Pass a message to the next cycle.
@@ -64,6 +70,8 @@ struct WorkerHarness
     fake<FakePublisher>(passthrough.pub_echo);
   std::shared_ptr<FakePublisher<worker_types::PubEmpty>> pub_empty =
     fake<FakePublisher>(passthrough.pub_empty);
+  std::map<std::string, std::shared_ptr<FakePublisher<worker_types::PubAnswer>>> pub_answer =
+    fake_each(passthrough.pub_answer, config.answer_topics);
   std::shared_ptr<FakeServiceClient<worker_types::ClientPermit>> client_permit =
     fake<FakeServiceClient>(passthrough.client_permit);
   std::shared_ptr<FakeActionClient<worker_types::ActionDelegate>> action_delegate =

@@ -42,6 +42,12 @@ public:
   void receive_say(
     const worker_types::SayMessage & message);
 
+  // Topic call
+  /// Handle a message when it arrives, in a thread of its own.
+  void receive_call(
+    const std::string & topic,
+    const worker_types::CallMessage & message);
+
   // Synchronizer sighting
   /// Handle messages whose stamps belong together, in a thread of its own.
   void receive_sighting(

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -47,7 +48,9 @@ using OutCounter = std_msgs::Int64;
 using OutStatus = std_msgs::String;
 using PubEcho = std_msgs::String;
 using PubEmpty = std_msgs::Empty;
+using PubAnswer = std_msgs::String;
 using SayMessage = std_msgs::String;
+using CallMessage = std_msgs::String;
 using SightingPoint = geometry_msgs::PointStamped;
 using SightingMotion = geometry_msgs::TwistStamped;
 using ClientPermit = std_srvs::Trigger;
@@ -96,6 +99,12 @@ struct WorkerConfig
 
   /// Where things are said again
   std::string echo_topic = "echo";
+
+  /// Where to listen for calls
+  std::vector<std::string> call_topics = {"hall/call", "~/call"};
+
+  /// Where to answer
+  std::vector<std::string> answer_topics = {"hall/answer", "/answer"};
 
   /// Weights of the inputs
   std::vector<double> weights = {0.5, 1.0, 2000.0};
@@ -165,6 +174,10 @@ struct WorkerPassthrough
   /// Nothing, as a message
   std::shared_ptr<Publisher<worker_types::PubEmpty>> pub_empty =
     std::make_shared<Publisher<worker_types::PubEmpty>>();
+
+  /// What is answered in each room
+  /// A publisher for each name in config.answer_topics.
+  std::map<std::string, std::shared_ptr<Publisher<worker_types::PubAnswer>>> pub_answer;
 
   /// Asks whether it may work
   std::shared_ptr<ServiceClient<worker_types::ClientPermit>> client_permit =

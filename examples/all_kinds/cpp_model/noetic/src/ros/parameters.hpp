@@ -5,6 +5,7 @@
 #define ROS__PARAMETERS_HPP_
 
 #include <cstdint>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -86,6 +87,21 @@ inline void check_topic(const std::string & name, const std::string & value)
   if (value.empty() || !ros::names::validate(value, error)) {
     const auto text = "Parameter " + name + " must be the name of a topic, not '" + value + "'.";
     throw std::runtime_error(text);
+  }
+}
+
+/// Throw if not all values of a parameter are names of topics, each once.
+inline void check_topics(const std::string & name, const std::vector<std::string> & values)
+{
+  const std::string wanted = "have names of topics, each once";
+  std::set<std::string> topics;
+  for (const auto & value : values) {
+    std::string error;
+    const bool is_name = !value.empty() && ros::names::validate(value, error);
+    if (!topics.insert(value).second || !is_name) {
+      const std::string found = "'" + value + (is_name ? "' twice" : "'");
+      throw std::runtime_error("Parameter " + name + " must " + wanted + ", not " + found + ".");
+    }
   }
 }
 

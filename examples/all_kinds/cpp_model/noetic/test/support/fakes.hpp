@@ -144,6 +144,19 @@ std::shared_ptr<Fake<Type>> fake(std::shared_ptr<Base<Type>> & member)
   return made;
 }
 
+/// Put fakes in the place of the publishers of a list of topics, and return them.
+template<typename Message>
+std::map<std::string, std::shared_ptr<FakePublisher<Message>>> fake_each(
+  std::map<std::string, std::shared_ptr<Publisher<Message>>> & members,
+  const std::vector<std::string> & topics)
+{
+  std::map<std::string, std::shared_ptr<FakePublisher<Message>>> made;
+  for (const auto & topic : topics) {
+    made[topic] = fake<FakePublisher>(members[topic]);
+  }
+  return made;
+}
+
 }  // namespace all_kinds
 
 #endif  // SUPPORT__FAKES_HPP_

@@ -52,9 +52,9 @@ class CallbackThread:
             # In a task, which the executor runs after it has sent the response of a service.
             executor_of(self._node).create_task(self._forget, answered)
 
-    async def receive(self, message: Any) -> None:
+    async def receive(self, *arguments: Any) -> None:
         """Run the callback of a subscription."""
-        call = self._begin(message)
+        call = self._begin(*arguments)
         if call and not call.done():
             await first(self._node, [call])
 

@@ -180,12 +180,18 @@ class ManagedNode(LifecycleNode):
         """Create publishers and clients, then configure the logic."""
         for name in self.topic_parameters:
             value = self.get_parameter(name).value
-            try:
-                self.resolve_topic_name(value)
-            except Exception:  # RCLError, which rclpy 9.1.2 has in a private module
-                reason = f'Parameter {name} must be the name of a topic, not {value!r}.'
-                self.get_logger().error(reason)
-                return TransitionCallbackReturn.FAILURE
+            is_one = isinstance(value, str)
+            topics = [value] if is_one else list(value)
+            wanted = 'be the name of a topic' if is_one else 'have names of topics, each once'
+            for topic in topics:
+                found = f'{topic!r} twice' if topics.count(topic) > 1 else ''
+                try:
+                    self.resolve_topic_name(topic)
+                except Exception:  # RCLError, which rclpy 9.1.2 has in a private module
+                    found = repr(topic)
+                if found:
+                    self.get_logger().error(f'Parameter {name} must {wanted}, not {found}.')
+                    return TransitionCallbackReturn.FAILURE
         result = self._begin('configure', self._connect_and_configure)
         if result == TransitionCallbackReturn.FAILURE:
             self._clean_up()

@@ -16,6 +16,8 @@ Tests of the logic without ROS: fakes that record, and a clock that the test set
     goal.outcome, goal.result, goal.published
 """
 
+from collections import defaultdict
+from collections.abc import Mapping
 from copy import deepcopy
 from typing import get_args, get_origin, get_type_hints
 
@@ -240,6 +242,8 @@ def fake(passthrough_type):
     members = {'now': clock.now, 'stamp': clock.stamp, 'sleep': clock.sleep}
     members['fail'] = failures.append
     for name, type_ in get_type_hints(passthrough_type).items():
+        if get_origin(type_) is Mapping:  # each is made when the test or the logic asks
+            members[name] = defaultdict(FakePublisher)
         if name not in members:
             members[name] = FAKES[get_origin(type_) or type_]()
     passthrough = passthrough_type(**members)

@@ -37,9 +37,9 @@ class CallbackThread:
         )
         return None if call is None else call.result()
 
-    def receive(self, message: Any) -> None:
+    def receive(self, *arguments: Any) -> None:
         """Run the callback of a subscription; rospy queues the messages that come meanwhile."""
-        self.run(message)
+        self.run(*arguments)
 
     def serve(self, request: Any, response: Any) -> Any:
         """Run the callback of a service."""

@@ -269,6 +269,16 @@ def check_topic(name: str, value: str) -> None:
         raise rospy.ROSInitException(f'Parameter {name} must be {wanted}, not {value!r}.')
 
 
+def check_topics(name: str, values: Sequence[str]) -> None:
+    """Raise if not all values of a parameter are names of topics, each once."""
+    for value in values:
+        is_name = bool(value) and is_legal_name(value)
+        if not is_name or values.count(value) > 1:
+            wanted = 'have names of topics, each once'
+            found = f'{value!r} twice' if is_name else repr(value)
+            raise rospy.ROSInitException(f'Parameter {name} must {wanted}, not {found}.')
+
+
 def check_range(name: str, value: float, low: float, high: float) -> None:
     """Raise if a parameter is out of its range, or not finite."""
     if not (isfinite(value) and low <= value <= high):

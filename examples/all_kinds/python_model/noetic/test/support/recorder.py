@@ -138,6 +138,8 @@ class _Recorder:
         return TURNS[method], monotonic(), self.passthrough.now()
 
     def _call_back(self, method, item, *response):
+        if isinstance(item, str):  # a topic of several
+            return self._call_back(f'{method}.{item}', *response)
         if is_dataclass(item):  # messages that belong together
             report(method, [encode(each) for each in vars(item).values()])
             return self._obey(method)
@@ -180,14 +182,18 @@ class _Recorder:
         member = name.partition('_')[2]
         if data:
             return getattr(data, member + '_subscribers')
-        return getattr(self.passthrough, member).subscriber_count()
+        return self._member(member)[0].subscriber_count()
 
     def _do_out(self, name, message, data):
         setattr(data, name, decode(message, type(getattr(data, name))))
 
     def _member(self, name):
+        name, _, topic = name.partition('.')
+        member = getattr(self.passthrough, name)
         hint = get_type_hints(type(self.passthrough))[name]
-        return getattr(self.passthrough, name), get_args(hint)[0]
+        if topic:
+            return member[topic], get_args(get_args(hint)[1])[0]
+        return member, get_args(hint)[0]
 
     def _do_pub(self, name, message, _):
         publisher, type_ = self._member(name)

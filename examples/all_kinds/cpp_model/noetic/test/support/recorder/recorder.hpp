@@ -125,8 +125,11 @@ inline bool has(const Words & words, const std::string & step)
 class Recorder
 {
 public:
-  explicit Recorder(Steps steps)
+  explicit Recorder(Steps steps, const std::vector<Steps> & more = {})
   {
+    for (const auto & each : more) {
+      steps.insert(each.begin(), each.end());
+    }
     steps["raise"] = [](const auto &) -> std::string {throw std::runtime_error("told to raise");};
     steps["wait"] = [](const auto & seconds) {
         std::this_thread::sleep_for(std::chrono::duration<double>(std::stod(seconds)));
@@ -286,6 +289,20 @@ Step publishes(const std::shared_ptr<Publisher<Message>> & publisher)
            publisher->publish(decode<Message>(text));
            return "null";
          };
+}
+
+/// The steps of the publishers of a list of topics: NAME.TOPIC.
+template<typename Message>
+Steps publishes_each(
+  const std::string & name,
+  const std::map<std::string, std::shared_ptr<Publisher<Message>>> & publishers)
+{
+  Steps steps;
+  for (const auto & [topic, publisher] : publishers) {
+    steps[name + "." + topic] = publishes(publisher);
+    steps["subscribers_" + name + "." + topic] = counts(publisher);
+  }
+  return steps;
 }
 
 /// The step that calls a service: REQUEST,TIMEOUT.

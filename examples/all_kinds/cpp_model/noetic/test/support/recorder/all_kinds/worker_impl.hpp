@@ -59,6 +59,8 @@ public:
       {"client_permit", calls(passthrough.client_permit)},
       {"action_delegate", sends(passthrough.action_delegate)},
       {"state_action_delegate", tells(passthrough.action_delegate)},
+    }, {
+      publishes_each("pub_answer", passthrough.pub_answer),
     })
   {
   }
@@ -113,6 +115,15 @@ public:
   {
     report("receive_say", encode(message));
     recorder_.run(recorder_.next("receive_say"));
+  }
+
+  void receive_call(
+    const std::string & topic,
+    const worker_types::CallMessage & message)
+  {
+    const auto method = "receive_call." + topic;
+    report(method, encode(message));
+    recorder_.run(recorder_.next(method));
   }
 
   void receive_sighting(const worker_types::SightingMessages & messages)
@@ -177,6 +188,8 @@ private:
     const std::string text = "{"
       "\"prefix\": " + to_json(config.prefix) +
       ", \"echo_topic\": " + to_json(config.echo_topic) +
+      ", \"call_topics\": " + to_json(config.call_topics) +
+      ", \"answer_topics\": " + to_json(config.answer_topics) +
       ", \"weights\": " + to_json(config.weights) +
       ", \"gain\": " + to_json(config.gain) +
       ", \"step\": " + to_json(config.step) +
