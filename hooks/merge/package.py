@@ -7,6 +7,7 @@ import posixpath
 from collections.abc import Callable, Collection
 from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
+from typing import NamedTuple
 
 from . import lines
 from .languages import language
@@ -165,9 +166,9 @@ class _Package:
             return self._opaque(path, mine, old, new)
         source = self.source.get(path, path)
         origin = self.origin.get(path, source)
-        ours, base, theirs = (text or "" for text in texts)
-        forms, (ours, base, theirs) = zip(*map(_form, (ours, base, theirs)), strict=True)
-        bom, crlf = forms[2] if old and forms[0] == forms[1] else forms[0]
+        form, (ours, base, theirs) = bare(
+            texts[0] or "", texts[1] if old else None, texts[2] or ""
+        )
         versions = (
             self._version(origin, ours),
             self._version(origin, base) if old else None,
@@ -182,16 +183,13 @@ class _Package:
             other = merge(path, *versions[::-1], of_people=True)
             outcome = outcome if other.conflict else other
         self._note(path, source, outcome)
-        text = bom + (outcome.text.replace("\n", "\r\n") if crlf else outcome.text)
         if outcome.conflict:
             stages = {2: mine.data, 3: new.data} | ({1: old.data} if old else {})
             self.result.conflicts[path] = stages
             self.result.rejected[path] = File(encode(lines.rejected(path, outcome.merged)))
-            settled = bom + "".join(lines.settled(outcome.merged))
-            self.result.settled[path] = File(
-                encode(settled.replace("\n", "\r\n") if crlf else settled), mode
-            )
-        return File(encode(text), mode)
+            settled = "".join(lines.settled(outcome.merged))
+            self.result.settled[path] = File(form.encode(settled), mode)
+        return File(form.encode(outcome.text), mode)
 
     def _version(self, path: str, text: str) -> Version:
         """Return a version of before the update, with what a rename has exchanged."""
@@ -220,11 +218,34 @@ class _Package:
             self.result.own[path] = outcome.own
 
 
-def _form(text: str) -> tuple[tuple[str, bool], str]:
-    """Take the mark of its encoding, and Windows' line ends, off a text; return what was there."""
-    bom, text = (BOM, text[1:]) if text.startswith(BOM) else ("", text)
-    crlf = "\r\n" in text and text.count("\r\n") == text.count("\n")
-    return (bom, crlf), text.replace("\r\n", "\n") if crlf else text
+class Form(NamedTuple):
+    """How a text is written: the mark of its encoding, if any, and whether with Windows' ends."""
+
+    bom: str = ""
+    crlf: bool = False
+
+    @classmethod
+    def of(cls, text: str) -> Form:
+        """Return the form of a text."""
+        is_windows = "\r\n" in text and text.count("\r\n") == text.count("\n")
+        return cls(BOM if text.startswith(BOM) else "", is_windows)
+
+    def bare(self, text: str) -> str:
+        """Return a text of this form without it."""
+        text = text.removeprefix(self.bom)
+        return text.replace("\r\n", "\n") if self.crlf else text
+
+    def encode(self, bare: str) -> bytes:
+        """Return a text in this form."""
+        return encode(self.bom + (bare.replace("\n", "\r\n") if self.crlf else bare))
+
+
+def bare(ours: str, base: str | None, theirs: str) -> tuple[Form, list[str]]:
+    """Return the form that three versions become one in, and the three without theirs."""
+    texts = [ours, base or "", theirs]
+    forms = [Form.of(text) for text in texts]
+    form = forms[2] if base is not None and forms[0] == forms[1] else forms[0]
+    return form, [each.bare(text) for each, text in zip(forms, texts, strict=True)]
 
 
 def likeness(one: File, other: File) -> float:

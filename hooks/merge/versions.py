@@ -11,12 +11,12 @@ from .builds import carry_build_files
 from .languages import language
 from .launch import carry_launch_files
 from .merging import by_line
-from .package import Result, merge_package
+from .package import Result, bare, merge_package
 from .proof import Proof, prove
 from .recount import Places, recount
 from .renaming import Renaming, plan_renames
 from .render import Renderer
-from .tree import File, Tree, encode
+from .tree import File, Tree
 
 Answers = Mapping[str, Any]
 
@@ -70,9 +70,10 @@ class Versions:
         files = [tree.get(path) for tree in (self.mine, self.old, self.new)]
         texts = [file.text for file in files if file and file.text is not None]
         if files[0] and len(texts) == 3:
-            merged = by_line(language(path, texts[0]), texts[0], texts[1], texts[2], True)
+            form, (ours, base, theirs) = bare(texts[0], texts[1], texts[2])
+            merged = by_line(language(path, ours), ours, base, theirs, True)
             if not merged.conflict:
-                yield replace(files[0], data=encode(merged.text))
+                yield replace(files[0], data=form.encode(merged.text))
 
     def doubts(self, result: Result) -> Places:
         """Return what the proofs do not find in its place; of two people, the lines of both."""

@@ -563,3 +563,21 @@ def test_one_moves_a_file_that_the_other_edits_and_leaves_a_link(is_ours):
     result, wrong = people(sides[0], {"README.md": File(page.encode())}, sides[1]).merged()
     assert (wrong, result.conflicts) == ([], {})
     assert result.tree == {**moved, "docs/README.md": edited["README.md"]}
+
+
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_both_wrap_a_node_and_one_has_the_line_ends_of_windows(is_ours):
+    base = '<launch>\n  <arg name="a"/>\n  <node name="arm"/>\n</launch>\n'
+    sides = [
+        base.replace("  <node", f"<group>  <!-- {name} -->\n  <node").replace(
+            "</launch>", f"</group>  <!-- {name} ends -->\n</launch>"
+        )
+        for name in "ab"
+    ]
+    encoded = [sides[0].replace("\n", "\r\n").encode(), sides[1].encode()]
+    files = [{"launch/arm.launch": File(each)} for each in (encoded if is_ours else encoded[::-1])]
+    result, wrong = people(files[0], {"launch/arm.launch": File(base.encode())}, files[1]).merged()
+    assert not wrong
+    text = result.tree["launch/arm.launch"].data
+    assert text.count(b"\r\n") == text.count(b"\n") > 0
+    assert all(name in text for name in (b"<!-- a -->", b"<!-- b ends -->"))
