@@ -536,11 +536,13 @@ def _heading(random, edited, path, lines):
 
 def _title(random, edited, path, lines):
     """Give a section, or the parameters of a node, another name."""
-    places = [i for i, line in enumerate(lines) if re.match(r"##? \w|/\*\*:$", line)]
+    is_yaml = path.endswith(".yaml")
+    form = r"/\*\*:$" if is_yaml else r"##? \w"
+    places = [i for i, line in enumerate(lines) if re.match(form, line)]
     if places:
         at = random.choice(places)
         edited.replaced.setdefault(path, []).append(lines[at])
-        start = "/robot/lab:  #" if path.endswith(".yaml") else lines[at]
+        start = "/robot/lab:  #" if is_yaml else lines[at]
         lines[at] = f"{start} {edited.mark(path)}"
 
 
