@@ -288,6 +288,10 @@ def _partners(
         if number not in partners:
             partners[number] = left.pop(_name(item, kind.naming), None)
     for number, item in enumerate(items):
+        if partners[number] is None and item.get(WAS) is not None:  # renamed again, or by another
+            same = [name for name, one in left.items() if one.get(WAS) == item[WAS]]
+            partners[number] = left.pop(same[0]) if len(same) == 1 else None
+    for number, item in enumerate(items):
         yield _Pair(partners[number], item, kind.attributes, kind.naming, tuple(left))
     for item in left.values():
         yield _Pair(item, None, kind.attributes, kind.naming)

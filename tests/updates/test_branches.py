@@ -334,8 +334,8 @@ def swapped(spec):
     return spec.replace(f"{first} type", f'{second} was="load" type', 1)
 
 
-def renamed(spec):
-    return spec.replace('serviceServer name="load"', 'serviceServer name="lift" was="load"', 1)
+def renamed(spec, name="lift"):
+    return spec.replace('serviceServer name="load"', f'serviceServer name="{name}" was="load"', 1)
 
 
 @pytest.mark.parametrize(("change", "name"), [(renamed, "lift"), (swapped, "store")])
@@ -353,6 +353,21 @@ def test_one_renames_what_the_other_edits(model, make_team, change, name):
     assert [team.text().count(word) for word in ("ours", "theirs", "first", "second")] == [1] * 4
     assert all(word in body for word in ("ours", "theirs", "first"))
     team.has(serve_home="homed")
+
+
+@MODELS
+def test_both_rename_one_each_in_another_way(model, make_team):
+    team = make_team(model=model)
+    team.work("topic", renamed(SPEC), serve_lift="theirs")
+    team.git("checkout", "-q", "main")
+    team.work("main", renamed(OURS, "raise_arm"), serve_raise_arm="ours", serve_home="homed")
+    team.begin("merge", "--no-commit", "topic")
+    team.resolve(renamed(OURS, "raise_arm"))
+    team.join()
+    team.git("commit", "-q", "--no-edit")
+    body = re.split(STARTS[team.model][0].format("serve_raise_arm"), team.text())[1][:120]
+    assert all(word in body for word in ("ours", "theirs", "first"))
+    assert "serve_lift" not in team.text()
 
 
 @MODELS
