@@ -1,7 +1,8 @@
 """Filters that turn the QoS of a topic in a spec into policies, and these into code.
 
 A topic has the optional keys `qos`, a profile of rmw, and `reliability`, `durability`, `history`
-and `depth`, the policies that differ from those of the profile.
+and `depth`, the policies that differ from those of the profile; one that is published also has
+`deadline`, `lifespan`, `liveliness` and `liveliness_lease_duration`.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ _DEFAULT: dict[str, Any] = {
     "history": "keep_last",
     "depth": 10,
 }
+_OFFERED = ("deadline", "lifespan", "liveliness", "liveliness_lease_duration")
 _KEEP_ALL = {"history": "keep_all", "depth": 0}
 # As rmw/qos_profiles.h has them; there, too, a depth of 0 is the middleware's own.
 _PROFILES: dict[str, dict[str, Any]] = {
@@ -51,23 +53,46 @@ def qos(topic: Mapping[str, Any]) -> dict[str, Any]:
     return policies
 
 
+def offered(topic: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what a publisher offers besides: times in s, and the word of its liveliness.
+
+    Nothing for what is the default: without end, and `automatic`.
+    """
+    given = {name: topic[name] for name in _OFFERED if topic.get(name) is not None}
+    return {name: value for name, value in given.items() if value != "automatic"}
+
+
+def offering(topics: list[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """Return those of some publishers that offer something besides."""
+    return [topic for topic in topics if offered(topic)]
+
+
 def qos_words(topic: Mapping[str, Any], ros: int = 2, publishes: bool = True) -> str:
     """Return in words what is not the default QoS: `best_effort, depth 5`, or nothing.
 
-    For ROS 1, what a publisher or a subscriber makes of it: `latched, queue 1`.
+    For ROS 1, what a publisher or a subscriber makes of it: `latched, queue 1`. The deadline of
+    a subscriber, which the node watches itself, is in the words of both.
     """
+    late = [f"deadline {topic['deadline']:g} s"] if topic.get("deadline") else []
     if ros == 1:
-        return _ros1_words(topic, publishes)
+        return ", ".join([*_ros1_words(topic, publishes), *([] if publishes else late)])
     changed = _changed(qos(topic), _DEFAULT)
     words = [
         f"{name} {value}" if name == "depth" or value in _PROFILES else value
         for name, value in changed.items()
         if value
     ]
+    if not publishes:
+        return ", ".join([*words, *late])
+    names = {"liveliness_lease_duration": "lease"}
+    words += [
+        value if isinstance(value, str) else f"{names.get(name, name)} {value:g} s"
+        for name, value in offered(topic).items()
+    ]
     return ", ".join(words)
 
 
-def _ros1_words(topic: Mapping[str, Any], publishes: bool) -> str:
+def _ros1_words(topic: Mapping[str, Any], publishes: bool) -> list[str]:
     policies, size = qos(topic), queue_size(topic)
     words = []
     if publishes and policies["durability"] == "transient_local":
@@ -76,10 +101,10 @@ def _ros1_words(topic: Mapping[str, Any], publishes: bool) -> str:
         words.append(f"queue {size}" if size else "queue without limit")
     if not publishes and policies["reliability"] == "best_effort":
         words.append("TCP_NODELAY")
-    return ", ".join(words)
+    return words
 
 
-def rclpy_qos(topic: Mapping[str, Any], indent: int) -> str:
+def rclpy_qos(topic: Mapping[str, Any], indent: int, publishes: bool = False) -> str:
     """Return the QoSProfile of a topic in Python, split where it is too long after `indent`.
 
     Nothing where the QoS is the default one. No profile of rclpy is named, for rclpy writes
@@ -87,13 +112,20 @@ def rclpy_qos(topic: Mapping[str, Any], indent: int) -> str:
     """
     policies = qos(topic)
     changed = _changed(policies, _DEFAULT | {"depth": policies["depth"]})
-    if policies == _DEFAULT:
+    more = offered(topic) if publishes else {}
+    if policies == _DEFAULT and not more:
         return ""
     arguments = [
         f"{name}={name.capitalize()}Policy.{value.upper()}" for name, value in changed.items()
     ]
     if policies["history"] != "keep_all":
         arguments.append(f"depth={policies['depth']}")
+    arguments += [
+        f"{name}=LivelinessPolicy.{value.upper()}"
+        if isinstance(value, str)
+        else f"{name}=Duration(seconds={value:.12g})"
+        for name, value in more.items()
+    ]
     line = f"QoSProfile({', '.join(arguments)})"
     if indent + len(line) < _WIDTH:
         return line
@@ -101,20 +133,30 @@ def rclpy_qos(topic: Mapping[str, Any], indent: int) -> str:
     return "QoSProfile(" + "".join(f"{margin}    {item}," for item in arguments) + margin + ")"
 
 
-def rclpy_qos_names(topics: list[Mapping[str, Any]]) -> list[str]:
+def rclpy_qos_names(
+    topics: list[Mapping[str, Any]], published: list[Mapping[str, Any]] | None = None
+) -> list[str]:
     """Return the names that the profiles of topics need from `rclpy.qos`."""
     changed = {name for topic in topics for name in _changed(qos(topic), _DEFAULT)}
-    policies = [f"{name.capitalize()}Policy" for name in changed - {"depth"}]
-    return [*policies, "QoSProfile"] if changed else []
+    more = {name for topic in published or () for name in offered(topic)}
+    words = changed - {"depth"} | more & {"liveliness"}
+    policies = [f"{name.capitalize()}Policy" for name in words]
+    return [*policies, "QoSProfile"] if changed or more else []
 
 
-def rclcpp_qos(topic: Mapping[str, Any], indent: int) -> str:
+def offers_times(topics: list[Mapping[str, Any]]) -> bool:
+    """Return whether the profiles of publishers have times."""
+    return any(set(offered(topic)) - {"liveliness"} for topic in topics)
+
+
+def rclcpp_qos(topic: Mapping[str, Any], indent: int, publishes: bool = False) -> str:
     """Return the rclcpp::QoS of a topic, split where it is too long after `indent`.
 
     Nothing where the QoS is the default one.
     """
     policies = qos(topic)
-    if policies == _DEFAULT:
+    more = offered(topic) if publishes else {}
+    if policies == _DEFAULT and not more:
         return ""
     if policies == _PROFILES["sensor_data"]:
         base, known = "rclcpp::SensorDataQoS()", policies
@@ -125,6 +167,12 @@ def rclcpp_qos(topic: Mapping[str, Any], indent: int) -> str:
     else:
         base, known = "rclcpp::SystemDefaultsQoS()", _PROFILES["system_default"]
     calls = [_RCLCPP[item] for item in _changed(policies, known).items()]
+    calls += [
+        f".{name}(rclcpp::LivelinessPolicy::ManualByTopic)"
+        if isinstance(value, str)
+        else f".{name}(rclcpp::Duration::from_seconds({value:.12g}))"
+        for name, value in more.items()
+    ]
     line = base + "".join(calls)
     return line if indent + len(line) < _WIDTH else ("\n" + " " * indent).join([base, *calls])
 

@@ -16,6 +16,8 @@ from .faults import SpecError, shown
 from .parse import Element
 from .words import DEVICES, meaning
 
+_NO = ("None", "False")
+"""What an attribute says, as text, that is not given or says no."""
 Filters = Mapping[str, Callable[..., Any]]
 
 
@@ -27,7 +29,10 @@ class Scope:
     owners: Sequence[str]
     """The tags of what has such a place of its own."""
     made_by: Mapping[str, Sequence[str]]
-    """The tag of an element, and forms of the names that it makes: `in_{name:identifier}`."""
+    """The tag of an element, and forms of the names that it makes: `in_{name:identifier}`.
+
+    One with a condition, `accept_{name} if {accept}`, makes none where that attribute says no.
+    """
     reserved: Sequence[str] = ()
     """Forms or regular expressions of names, or meanings that `hooks.words` knows."""
     ignore_case: bool = False
@@ -70,6 +75,9 @@ def collisions(
             reserved = [_made(form, item, filters, scope) for form in scope.reserved if forms]
             owner = scope.place(item).element
             for form in forms:
+                form, _, condition = form.partition(" if ")
+                if _made(condition, item, filters, scope) in _NO:
+                    continue
                 name = _made(form, item, filters, scope)
                 why = next(filter(None, (_reservation(name, word, ros) for word in reserved)), "")
                 key = name.lower() if scope.ignore_case else name

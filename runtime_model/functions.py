@@ -23,6 +23,7 @@ _KINDS = sorted(
 # A node that uses all of the runtime, as functions and templates of the other models ask for it.
 _PARAMETER = {"name": "", "type": "int", "value": 0, "min": 0, "max": 0, "choices": [0]}
 _REQUIRED = {**_PARAMETER, "name": "a.b", "type": "int[]", "value": None}
+_HEARD = {"topic_parameter": None, "for_each": None, "deadline": 1.0}
 _SERVICE = {"reliability": None, "depth": 1}
 _NODE = {
     "frequency": 1.0,
@@ -32,9 +33,12 @@ _NODE = {
     "parameters": [_PARAMETER, _REQUIRED],
     "dynParameters": [_PARAMETER],
     "publishers": [{"topic_parameter": "topic"}],
-    "subscribers": [],
+    "subscribers": [_HEARD],
     "directPublishers": [],
-    "directSubscribers": [{"topic_parameter": None, "for_each": "topics"}],
+    "directSubscribers": [
+        _HEARD | {"for_each": None},
+        _HEARD | {"for_each": "topics", "deadline": None},
+    ],
     "synchronizers": [{"slop": None, "inputs": []}, {"slop": 1.0, "inputs": []}],
     "serviceClients": [_SERVICE],
     "serviceServers": [_SERVICE],

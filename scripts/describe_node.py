@@ -318,20 +318,22 @@ class Ros2:
             "directPublisher",
             outgoing,
             node,
-            qos=lambda name: self.qos(node, of.get_publishers_info_by_topic(name)),
+            qos=lambda name: self.qos(node, of.get_publishers_info_by_topic(name), OFFERED),
         )
         yield from interfaces(
             "directSubscriber",
             incoming,
             node,
-            qos=lambda name: self.qos(node, of.get_subscriptions_info_by_topic(name)),
+            qos=lambda name: self.qos(
+                node, of.get_subscriptions_info_by_topic(name), ("deadline",)
+            ),
         )
         yield from interfaces("serviceServer", services, node)
         yield from interfaces("serviceClient", clients, node)
         yield from interfaces("actionServer", servers, node)
         yield from interfaces("actionClient", senders, node)
 
-    def qos(self, node: str, infos: Iterable[Any]) -> dict[str, Any]:
+    def qos(self, node: str, infos: Iterable[Any], more: tuple[str, ...]) -> dict[str, Any]:
         """Return the policies of a node's topic that are not the default ones."""
         given: dict[str, Any] = {}
         for info in infos:
@@ -342,6 +344,13 @@ class Ros2:
                 depth = info.qos_profile.depth
                 if depth not in (0, 10) and given.get("history") != "keep_all":
                     given["depth"] = depth
+                for word in more:
+                    policy = getattr(info.qos_profile, word)
+                    if word == "liveliness":
+                        policy = policy.name.lower()
+                        given.update({word: policy} if policy == "manual_by_topic" else {})
+                    elif 0.0 < policy.nanoseconds <= LONGEST:
+                        given[word] = policy.nanoseconds / 1e9
         return given
 
     def parameters(self, node: str) -> Iterator[Item]:
@@ -379,6 +388,8 @@ class Ros2:
         return future.result()
 
 
+OFFERED = ("deadline", "lifespan", "liveliness", "liveliness_lease_duration")
+LONGEST = 86400 * 10**9  # ns, of a time that a spec can say
 QOS = {"reliability": "reliable", "durability": "volatile", "history": "keep_last"}
 
 

@@ -21,7 +21,8 @@ Tree: TypeAlias = tuple[Any, Any, Any]
 """A tag, attributes, and what is inside: trees, or a text."""
 Values: TypeAlias = dict[Any, Any]
 
-_qos = runpy.run_path(str(Path(__file__).parents[1] / "extensions/qos.py"))["qos"]
+_QOS = runpy.run_path(str(Path(__file__).parents[1] / "extensions/qos.py"))
+_qos, _offered = _QOS["qos"], _QOS["offered"]
 
 _VERSION = 2
 _TOOL = "ros_package"
@@ -45,8 +46,11 @@ _SERVICES = ("service_servers", "service_clients")
 _SAID = ("name", "type", "description")
 _POLICIES = ("history", "depth", "reliability", "durability")
 _REST_OF_QOS = ("deadline_ns", "lifespan_ns", "liveliness", "liveliness_lease_duration_ns")
+_OFFERS = {"publishers": _REST_OF_QOS, "subscriptions": ("deadline_ns",)}
+"""What is read of the rest; a node does not ask for the deadline that it watches."""
 _REST_OF_PARAMETER = ("read_only", "additional_constraints")
-_NOTHING = (None, "", 0, False, "AUTOMATIC", "SYSTEM_DEFAULT", "BEST_AVAILABLE")
+_WITHOUT_END = 2**63 - 1  # ns
+_NOTHING = (None, "", 0, False, "AUTOMATIC", "SYSTEM_DEFAULT", "BEST_AVAILABLE", _WITHOUT_END)
 """What the rest of NoDL says where it asks for nothing that a node does not do anyway."""
 _STATIC = {"reliability": "reliable", "durability": "transient_local", "history": "keep_last"}
 _TF = "tf2_msgs/msg/TFMessage"
@@ -184,7 +188,8 @@ def _said(list_: str, given: Values) -> Values:
         return _parameter(given)
     said = {name: given[name] for name in _SAID if name in given}
     is_told = list_ in _TOPICS or (list_ in _SERVICES and _is_qos(given))
-    return {**said, "qos": _Line(_words(given))} if is_told else said
+    more = _offers(given) if list_ == "publishers" else {}
+    return {**said, "qos": _Line(_words(given) | more)} if is_told else said
 
 
 def _is_implied(list_: str, item: Values, is_own: bool) -> bool:
@@ -213,6 +218,14 @@ def _words(given: Values) -> Values:
     policies = {name: _qos(given)[name] for name in _POLICIES}
     words = {name: word if name == "depth" else word.upper() for name, word in policies.items()}
     return {name: word for name, word in words.items() if word}
+
+
+def _offers(given: Values) -> Values:
+    """Return what a publisher offers besides in NoDL's words."""
+    words = _offered(given)
+    times = {name: value for name, value in words.items() if name != "liveliness"}
+    said = {f"{name}_ns": round(value * 1e9) for name, value in times.items()}
+    return said | {"liveliness": words["liveliness"].upper()} if times != words else said
 
 
 def _parameter(given: Values) -> Values:
@@ -370,7 +383,15 @@ def _read(list_: str, item: Values, notes: list[str]) -> Values:
     _mapping(item, item, (*_SAID, "qos") if not list_.startswith("action") else _SAID)
     read = {name: item[name] for name in _SAID if item.get(name, "") != ""}
     qos = _mapping(item, item.get("qos", {}), (*_POLICIES, *_REST_OF_QOS))
-    _leave_out(qos, _REST_OF_QOS, notes)
+    known = _OFFERS.get(list_, ())
+    _leave_out(qos, set(_REST_OF_QOS) - set(known), notes)
+    for key in set(known) & set(qos):
+        value = qos[key]
+        if not isinstance(value, list | dict) and value in _NOTHING:
+            continue
+        if isinstance(value, int | float):
+            value = value / 1e9
+        read[key.removesuffix("_ns")] = value.lower() if isinstance(value, str) else value
     default = _qos({})
     for name in _POLICIES:
         word = str(qos[name]).lower() if name in qos and name != "depth" else qos.get(name)
@@ -506,6 +527,11 @@ def inputs(node: dict[str, Any]) -> list[dict[str, Any]]:
         for each in node["synchronizers"]
         for item in each["inputs"]
     ]
+
+
+def watched(node: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return the topics of a node that are late when no message comes for their deadline."""
+    return [each for each in node["subscribers"] + node["directSubscribers"] if each["deadline"]]
 
 
 def exact_synchronizers(spec: dict[str, Any]) -> list[dict[str, Any]]:

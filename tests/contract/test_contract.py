@@ -23,12 +23,13 @@ from xmlrpc.client import ServerProxy
 import pytest
 
 from support import ros
-from support.contract import METHODS, wait_for
+from support.contract import LATES, METHODS, wait_for
 
 SIGNALS = int(os.environ.get("CONTRACT_SIGNALS", 4))
 ROUNDS = int(os.environ.get("CONTRACT_ROUNDS", 150))
 LIVES = int(os.environ.get("CONTRACT_LIVES", 15))
 INT64 = "std_msgs/msg/Int64"
+STRING = "std_msgs/msg/String"
 LIFE = [*METHODS]
 SOON = 15.0  # s; bounds of the contract plus what a busy machine needs, far less than the waits
 
@@ -1211,6 +1212,141 @@ def test_timer_in_simulated_time(stage, simulated):
     assert len(node.events("poll", "begin")) <= 12, node.story()
 
 
+# Topics that are late
+
+
+def reaches(stage, node, topic, kind, method):
+    """Publish to a topic until the logic of guard has it; return when it began to."""
+    count = len(node.events(method, "begin"))
+
+    def is_there():
+        stage.publish(topic, {INT64: 7}.get(kind, "on"), kind)
+        return len(node.events(method, "begin")) > count
+
+    wait_for(is_there, node.story)
+    return node.events(method, "begin")[count]["time"]
+
+
+def test_late_topics(stage):
+    """Once when no message has come for so long, again after the next; each in its own thread."""
+    node = stage.start("guard", "once late_order: block 2")
+    begin = node.wait("activate", "end")["time"]
+    for late in LATES:
+        event = node.wait(late)
+        assert event["thread"] == late
+        assert event["time"] - begin > 0.39, node.story()
+    time.sleep(1.5)
+    assert [len(node.events(late, "begin")) for late in LATES] == [1, 1], node.story()
+    heard = reaches(stage, node, "speed", INT64, "update")
+    assert node.wait("late_speed", count=2)["time"] - heard > 0.35, node.story()
+    assert len(node.events("late_order", "begin")) == 1, node.story()
+    heard = reaches(stage, node, "orders", STRING, "order")
+    assert node.wait("late_order", count=2)["time"] - heard > 0.39, node.story()
+    assert node.stop() == 0
+
+
+def test_topic_is_not_late_while_it_is_heard(stage):
+    """As long as the logic is at work with a message, the node takes no other."""
+    node = stage.start("guard", "once order: block 1.5")
+    node.wait("late_order")
+    reaches(stage, node, "orders", STRING, "order")
+    late = node.wait("late_order", count=2)
+    assert late["time"] - node.wait("order", "end")["time"] > 0.39, node.story()
+
+
+def test_late_topic_while_inactive(stage):
+    """Nothing is late then; an activation counts anew."""
+    only_ros2(stage)
+    node = stage.start("guard")
+    node.wait("late_speed")
+    assert stage.transition("deactivate", node="guard")
+    time.sleep(1.0)
+    assert len(node.events("late_speed", "begin")) == 1, node.story()
+    assert stage.transition("activate", node="guard")
+    begin = node.wait("activate", "end", count=2)["time"]
+    assert node.wait("late_speed", count=2)["time"] - begin > 0.39, node.story()
+
+
+def test_late_topic_in_simulated_time(stage, simulated):
+    """It waits for the first /clock, goes with it, and stands still with it."""
+    node = start_simulated(stage, name="guard")
+    node.wait("activate", "end")
+    time.sleep(1.0)
+    now, lates = 10.0, lambda: len(node.events("late_speed", "begin"))
+
+    def becomes_late(count):
+        nonlocal now
+        now += 0.01
+        simulated(now)
+        time.sleep(0.01)
+        return lates() > count
+
+    assert lates() == 0, node.story()
+    wait_for(lambda: becomes_late(0), node.story)
+    assert now > 10.39
+    time.sleep(1.0)
+    assert lates() == 1, node.story()
+    for start in (now, 5.0):  # the clock is set back
+
+        def is_heard():
+            simulated(start)  # noqa: B023
+            stage.publish("speed", 7, INT64)
+            simulated(start + 0.05)  # noqa: B023
+            return len(node.events("update", "begin")) > heard  # noqa: B023
+
+        count, heard = lates(), len(node.events("update", "begin"))
+        wait_for(is_heard, node.story)
+        time.sleep(0.6)
+        assert lates() == count, node.story()
+        now = start + 0.05
+        wait_for(lambda: becomes_late(count), node.story)  # noqa: B023
+        assert now - start > 0.39
+
+
+@pytest.mark.parametrize("how", ["throw", "fail lost"])
+def test_failure_where_a_topic_is_late(stage, how):
+    node = stage.start("guard", f"late_speed: {how}")
+    assert node.exit(SOON) == 1, node.story()
+    assert how.replace("throw", "thrown on purpose").split()[-1] in node.log(), node.story()
+    assert node.methods() == WITHOUT_UPDATE, node.story()
+    node.expect("Traceback", "[ERROR]", "Exception")
+
+
+@pytest.mark.parametrize("late", LATES)
+def test_stop_where_a_topic_is_late(stage, late):
+    """It ends waits; of what blocks the log has the name, and the node ends with 1."""
+    node = stage.start("guard", f"{late}: sleep 60")
+    node.wait(late)
+    assert node.stop(timeout=SOON) == 0, node.story()
+    assert node.value(late, "sleep") is False
+    node = stage.start("guard", f"{late}: block 60", stop_timeout=0.5)
+    wait_for(lambda: _told(node, late), lambda: f"not blocked: {node.story()}")
+    node.send_signal()
+    assert node.exit(SOON) == 1, node.story()
+    assert re.search(rf"Still running when the node stops: .*{late}\b", node.log()), node.story()
+    node.ended_well = False
+
+
+def test_diagnostics_of_late_topics(stage):
+    """A warning that names the topic and says for how long, until a message comes."""
+    node = reporting(stage, name="guard")
+
+    def last():
+        return statuses(stage, "guard")[-1]
+
+    late = r"no message on speed for \d+\.\d s; no message on orders for \d+\.\d s"
+    wait_for(lambda: last()[0] == 1 and re.search(late, last()[1]), last)
+
+    def is_heard():
+        stage.publish("speed", 7, INT64)
+        stage.publish("orders", "on")
+        return (last()[0], last()[1]) == (0, "active") or last()[1] == "late cycles"
+
+    wait_for(is_heard, last)
+    wait_for(lambda: re.search(late, last()[1]), last)
+    assert node.stop() == 0
+
+
 # Refusals
 
 
@@ -2345,11 +2481,11 @@ def all_statuses(stage, name):
     return [each for each in found if each["name"] == stage.name(name)]
 
 
-def reporting(stage, *told):
+def reporting(stage, *told, name="gauge"):
     """Start a node with diagnostics; return it when it has reported."""
     stage.peer.hear(topic="/diagnostics", kind="diagnostic_msgs/msg/DiagnosticArray")
-    node = stage.start("gauge", *told)
-    wait_for(lambda: statuses(stage, "gauge"), node.story)
+    node = stage.start(name, *told)
+    wait_for(lambda: statuses(stage, name), node.story)
     return node
 
 

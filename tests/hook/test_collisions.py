@@ -348,6 +348,20 @@ def test_fault_in_the_names_of_a_dictionary(tmp_path, text, message):
     assert message in str(error.value)
 
 
+@pytest.mark.parametrize("model", MODELS)
+def test_names_that_an_attribute_makes(model):
+    """Only where it is given: a topic may be heard twice, if one callback at most is late_x."""
+    late = '<{} name="x" type="std_msgs::String" deadline="0.5"/>'
+    heard = interface("directSubscriber", "x", None), interface("subscriber", "x", None)
+    context(model, spec(node(*heard)))
+    context(model, spec(node(heard[0], late.format("subscriber"))))
+    text = refusal(model, spec(node(late.format("directSubscriber"), late.format("subscriber"))))
+    assert 'makes the method of the logic "late_x", as <directSubscriber name="x">' in text
+    text = refusal(model, spec(node(late.format("subscriber"), '<thread name="late_x"/>')))
+    assert '"late_x"' in text
+    context(model, spec(node(heard[1], '<thread name="late_x"/>')))
+
+
 def test_container_of_the_launch_file_keeps_its_name():
     text = refusal("cpp_model", spec(node(name="arm_container")))
     assert text.startswith("spec.xml:2: ")

@@ -18,6 +18,7 @@ BRIDGE = ROOT / "extensions/spec.py"
 # The language in which dictionaries are written, and what every spec has.
 # QoS is ROS's own, as the policies are that ROS 2 knows it by.
 QOS = {"qos", "reliability", "durability", "history", "depth"}
+QOS |= {"deadline", "lifespan", "liveliness", "liveliness_lease_duration"}
 GENERAL = {*FORMATS, *QOS, *vars(Attribute)["__dataclass_fields__"], PACKAGE, DEPEND, WAS}
 # Tags of interfaces that are words of Python and of ROS as well.
 EVERYDAY = {"message", "service", "services", "action", "actions", "request", "response", "goal"}

@@ -41,15 +41,19 @@ def missing(model, render, distro):
 def lacking_names(model, owner, files):
     """Yield the first name of a kind in each scope, where the files that need it lack it."""
     scopes = [scope for scope in model.hook.dictionary.scopes if scope.label in DEFINED]
-    scopes = [scope for scope in scopes if owner.kind in scope.made_by]
-    for scope in scopes:
-        form = scope.made_by[owner.kind][0]
+    forms = [
+        (scope, form)
+        for scope in scopes
+        for form in scope.made_by.get(owner.kind, ())[:1]
+        if " if " not in form
+    ]
+    for scope, form in forms:
         name = re.sub(r"\{name(:\w+)?\}", model.base(owner)["name"], form)
         for part in (DEFINED[scope.label], "_ros."):
             code = "\n".join(text for path, text in files.items() if part in path)
             if not re.search(rf"\b{name}_?\b", code):  # members of C++ end in a line
                 yield f"{name} in *{part}*"
-    if not scopes and not any(NAMELESS.get(owner.kind, "_ros.") in path for path in files):
+    if not forms and not any(NAMELESS.get(owner.kind, "_ros.") in path for path in files):
         yield "any code"
 
 

@@ -320,11 +320,11 @@ def test_faults(node, right, wrong, line, message):
 @pytest.mark.parametrize(
     ("right", "wrong", "notes"),
     [
-        ("depth: 3", "depth: 3, lifespan_ns: 5, deadline_ns: 0", ["4: lifespan_ns: 5"]),
         (
-            "depth: 3",
-            "depth: 3, liveliness: MANUAL_BY_TOPIC",
-            ['4: liveliness: "MANUAL_BY_TOPIC"'],
+            "parameters",
+            "subscriptions:\n  - {name: a, type: std_msgs/String, qos: {lifespan_ns: 5,"
+            " deadline_ns: 0, liveliness: MANUAL_BY_TOPIC}}\nparameters",
+            ["6: lifespan_ns: 5", '6: liveliness: "MANUAL_BY_TOPIC"'],
         ),
         ("lt_eq: 2.5", "lt: 2.5", ["9: lt: 2.5"]),
         ("type: double", "type: byte_array", ['7: type: "byte_array"']),
@@ -344,6 +344,33 @@ def test_left_out(node, right, wrong, notes):
     assert found == [
         f"{file}:{note} is left out, for no spec can say it [left-out]" for note in notes
     ]
+
+
+@pytest.mark.parametrize(
+    ("given", "offered"),
+    [
+        ("deadline_ns: 0, lifespan_ns: 9223372036854775807, liveliness: AUTOMATIC", (None,) * 4),
+        ("deadline_ns: 500000000", (0.5, None, None, None)),
+        (
+            "liveliness: MANUAL_BY_TOPIC, lifespan_ns: 2000000000, liveliness_lease_duration_ns:"
+            " 1000000",
+            (None, 2.0, "manual_by_topic", 0.001),
+        ),
+    ],
+)
+def test_what_publishers_offer(node, given, offered):
+    """It is read, and said again."""
+    model = MODELS["python_model"]
+    context, notes = read(model, node("depth: 3", f"depth: 3, {given}"))
+    (topic,) = context["nodes"][0]["directPublishers"]
+    names = ("deadline", "lifespan", "liveliness", "liveliness_lease_duration")
+    assert tuple(topic[name] for name in names) == offered
+    assert notes == []
+    (text,) = documents(model, context).values()
+    said = yaml.safe_load(text)["publishers"][0]["qos"]
+    was = yaml.safe_load(f"{{{given}}}")
+    wanted = {name: was[name] for name in was if any(offered)}
+    assert {name: said[name] for name in said if name in was} == wanted
 
 
 @pytest.mark.parametrize("name", ["basic_node", "composed_node", "json_node", "alt_pkg_node"])
@@ -369,20 +396,16 @@ def test_package_of_documents(collection, copier_command, tmp_path):
     options = (*copy, "-d", "spec_file=described", collection)
     result = copier_command(*options, "robot", cwd=tmp_path)
     assert result.returncode == 0, result.stderr
-    for what in (
-        "s2_node.nodl.yaml:20: read_only: true",
-        "s2_node.nodl.yaml:53: deadline_ns: 2000000000",
-    ):
-        assert (
-            f"Note: described/{what} is left out, for no spec can say it [left-out]\n"
-            in result.stdout + result.stderr
-        )
+    what = "s2_node.nodl.yaml:20: read_only: true"
+    note = f"Note: described/{what} is left out, for no spec can say it [left-out]\n"
+    assert note in result.stdout + result.stderr
     package = tmp_path / "robot"
     assert 'author="Test Er"' in (package / "robot.ros_package").read_text()
     nodes = yaml.safe_load((package / ".copier-answers.yml").read_text())["spec"]["nodes"]
     assert [node["name"] for node in nodes] == ["s1_node", "s2_node", "s3_node_a"]
     topics = [(each["name"], each["durability"]) for each in nodes[1]["directPublishers"]]
     assert topics == [("/s2/be_pub", None), ("/s2/tl_pub", "transient_local")]
+    assert nodes[1]["directSubscribers"][0]["deadline"] == 2.0
     commit(package)
     result = copier_command("update", "--trust", "--defaults", cwd=package)
     assert result.returncode == 0, result.stderr

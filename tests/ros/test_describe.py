@@ -133,7 +133,8 @@ def test_nodes_of_ros2(ros2, render, tmp_path, model):
     for text in (
         'name="axis.gain" type="double" min="0.0" max="2.5" description=\'"Gain" &lt;of&gt; it\'',
         'name="~/state" type="std_msgs/msg/String" durability="transient_local"/>',
-        'name="speed" type="std_msgs/msg/Float64" reliability="best_effort"/>',
+        'name="speed" type="std_msgs/msg/Float64" reliability="best_effort" deadline="0.5"'
+        ' lifespan="2.0" liveliness="manual_by_topic" liveliness_lease_duration="3.0"/>',
         'name="label" type="string" value=""/>',
     ):
         assert text in spec

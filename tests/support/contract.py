@@ -17,7 +17,20 @@ from support.packages import shared_runtime, without_tf
 CONTRACT = Path(__file__).parents[1] / "contract"
 METHODS = ("configure", "activate", "update", "deactivate", "cleanup")
 GOALS = ("work", "line", "single", "choice", "crowd")
-CALLBACKS = ("receive", "serve", "accept", *GOALS, "read", "poll", "exact", "near", "take")
+LATES = ("late_speed", "late_order")
+CALLBACKS = (
+    "receive",
+    "serve",
+    "accept",
+    *GOALS,
+    "read",
+    "poll",
+    "exact",
+    "near",
+    "take",
+    "order",
+    *LATES,
+)
 NOISE = (
     "Traceback",
     "Exception",

@@ -19,12 +19,17 @@ UNTESTED = {
 }
 """Interface kinds and attributes without a test in a package, and why."""
 UNTESTED_IN_ROS1 = UNTESTED | {
+    "directPublisher deadline": "ROS 1 has none",
     "directPublisher depth": "a publisher does not tell its queue",
     "directPublisher qos": "as its depth",
     "directSubscriber durability": "publishers alone are latched",
     "input depth": "a message of it alone calls nothing",
     "input durability": "publishers alone are latched",
     "input qos": "as its depth",
+    "lifespan": "ROS 1 has none",
+    "liveliness": "ROS 1 has none",
+    "liveliness_lease_duration": "ROS 1 has none",
+    "publisher deadline": "ROS 1 has none",
     "publisher depth": "a publisher does not tell its queue",
     "publisher qos": "as its depth",
     "reliability": "ROS 1 has TCP_NODELAY for it, which nobody tells",

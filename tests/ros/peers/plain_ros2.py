@@ -6,9 +6,10 @@ import rclpy
 from geometry_msgs.msg import Twist
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 from rclpy.action import ActionClient, ActionServer
+from rclpy.duration import Duration
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
-from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
+from rclpy.qos import DurabilityPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import Float64, String
 from std_srvs.srv import SetBool, Trigger
 from test_msgs.action import Fibonacci
@@ -28,7 +29,15 @@ class Plain(Node):
         self.declare_parameter("label", "")
         latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self.create_publisher(String, "~/state", latched)
-        self.create_publisher(Float64, "speed", qos_profile_sensor_data)
+        timed = QoSProfile(
+            depth=5,
+            reliability=ReliabilityPolicy.BEST_EFFORT,
+            deadline=Duration(seconds=0.5),
+            lifespan=Duration(seconds=2),
+            liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,
+            liveliness_lease_duration=Duration(seconds=3),
+        )
+        self.create_publisher(Float64, "speed", timed)
         self.create_subscription(Twist, "/cmd_vel", print, 10)
         self.create_service(SetBool, "enable", lambda _, response: response)
         self.client = self.create_client(Trigger, "permit")

@@ -50,6 +50,16 @@ void WorkerImpl::receive_call(
 {
 }
 
+// Late topic speed
+void WorkerImpl::late_speed()
+{
+}
+
+// Late topic say
+void WorkerImpl::late_say()
+{
+}
+
 // Synchronizer sighting
 void WorkerImpl::receive_sighting(
   [[maybe_unused]] const worker_types::SightingMessages & messages)

@@ -22,6 +22,7 @@
 #include "rclcpp_components/register_node_macro.hpp"
 #include "ros/action_server.hpp"
 #include "ros/calls.hpp"
+#include "ros/deadline.hpp"
 #include "ros/diagnostics.hpp"
 #include "ros/inbox.hpp"
 #include "ros/managed_node.hpp"
@@ -74,15 +75,20 @@ public:
     passthrough.diagnostics = status;
     out_counter_ = topics_.advertise<worker_types::OutCounter>(
       node,
-      "counter");
+      "counter",
+      rclcpp::QoS(10).deadline(rclcpp::Duration::from_seconds(0.5)));
     out_status_ = topics_.advertise<worker_types::OutStatus>(
       node,
-      "/status");
+      "/status",
+      rclcpp::QoS(10).lifespan(rclcpp::Duration::from_seconds(2)));
     passthrough.pub_echo =
       std::make_shared<RosPublisher<worker_types::PubEcho>>(
       topics_.advertise<worker_types::PubEcho>(
         node,
-        std::atomic_load(config_.get())->echo_topic));
+        std::atomic_load(config_.get())->echo_topic,
+        rclcpp::QoS(10)
+        .liveliness(rclcpp::LivelinessPolicy::ManualByTopic)
+        .liveliness_lease_duration(rclcpp::Duration::from_seconds(5))));
     passthrough.pub_empty =
       std::make_shared<RosPublisher<worker_types::PubEmpty>>(
       topics_.advertise<worker_types::PubEmpty>(
@@ -143,7 +149,9 @@ public:
     topics_.subscribe(
       node,
       "speed",
-      in_speed_);
+      in_speed_,
+      rclcpp::QoS(10),
+      deadline_speed_);
     topics_.subscribe(
       node,
       "counter",
@@ -152,7 +160,9 @@ public:
       node,
       "say",
       impl_,
-      &WorkerImpl::receive_say);
+      &WorkerImpl::receive_say,
+      rclcpp::QoS(10),
+      deadline_say_);
     topics_.subscribe<worker_types::CallMessage>(
       node,
       "call",
@@ -211,8 +221,27 @@ public:
       server->start();
     }
     servers_.start(node);
+    node.watch(
+      deadline_speed_,
+      "speed",
+      "late_speed",
+      [impl = impl_] {impl->late_speed();});
+    node.watch(
+      deadline_say_,
+      "say",
+      "late_say",
+      [impl = impl_] {impl->late_say();});
     node.repeat("read", [impl = impl_] {impl->read();});
     node.call_at(4.0, "poll", [impl = impl_] {impl->poll();});
+  }
+
+  /// Return what watches the topics.
+  std::vector<std::shared_ptr<Deadline>> deadlines() const
+  {
+    return {
+      deadline_speed_,
+      deadline_say_,
+    };
   }
 
   /// Ask goals that are executed to end.
@@ -280,6 +309,10 @@ private:
   WorkerData data_;
   Inbox<worker_types::InSpeed> in_speed_;
   Inbox<worker_types::InCounter> in_counter_;
+  std::shared_ptr<Deadline> deadline_speed_ =
+    std::make_shared<Deadline>(sleeper_, 0.5);
+  std::shared_ptr<Deadline> deadline_say_ =
+    std::make_shared<Deadline>(sleeper_, 1.0);
   Topics topics_;
   std::shared_ptr<rclcpp::Publisher<worker_types::OutCounter>> out_counter_;
   std::shared_ptr<rclcpp::Publisher<worker_types::OutStatus>> out_status_;
@@ -330,6 +363,7 @@ private:
     const auto session =
       std::make_shared<WorkerSession>(*this, config_, loop_, diagnostics_.renew());
     logic_ = session;
+    diagnostics_.watch(session->deadlines());
     return session;
   }
 

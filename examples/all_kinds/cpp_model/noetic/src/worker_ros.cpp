@@ -21,6 +21,7 @@
 #include "dynamic_reconfigure/server.h"
 #include "ros/action_server.hpp"
 #include "ros/callback_thread.hpp"
+#include "ros/deadline.hpp"
 #include "ros/diagnostics.hpp"
 #include "ros/inbox.hpp"
 #include "ros/parameters.hpp"
@@ -191,6 +192,8 @@ private:
       });
     diagnostics_ = std::make_unique<Diagnostics>(
       watch_.node(), supervisor_, &loop_);
+    diagnostics_->watch(deadline_speed_);
+    diagnostics_->watch(deadline_say_);
     passthrough.diagnostics = diagnostics_->logic();
     impl_ = std::make_unique<WorkerImpl>(passthrough);
   }
@@ -212,7 +215,10 @@ private:
     subscribe(
       node_,
       "speed",
-      in_speed_);
+      in_speed_,
+      10,
+      ros::TransportHints(),
+      &deadline_speed_);
     subscribe(
       node_,
       "counter",
@@ -221,7 +227,10 @@ private:
       node_,
       "say",
       "receive_say",
-      &WorkerImpl::receive_say);
+      &WorkerImpl::receive_say,
+      10,
+      ros::TransportHints(),
+      &deadline_say_);
     subscribe_each<worker_types::CallMessage>(
       "call",
       current_config()->call_topics,
@@ -270,6 +279,22 @@ private:
       "execute_measure",
       GoalPolicy(GoalPolicy::parallel, 3),
       &WorkerImpl::execute_measure);
+    run_beside(
+      "late_speed",
+      [this] {
+        deadline_speed_.watch(
+          "speed",
+          [this] {return !supervisor_.stopping();},
+          [this] {impl_->late_speed();});
+      });
+    run_beside(
+      "late_say",
+      [this] {
+        deadline_say_.watch(
+          "say",
+          [this] {return !supervisor_.stopping();},
+          [this] {impl_->late_say();});
+      });
     run_beside(
       "read",
       [this] {
@@ -397,13 +422,17 @@ private:
     const std::string & topic,
     const Inbox<Message> & inbox,
     std::uint32_t queue_size = 10,
-    const ros::TransportHints & hints = ros::TransportHints())
+    const ros::TransportHints & hints = ros::TransportHints(),
+    Deadline * deadline = nullptr)
   {
     subscribers_.push_back(
       node.subscribe<Message, const boost::shared_ptr<Message> &>(
         topic,
         queue_size,
-        [inbox](const boost::shared_ptr<Message> & message) {
+        [inbox, deadline](const boost::shared_ptr<Message> & message) {
+          if (deadline) {
+            deadline->heard();
+          }
           inbox.put(message);
         },
         ros::VoidConstPtr(),
@@ -446,7 +475,8 @@ private:
     const std::string & method,
     void (WorkerImpl::* receive)(const Message &),
     std::uint32_t queue_size = 10,
-    const ros::TransportHints & hints = ros::TransportHints())
+    const ros::TransportHints & hints = ros::TransportHints(),
+    Deadline * deadline = nullptr)
   {
     const auto thread = std::make_shared<CallbackThread>(node, topic);
     receivers_.push_back(thread);
@@ -454,10 +484,11 @@ private:
       thread->node().subscribe<Message>(
         topic,
         queue_size,
-        [this, method, receive](const boost::shared_ptr<const Message> & message) {
+        [this, method, receive, deadline](const boost::shared_ptr<const Message> & message) {
           supervisor_.guard(
             method, [&] {
-              (impl_.get()->*receive)(*message);
+              const auto handle = [&] {(impl_.get()->*receive)(*message);};
+              deadline ? deadline->handle(handle) : handle();
             });
         },
         ros::VoidConstPtr(),
@@ -589,6 +620,8 @@ private:
   std::unique_ptr<dynamic_reconfigure::Server<WorkerDynamicConfig>> reconfigure_server_;
   Loop loop_{clock_, read_frequency()};
   WorkerData data_;
+  Deadline deadline_speed_{clock_, 0.5};
+  Deadline deadline_say_{clock_, 1.0};
   Loop timer_poll_{clock_, 4.0, "poll"};
   Inbox<worker_types::InSpeed> in_speed_;
   Inbox<worker_types::InCounter> in_counter_;

@@ -66,6 +66,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'action_delegate': ('delegate', test_msgs.msg.FibonacciAction),
     }
     synchronizers = {'sighting': 0.05}  # s between stamps
+    deadlines = {'in_speed': 0.5, 'receive_say': 1}  # s
     threads = ('read',)
     timers = {'poll': 4}  # Hz
     transforms = ['publisher', 'subscription']  # of /tf

@@ -14,6 +14,7 @@ from threading import Lock
 from typing import Any, Optional
 
 from all_kinds.ros import timeouts
+from all_kinds.ros.deadline import Deadline
 from all_kinds.ros.diagnostics import Diagnostics
 from all_kinds.ros.log import Log
 from all_kinds.ros.loop import Loop
@@ -33,8 +34,9 @@ from diagnostic_msgs.msg import DiagnosticArray
 import geometry_msgs.msg
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 from rclpy.clock import Clock, ClockType
+from rclpy.duration import Duration
 from rclpy.parameter import Parameter
-from rclpy.qos import QoSProfile, ReliabilityPolicy
+from rclpy.qos import LivelinessPolicy, QoSProfile, ReliabilityPolicy
 import std_msgs.msg
 import std_srvs.srv
 import test_msgs.action
@@ -171,11 +173,17 @@ class WorkerNode(ManagedNode):
         )
         self._received: dict[str, Any] = {}
         self._received_lock = Lock()
+        self._deadline_speed = Deadline(0.5, self._time)
+        self._deadline_say = Deadline(1, self._time)
         frequency = self._declare_frequency(FREQUENCY)
         self.loop = Loop(self._update, frequency, self._time, self.get_logger().warning)
         self._diagnostics = Diagnostics(
             self.get_fully_qualified_name(),
             self.loop,
+            [
+                self._deadline_speed,
+                self._deadline_say,
+            ],
         )
         self._diagnostics_publisher = self.create_publisher(DiagnosticArray, '/diagnostics', 10)
         self.create_timer(
@@ -210,10 +218,12 @@ class WorkerNode(ManagedNode):
         self._out_counter = self._advertise(
             std_msgs.msg.Int64,
             'counter',
+            QoSProfile(depth=10, deadline=Duration(seconds=0.5)),
         )
         self._out_status = self._advertise(
             std_msgs.msg.String,
             '/status',
+            QoSProfile(depth=10, lifespan=Duration(seconds=2)),
         )
         self._impl = WorkerImpl(
             WorkerPassthrough(
@@ -227,6 +237,11 @@ class WorkerNode(ManagedNode):
                     self._advertise(
                         std_msgs.msg.String,
                         self._config.echo_topic,
+                        QoSProfile(
+                            depth=10,
+                            liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,
+                            liveliness_lease_duration=Duration(seconds=5),
+                        ),
                     ),
                 ),
                 pub_empty=Publisher(
@@ -271,10 +286,12 @@ class WorkerNode(ManagedNode):
         self._subscribe(
             std_msgs.msg.String,
             'say',
-            self._callback(
-                'say',
-                'receive_say',
-            ).receive,
+            self._deadline_say.receiver(
+                self._callback(
+                    'say',
+                    'receive_say',
+                ).receive,
+            ),
         )
         for topic in self._config.call_topics:
             self._subscribe(
@@ -323,6 +340,18 @@ class WorkerNode(ManagedNode):
         )
         self._action_server_compute.accept_goals(True)
         self._action_server_measure.accept_goals(True)
+        self._logic.beside(
+            'late_speed',
+            self._deadline_speed.watch,
+            'speed',
+            self._impl.late_speed,
+        )
+        self._logic.beside(
+            'late_say',
+            self._deadline_say.watch,
+            'say',
+            self._impl.late_say,
+        )
         self._logic.repeat('read', self._impl.read)
         self._call_at(4, 'poll')
 
@@ -347,6 +376,7 @@ class WorkerNode(ManagedNode):
 
     def _receive_speed(self, message: Any) -> None:
         """Store the message for the next cycle."""
+        self._deadline_speed.heard()
         with self._received_lock:
             self._received['speed'] = message
 

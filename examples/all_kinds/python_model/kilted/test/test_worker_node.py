@@ -82,6 +82,12 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'action_delegate': ('delegate', test_msgs.action.Fibonacci),
     }
     synchronizers = {'sighting': 0.05}  # s between stamps
+    deadlines = {'in_speed': 0.5, 'receive_say': 1}  # s
+    offers = {  # times in s
+        'out_counter': {'deadline': 0.5},
+        'out_status': {'lifespan': 2.0},
+        'pub_echo': {'liveliness': 'manual_by_topic', 'liveliness_lease_duration': 5.0},
+    }
     threads = ('read',)
     timers = {'poll': 4}  # Hz
     transforms = ['publisher', 'subscription']  # of /tf

@@ -65,6 +65,14 @@ class WorkerImpl:
     ) -> None:
         """Handle a message when it arrives, in a thread of its own."""
 
+    # Late topic speed
+    def late_speed(self) -> None:
+        """Act when no message has come within the deadline, in a thread of its own."""
+
+    # Late topic say
+    def late_say(self) -> None:
+        """Act when no message has come within the deadline, in a thread of its own."""
+
     # Synchronizer sighting
     def receive_sighting(
         self,

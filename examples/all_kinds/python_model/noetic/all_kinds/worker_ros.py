@@ -17,6 +17,7 @@ from typing import Any, Dict
 
 from all_kinds.cfg import WorkerConfig as WorkerReconfigure
 from all_kinds.ros import timeouts
+from all_kinds.ros.deadline import Deadline
 from all_kinds.ros.diagnostics import Diagnostics
 from all_kinds.ros.log import Log
 from all_kinds.ros.loop import Loop
@@ -77,12 +78,18 @@ class WorkerNode(ManagedNode):
         self._data = WorkerData()
         self._received: Dict[str, Any] = {}
         self._received_lock = Lock()
+        self._deadline_speed = Deadline(0.5, self._time)
+        self._deadline_say = Deadline(1, self._time)
         frequency = read_parameter('frequency', float(FREQUENCY))
         check_range('frequency', frequency, 0.001, 100000.0)
         self.loop = Loop(self._update, frequency, self._time, self._log.warning)
         self._diagnostics = Diagnostics(
             rospy.get_name(),
             self.loop,
+            [
+                self._deadline_speed,
+                self._deadline_say,
+            ],
         )
         self._diagnostics_publisher = rospy.Publisher(
             '/diagnostics',
@@ -173,10 +180,12 @@ class WorkerNode(ManagedNode):
         rospy.Subscriber(
             'say',
             std_msgs.msg.String,
-            self._callback(
-                'say',
-                'receive_say',
-            ).receive,
+            self._deadline_say.receiver(
+                self._callback(
+                    'say',
+                    'receive_say',
+                ).receive,
+            ),
             queue_size=10,
         )
         for topic in self._config.call_topics:
@@ -238,6 +247,18 @@ class WorkerNode(ManagedNode):
             new_goal='parallel',
             at_once=3,
         )
+        self._logic.beside(
+            'late_speed',
+            self._deadline_speed.watch,
+            'speed',
+            self._impl.late_speed,
+        )
+        self._logic.beside(
+            'late_say',
+            self._deadline_say.watch,
+            'say',
+            self._impl.late_say,
+        )
         self._logic.repeat('read', self._impl.read)
         self._call_at(4, 'poll')
 
@@ -262,6 +283,7 @@ class WorkerNode(ManagedNode):
 
     def _receive_speed(self, message: Any) -> None:
         """Store the message for the next cycle."""
+        self._deadline_speed.heard()
         with self._received_lock:
             self._received['speed'] = message
 

@@ -48,6 +48,14 @@ public:
     const std::string & topic,
     const worker_types::CallMessage & message);
 
+  // Late topic speed
+  /// Act when no message has come within the deadline, in a thread of its own.
+  void late_speed();
+
+  // Late topic say
+  /// Act when no message has come within the deadline, in a thread of its own.
+  void late_say();
+
   // Synchronizer sighting
   /// Handle messages whose stamps belong together, in a thread of its own.
   void receive_sighting(

@@ -11,11 +11,13 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "diagnostic_msgs/msg/diagnostic_array.hpp"
 #include "diagnostic_msgs/msg/diagnostic_status.hpp"
 #include "diagnostic_msgs/msg/key_value.hpp"
 
+#include "deadline.hpp"
 #include "managed_node.hpp"
 #include "timing.hpp"
 
@@ -56,6 +58,13 @@ public:
     const auto status = std::make_shared<LogicStatus>();
     logic_ = status;
     return status;
+  }
+
+  /// Report topics that are late, from now on those that these watch.
+  void watch(const std::vector<std::shared_ptr<Deadline>> & deadlines)
+  {
+    const std::lock_guard<std::mutex> lock(life_->mutex);
+    deadlines_ = deadlines;
   }
 
   /// Report at once, and wait until that has been received, as the process may end soon.
@@ -101,6 +110,13 @@ private:
       if (std::chrono::steady_clock::now() < late_until_) {
         level = Level::warning;
         status.message = "late cycles";
+      }
+    }
+    for (const auto & deadline : deadlines_) {
+      const auto late = deadline->complaint();
+      if (!late.empty()) {
+        status.message = level == Level::ok ? late : status.message + "; " + late;
+        level = Level::warning;
       }
     }
     const auto failure = node_.calls()->failure();
@@ -164,6 +180,7 @@ private:
   std::shared_ptr<Life> life_ = std::make_shared<Life>();
   ManagedNode & node_;
   std::weak_ptr<LogicStatus> logic_;
+  std::vector<std::shared_ptr<Deadline>> deadlines_;
   std::shared_ptr<const Loop> loop_;
   std::shared_ptr<rclcpp::Publisher<diagnostic_msgs::msg::DiagnosticArray>> publisher_;
   std::chrono::steady_clock::time_point last_time_ = std::chrono::steady_clock::now();

@@ -34,6 +34,7 @@
 
 #include "callback_thread.hpp"
 #include "calls.hpp"
+#include "deadline.hpp"
 #include "stop.hpp"
 #include "timing.hpp"
 #include "all_kinds/ros/logger.hpp"
@@ -149,6 +150,19 @@ public:
         while (calls->is_open() && !stop->requested()) {
           method();
         }
+      });
+  }
+
+  /// Call a method whenever a topic becomes late, in a thread of its own, until the node stops.
+  void watch(
+    const std::shared_ptr<Deadline> & deadline,
+    const std::string & topic,
+    const std::string & name,
+    const std::function<void()> & method)
+  {
+    run_beside(
+      name, [deadline, topic, calls = calls_, method] {
+        deadline->watch(topic, [calls] {return calls->is_open();}, method);
       });
   }
 

@@ -15,6 +15,7 @@
 
 #include "rclcpp/rclcpp.hpp"
 
+#include "deadline.hpp"
 #include "inbox.hpp"
 #include "managed_node.hpp"
 #include "stop.hpp"
@@ -44,10 +45,14 @@ public:
     ManagedNode & node,
     const std::string & topic,
     Inbox<Message> & inbox,
-    const rclcpp::QoS & qos = rclcpp::QoS(10))
+    const rclcpp::QoS & qos = rclcpp::QoS(10),
+    const std::shared_ptr<Deadline> & deadline = nullptr)
   {
     inbox = Inbox<Message>();  // Messages from before the activation are not new.
-    const auto receive = [inbox](std::unique_ptr<Message> message) {
+    const auto receive = [inbox, deadline](std::unique_ptr<Message> message) {
+        if (deadline) {
+          deadline->heard();
+        }
         inbox.put(std::move(message));
       };
     subscriptions_.push_back(
@@ -64,15 +69,17 @@ public:
     const std::string & topic,
     const std::shared_ptr<Logic> & logic,
     void (Logic::* receive)(const Message &),
-    const rclcpp::QoS & qos = rclcpp::QoS(10))
+    const rclcpp::QoS & qos = rclcpp::QoS(10),
+    const std::shared_ptr<Deadline> & deadline = nullptr)
   {
     // A waiting executor of rclcpp 29.3 owns its subscriptions: they do not own the logic.
     const auto handle = [logic = std::weak_ptr<Logic>(logic), receive, calls = node.calls(),
-        pass = node.calls()->pass(), label = "topic " + topic](const Message & message) {
+        pass = node.calls()->pass(), label = "topic " + topic, deadline](const Message & message) {
         calls->run(
           pass, label, [&] {
             if (const auto owned = logic.lock()) {
-              (owned.get()->*receive)(message);
+              const auto handle = [&] {(owned.get()->*receive)(message);};
+              deadline ? deadline->handle(handle) : handle();
             }
           });
       };

@@ -126,6 +126,17 @@ class Peer:
                 return all(each in (None, other) for each, other in zip(wanted, found))
         return False
 
+    def offers(self, node, topic):
+        """Return the times, in s, and the liveliness that the publisher of a node offers."""
+        offers = {}
+        for info in self._node.get_publishers_info_by_topic(topic):
+            if f'{info.node_namespace}/{info.node_name}' == node.name:
+                for name in ('deadline', 'lifespan', 'liveliness_lease_duration'):
+                    time = getattr(info.qos_profile, name)
+                    offers[name] = round(time.nanoseconds * 1e-9, 6)
+                offers['liveliness'] = info.qos_profile.liveliness.name.lower()
+        return offers
+
     @staticmethod
     def _qos(reliability, durability):
         return QoSProfile(

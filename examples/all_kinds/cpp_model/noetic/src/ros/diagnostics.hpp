@@ -10,11 +10,13 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "diagnostic_msgs/DiagnosticArray.h"
 #include "ros/node_handle.h"
 #include "ros/this_node.h"
 
+#include "deadline.hpp"
 #include "supervisor.hpp"
 #include "timing.hpp"
 
@@ -43,6 +45,13 @@ public:
 
   /// Return where the logic says how it is.
   const std::shared_ptr<LogicStatus> & logic() const {return logic_;}
+
+  /// Report when a topic is late.
+  void watch(Deadline & deadline)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    deadlines_.push_back(&deadline);
+  }
 
   /// Report how the node is, and what its logic says.
   void publish()
@@ -74,6 +83,13 @@ public:
       time_ = now;
       cycles_ = cycles;
       late_ = late;
+    }
+    for (const auto & deadline : deadlines_) {
+      const auto late = deadline->complaint();
+      if (!late.empty()) {
+        status.message = level == Level::ok ? late : status.message + "; " + late;
+        level = Level::warning;
+      }
     }
     const auto failure = supervisor_.failure();
     if (!failure.empty()) {
@@ -119,6 +135,7 @@ private:
   std::mutex mutex_;
   const Supervisor & supervisor_;
   const Loop * loop_;
+  std::vector<Deadline *> deadlines_;
   std::shared_ptr<LogicStatus> logic_ = std::make_shared<LogicStatus>();
   Stop::Clock::time_point time_ = Stop::Clock::now();
   std::uint64_t cycles_ = 0;

@@ -6,7 +6,7 @@
 from concurrent.futures import ThreadPoolExecutor
 import itertools
 from signal import SIGINT as INT, SIGTERM as TERM
-from time import sleep
+from time import monotonic, sleep
 
 from diagnostic_msgs.msg import DiagnosticStatus
 from support.peer import decode, encode, parts, Peer, sample, stamped
@@ -20,6 +20,7 @@ TOPICS = ('out_', 'pub_', 'in_', 'receive_', 'input_')
 class NodeTests:
     """Tests of a node in processes of its own, with a logic that obeys them."""
 
+    deadlines = {}
     diagnostics = False
     frequency = None
     interfaces = {}
@@ -111,6 +112,32 @@ class NodeTests:
             ):
                 expected = (node, kind, topic, type_, *qos)
                 self.assertTrue(eventually(lambda: self.peer.has(*expected)), expected)
+
+    def lates(self):
+        """Return the methods for topics that are late soon."""
+        short = [item for item in self.deadlines.items() if item[1] <= 5.0]
+        return [('late_' + member.partition('_')[2], member, time) for member, time in short]
+
+    def test_deadlines(self):
+        """A topic is late once when no message has come for so long, and again after the next."""
+        node = self.start()
+        for late, member, deadline in self.lates():
+            before = self.given.got(late)
+            self.assertTrue(eventually(lambda: node.got(late)), late)
+            sleep(2 * deadline)
+            self.assertEqual(node.got(late), [late[:15]])  # the name of its thread
+            _, topic, type_, _, *qos, _ = next(self.each(member, node=node.name))
+            publisher = self.peer.publisher(type_, topic, *qos)
+            begin = monotonic()
+            least = deadline
+            if member.startswith('receive_'):  # while the logic is at work it is not late
+                node.order(member, f'wait={deadline}')
+                least = 2 * deadline
+            message = sample(type_, 1)
+            self.assertTrue(eventually(lambda: publisher.publish(message) or node.got(member)))
+            self.assertTrue(eventually(lambda: node.got(late)[1:]), late)
+            self.assertGreaterEqual(monotonic() - begin, least)
+            self.assertEqual(self.given.got(late), before)  # its time stands still
 
     def test_transforms(self):
         """The node sends transforms, or listens to them."""
@@ -556,8 +583,9 @@ class NodeTests:
             for status in last():
                 values = {each.key: each.value for each in status.values}
                 is_level = status.level == level and text in status.message
-                # Cycles of a busy machine are late.
-                is_level |= level == OK and status.message == 'late cycles'
+                # Cycles of a busy machine are late, and topics without messages.
+                late = ('late cycles', 'no message on ')
+                is_level |= level == OK and status.message.startswith(late)
                 own = status.hardware_id, values.get('said')
                 return is_level and own == (said or 'none', said)
             return False
@@ -569,6 +597,17 @@ class NodeTests:
         if self.frequency:
             node.order('update', f'wait={1.5 / self.frequency}')
             self.assertTrue(eventually(lambda: says(WARN, 'late cycles', 'tired')), last())
+        for _, member, _ in self.lates():
+            _, topic, type_, _, *qos, _ = next(self.each(member, node=node.name))
+            late = 'no message on ' + self.named(self.interfaces[member][0], False)
+            self.assertTrue(eventually(lambda: says(WARN, late, 'tired')), (late, last()))
+            publisher = self.peer.publisher(type_, topic, *qos)
+
+            def is_heard():
+                publisher.publish(sample(type_, 1))
+                return last() and late not in last()[0].message
+
+            self.assertTrue(eventually(is_heard), (late, last()))
         node.order('now', 'fail=lost')
         self.assertEqual(node.exit_code(), 1)
         self.assertTrue(eventually(lambda: says(ERROR, 'lost', 'tired')), last())
@@ -604,6 +643,10 @@ class NodeTests:
             ends.append((f'{method} raise', 2.0, [], 1, LIFE, 'told to raise'))
             ends.append((f'{method} sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
             ends.append((f'{method} block', 0.1, [TERM], 1, LIFE, 'till running'))
+        for late, *_ in self.lates():
+            ends.append((f'{late} raise', 2.0, [], 1, LIFE, 'told to raise'))
+            ends.append((f'{late} sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
+            ends.append((f'{late} block', 0.1, [TERM], 1, LIFE, 'till running'))
         with ThreadPoolExecutor(4) as pool:
             list(pool.map(self.end, ends))
 

@@ -6,9 +6,10 @@
 from __future__ import annotations
 
 from time import monotonic
-from typing import Any, Optional, Protocol
+from typing import Any, Optional, Protocol, Sequence
 
 from all_kinds.ros import timeouts
+from all_kinds.ros.deadline import Deadline
 from all_kinds.ros.logic_status import LogicStatus
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 
@@ -26,8 +27,14 @@ class Cycles(Protocol):
 class Diagnostics:
     """Reports the state, rate, late and missed cycles of a node, and what its logic says."""
 
-    def __init__(self, name: str, loop: Optional[Cycles]) -> None:
+    def __init__(
+        self,
+        name: str,
+        loop: Optional[Cycles],
+        deadlines: Sequence[Deadline] = (),
+    ) -> None:
         """Prepare the reports of the node `name`, which may have no loop."""
+        self._deadlines = deadlines
         self._name = name
         self._loop = loop
         self._logic = LogicStatus()
@@ -57,6 +64,9 @@ class Diagnostics:
             self._time = now
             self._cycles = self._loop.cycles
             self._late = self._loop.late
+        late = [complaint for each in self._deadlines if (complaint := each.complaint())]
+        if late:
+            level, text = 'WARN', '; '.join([text] * (level == 'WARN') + late)
         if failure:
             level, text = 'ERROR', failure
         said = self._logic.read()

@@ -124,6 +124,8 @@ class _Recorder:
         self._do(steps, data)
 
     def __getattr__(self, method):
+        if method.startswith('late_'):
+            return partial(self._called, method)
         is_called = method.startswith(('receive_', 'serve_', 'execute_', 'accept_'))
         return partial(self._call_back if is_called else self._take_turn, method)
 

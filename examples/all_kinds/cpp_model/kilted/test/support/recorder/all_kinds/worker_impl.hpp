@@ -126,6 +126,10 @@ public:
     recorder_.run(recorder_.next(method));
   }
 
+  void late_speed() {recorder_.called("late_speed");}
+
+  void late_say() {recorder_.called("late_say");}
+
   void receive_sighting(const worker_types::SightingMessages & messages)
   {
     report(
