@@ -88,7 +88,7 @@ class ReplayNode : public ManagedNode
 public:
   /// Declare the parameters; configure creates the session.
   explicit ReplayNode(const rclcpp::NodeOptions & options)
-  : ManagedNode("replay", options)
+  : ManagedNode("sensor", options)
   {
     declare_parameters();
     std::atomic_store(config_.get(), read_config());

@@ -39,7 +39,7 @@ class ReplayNode(ManagedNode):
 
     def __init__(self, **options: Any) -> None:
         """Declare the parameters."""
-        super().__init__('replay', **options)
+        super().__init__('sensor', **options)
         self._declare(
             'scale',
             1.0,
