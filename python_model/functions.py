@@ -31,6 +31,8 @@ def dependencies_from_interface(
         "broadcaster": ["geometry_msgs", "tf2_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
         "synchronizer": ["message_filters"],
     }.get(kind, [])
+    if ros1 and (attributes.get("topic_parameter") or attributes.get("for_each")):
+        packages = [*packages, "rosgraph"]
     type_ = attributes.get("type", "")
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
 

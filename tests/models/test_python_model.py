@@ -10,6 +10,9 @@ import yaml
 from support.packages import DISTROS, MODELS, SPECS, files
 from support.soundness import check_sound
 
+ALONE = """<package name="arm" author="A" author_email="a@example.org" description="d"
+         license="MIT"><node name="reach" {}/></package>"""
+
 
 @pytest.mark.parametrize("distro", ["noetic", "humble", "lyrical"])
 @pytest.mark.parametrize("name", SPECS)
@@ -75,6 +78,13 @@ def test_dependencies_follow_the_ros(render):
     assert {"rclpy", "rcl_interfaces", "contact_msgs", "geometry_msgs"} <= ros2
     assert not ros2 & {"actionlib", "actionlib_msgs", "dynamic_reconfigure", "rospy", "catkin"}
     assert "rclpy" not in ros1
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_runtime_of_a_node_with_diagnostics_alone_is_whole(render, distro):
+    package = render(ALONE.format('diagnostics="true"'), ros_distro=distro)
+    assert "time.wait_for_start()" in (package / "arm/ros/loop.py").read_text()
+    assert "def wait_for_start(" in (package / "arm/ros/ros_time.py").read_text()
 
 
 def test_readme_shows_every_interface(render):

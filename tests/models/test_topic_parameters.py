@@ -115,3 +115,9 @@ def test_a_list_of_texts_alone(model, old, new, message):
     text = text.replace("topic0", "topic2").replace(old, new, 1)
     with pytest.raises(SpecError, match=re.escape(message)):
         Model(ROOT / model, ROOT).context(text.encode(), "spec", "kilted")
+
+
+@pytest.mark.parametrize("topics", [spec, listed])
+def test_python_in_ros1_needs_what_checks_names(render, topics):
+    package = render(topics("topics"), ros_distro="noetic")
+    assert "<exec_depend>rosgraph</exec_depend>" in (package / "package.xml").read_text()

@@ -102,7 +102,7 @@ def _settings(folder):
 def _write_messages(ros, stubs, contexts):
     """Write the types of contexts whose packages are not there."""
     items = [item for context in contexts for item in _interfaces(context)]
-    types = {item["type"] for item in items if "/" in item.get("type", "")}
+    types = {item["type"] for item in items if "/" in (item.get("type") or "")}
     packages = {type_.split("/")[0] for type_ in types}
     code = f"import importlib.util as u; print(*(p for p in {packages} if not u.find_spec(p)))"
     missing = ros.run(f'{ros.python} -c "{code}"', stubs.parent).stdout.split()
@@ -127,8 +127,12 @@ def _message(folder, name, is_ros1):
 
 
 def _interfaces(context):
-    lists = [value for node in context["nodes"] for value in node.values()]
-    return [item for value in lists if isinstance(value, list) for item in value]
+    """Return the interfaces of all nodes, with those inside of others."""
+    found = [*context["nodes"]]
+    for item in found:
+        lists = [value for value in item.values() if isinstance(value, list)]
+        found += [each for value in lists for each in value if isinstance(each, dict)]
+    return found
 
 
 def _faults(command, folder):

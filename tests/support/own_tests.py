@@ -39,6 +39,10 @@ UNTESTED_IN_ROS1 = UNTESTED | {
 }
 
 
+TIMES = ("deadline", "lifespan", "liveliness", "liveliness_lease_duration")
+"""What the tests of a package look for where it is given alone."""
+
+
 def differences(model, untested):
     """Yield each kind and attribute of a node, and the elements of two specs that differ in it."""
     node = next(owner for owner in model.owners if owner.path == ("node",))
@@ -50,4 +54,5 @@ def differences(model, untested):
         for name, base, values in model.variants(owner):
             full = f"{owner.kind} {name}".strip()
             if name not in untested and full not in untested:
-                yield full, [(owner, base)], [(owner, values)]
+                pair = [(owner, base)], [(owner, values)]
+                yield full, *(reversed(pair) if name in TIMES else pair)
