@@ -7,6 +7,7 @@ import xml.etree.ElementTree as ET
 import pytest
 import yaml
 
+from support.linters import ruff_faults
 from support.packages import DISTROS, MODELS, SPECS, files
 from support.soundness import check_sound
 
@@ -85,6 +86,12 @@ def test_runtime_of_a_node_with_diagnostics_alone_is_whole(render, distro):
     package = render(ALONE.format('diagnostics="true"'), ros_distro=distro)
     assert "time.wait_for_start()" in (package / "arm/ros/loop.py").read_text()
     assert "def wait_for_start(" in (package / "arm/ros/ros_time.py").read_text()
+
+
+def test_script_with_the_ending_of_python_has_the_layout_of_ruff(render):
+    package = render(ALONE.format('executable="reach.py"'), ros_distro="noetic")
+    assert (package / "scripts/reach.py").is_file()
+    assert ruff_faults(package) == ""
 
 
 def test_readme_shows_every_interface(render):
