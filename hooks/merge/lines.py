@@ -6,6 +6,7 @@ may change beside one that the other side changed. Only changes of the same line
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
@@ -13,6 +14,8 @@ from os.path import commonprefix
 
 Lines = list[str]
 Key = Callable[[str], str]
+FEW = 3
+"""Lines in common that part a conflict in two."""
 MARKS = ("<<<<<<< before updating", "=======", ">>>>>>> after updating")
 
 
@@ -201,12 +204,31 @@ def text(merged: Merged) -> str:
 def _marked(merged: Merged) -> Lines:
     lines: Lines = []
     for part in merged:
-        if isinstance(part, str):
-            lines.append(part)
-        else:
-            first, middle, last = (f"{mark}\n" for mark in MARKS)
-            lines += [first, *_ended(part.mine), middle, *_ended(part.new), last]
+        for piece in [part] if isinstance(part, str) else _apart(part):
+            if isinstance(piece, str):
+                lines.append(piece)
+            else:
+                first, middle, last = (f"{mark}\n" for mark in MARKS)
+                lines += [first, *_ended(piece.mine), middle, *_ended(piece.new), last]
     return lines
+
+
+def _apart(conflict: Conflict) -> Merged:
+    """Return what of a conflict both sides have, and between it where they differ."""
+    mine, new = conflict.mine, conflict.new
+    common = [
+        (start, first, size)
+        for start, first, size in SequenceMatcher(None, mine, new, False).get_matching_blocks()
+        if sum(bool(re.search(r"\w", line)) for line in mine[start : start + size]) >= FEW
+    ]
+    pieces: Merged = []
+    at = last = 0
+    for start, first, size in [*common, (len(mine), len(new), 0)]:
+        if at < start or last < first:
+            pieces.append(Conflict(mine[at:start], [], new[last:first]))
+        pieces += mine[start : start + size]
+        at, last = start + size, first + size
+    return pieces if conflicts(pieces) else [conflict]
 
 
 def _ended_but_last(lines: Lines) -> Lines:

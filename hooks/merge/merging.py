@@ -75,28 +75,37 @@ def merge(
                 return Outcome(merged, merger.removed, missing, merger.own)
         except (ValueError, RecursionError):
             pass
+    return by_line(path, mine, old, new, of_people)
+
+
+def by_line(
+    path: str, mine: Version, old: Version | None, new: Version, of_people: bool = False
+) -> Outcome:
+    """Merge a file whose blocks cannot be read, or not all of them."""
     if old is None:
         return conflict(path, mine, old, new)
-    outcome = by_line(known, mine.text, old.text, new.text, of_people)
+    known = language(path, new.text)
+    ours, base, theirs = (lines.split(version.text) for version in (mine, old, new))
+    outcome = Outcome(lines.merge_lines(ours, base, theirs, known.key, known.same, of_people))
     could_be_read = readable(known, [*lines.split(mine.text)])
-    is_code = known in (CPP, PYTHON)
-    if is_code and not could_be_read and _names(known, old) != _names(known, new):
+    is_known = known not in (CPP, PYTHON) or (of_people and could_be_read)
+    if not is_known and _names(known, old) != _names(known, new):
         return conflict(path, mine, old, new)  # lines alone do not tell whose a body is
     if outcome.conflict or not could_be_read or readable(known, outcome.merged):
         return outcome
     return conflict(path, mine, old, new)
 
 
-def conflict(path: str, mine: Version, old: Version | None, new: Version) -> Outcome:
+def conflict(
+    path: str, mine: Version, old: Version | None, new: Version, of_people: bool = False
+) -> Outcome:
     """Leave all of a file to the developer."""
     texts = (mine.text, old.text if old else "", new.text)
     return Outcome([Conflict(*map(lines.split, texts))])
 
 
-def by_line(known: Language, mine: str, old: str, new: str, of_people: bool = False) -> Outcome:
-    """Merge texts that have no blocks, or not all of them."""
-    ours, base, theirs = (lines.split(text) for text in (mine, old, new))
-    return Outcome(lines.merge_lines(ours, base, theirs, known.key, known.same, of_people))
+Way = Callable[[str, Version, "Version | None", Version, bool], Outcome]
+"""How a file is merged: by block, by line, or by the developer."""
 
 
 def readable(known: Language, merged: Merged) -> bool:

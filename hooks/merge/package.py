@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import os
 import posixpath
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
+from types import MappingProxyType
 from typing import NamedTuple
 
 from . import lines
 from .languages import language
-from .merging import Outcome, Version, conflict, merge
+from .merging import Outcome, Version, Way, merge
 from .renaming import Renaming
 from .tree import LINK, File, Tree, encode
 
@@ -55,15 +56,15 @@ def merge_package(
     new: Tree,
     renaming: Renaming,
     is_kept: Callable[[str], bool],
-    unmerged: Collection[str] = (),
+    ways: Mapping[str, Way] = MappingProxyType({}),
     of_people: bool = False,
 ) -> Result:
     """Merge; `is_kept` says of a path that the developer's file stays as it is.
 
-    Files in `unmerged` become conflicts from the first line to the last. `of_people`: the new
-    version is another developer's.
+    `ways` says of some paths how they are merged, where not by block. `of_people`: the new version
+    is another developer's.
     """
-    return _Package(mine, old, new, renaming, is_kept, unmerged, of_people).result
+    return _Package(mine, old, new, renaming, is_kept, ways, of_people).result
 
 
 class _Package:
@@ -74,11 +75,11 @@ class _Package:
         new: Tree,
         renaming: Renaming,
         is_kept: Callable[[str], bool],
-        unmerged: Collection[str],
+        ways: Mapping[str, Way],
         of_people: bool,
     ) -> None:
         self.new, self.renaming, self.result = new, renaming, Result()
-        self.unmerged, self.of_people = unmerged, of_people
+        self.ways, self.of_people = ways, of_people
         self.source = {renaming.path(path): path for path in old} | {
             renaming.path(path): path for path in mine
         }
@@ -174,13 +175,11 @@ class _Package:
             self._version(origin, base) if old else None,
             Version(theirs, lambda known: known.blocks(theirs)),
         )
-        if path in self.unmerged:
-            outcome = conflict(path, *versions)
-        else:
-            outcome = merge(path, *versions, of_people=self.of_people)
-        if outcome.conflict and self.of_people and path not in self.unmerged:
+        way = self.ways.get(path, merge)
+        outcome = way(path, *versions, self.of_people)
+        if outcome.conflict and self.of_people and way is merge:
             # What a developer puts around code, the merge follows on the one side alone.
-            other = merge(path, *versions[::-1], of_people=True)
+            other = merge(path, *versions[::-1], True)
             outcome = outcome if other.conflict else other
         self._note(path, source, outcome)
         if outcome.conflict:

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..dictionary import Dictionary
 from .builds import carry_build_files
-from .languages import language
 from .launch import carry_launch_files
-from .merging import by_line
-from .package import Result, bare, merge_package
+from .merging import Way, by_line, conflict
+from .package import Result, merge_package
 from .proof import Proof, prove
 from .recount import Places, recount
 from .renaming import Renaming, plan_renames
 from .render import Renderer
-from .tree import File, Tree
+from .tree import Tree
 
 Answers = Mapping[str, Any]
 
@@ -38,42 +37,28 @@ class Versions:
     of_people: bool = False
 
     def merged(self) -> tuple[Result, Places]:
-        """Merge; what a proof does not find becomes a conflict, and what it then still misses."""
-        result = self.merge(set())
-        others: Tree = {}
+        """Merge; a file that the proofs doubt is merged by line, then left to the developer.
+
+        Returns what they doubt even then.
+        """
+        ways: dict[str, Way] = {}
+        result = self.merge(ways)
         doubts = self.doubts(result)
-        if doubts and self.of_people:
-            # What another puts around code, lines follow where blocks do not.
-            others = {
-                path: file for path in {p for p, _ in doubts} for file in self._by_line(path)
-            }
-            result.tree |= others
-            doubts = self.doubts(result)
-        if doubts:
-            doubtful = {path for path, _ in doubts}
-            result = self.merge(doubtful)
-            result.tree |= {path: file for path, file in others.items() if path not in doubtful}
-            doubts = self.doubts(result)
+        for way in (by_line, conflict):
+            if doubts:
+                ways |= {path: way for path, _ in doubts}
+                result = self.merge(ways)
+                doubts = self.doubts(result)
         return result, doubts
 
-    def merge(self, unmerged: set[str]) -> Result:
+    def merge(self, ways: Mapping[str, Way]) -> Result:
         """Merge; in a move to another ROS, carry what other files have there."""
         trees = (self.mine, self.old, self.new, self.renaming)
-        result = merge_package(*trees, self.is_kept, unmerged, self.of_people)
+        result = merge_package(*trees, self.is_kept, ways, self.of_people)
         if self.to_ros is not None:
             carry_launch_files(*trees, result, self.to_ros)
             carry_build_files(*trees, result, self.to_ros)
         return result
-
-    def _by_line(self, path: str) -> Iterator[File]:
-        """Yield a file merged by line, where it can be."""
-        files = [tree.get(path) for tree in (self.mine, self.old, self.new)]
-        texts = [file.text for file in files if file and file.text is not None]
-        if files[0] and len(texts) == 3:
-            form, (ours, base, theirs) = bare(texts[0], texts[1], texts[2])
-            merged = by_line(language(path, ours), ours, base, theirs, True)
-            if not merged.conflict:
-                yield replace(files[0], data=form.encode(merged.text))
 
     def doubts(self, result: Result) -> Places:
         """Return what the proofs do not find in its place; of two people, the lines of both."""

@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 import pytest
 
 from hooks.merge import outlines
+from hooks.merge.merging import conflict
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
 from hooks.merge.renaming import Renaming
@@ -340,8 +341,8 @@ def test_renamed_node_whose_line_both_sides_changed_is_a_conflict(renders):
     line = 'name="leg" namespace="$(var namespace)"'
     assert line in pair.old[path]
     mine[path] = File(pair.old[path].replace(line, 'name="leg" namespace="mine"').encode())
-    for unmerged in ((), (path,)):
-        result = merge_package(mine, old, new, pair.renaming, pair.is_kept, unmerged)
+    for ways in ({}, {path: conflict}):
+        result = merge_package(mine, old, new, pair.renaming, pair.is_kept, ways)
         assert list(result.conflicts) == [path]
         assert prove(mine, old, result, result.tree, pair.renaming).lost == []
 

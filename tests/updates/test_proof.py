@@ -1,6 +1,7 @@
 """The proof of an update sees a wrong merge, and all is undone; without Copier, so quickly."""
 
 import gc
+import re
 from dataclasses import dataclass, replace
 from types import SimpleNamespace
 
@@ -9,6 +10,7 @@ import pytest
 from hooks.dictionary import load
 from hooks.faults import SpecError
 from hooks.merge import versions as module
+from hooks.merge.merging import by_line, conflict
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove, uses_of_left
 from hooks.merge.renaming import Renaming
@@ -72,18 +74,39 @@ def test_result_is_put_in_place(package):
         ("class ReachImpl:", "class ReachImpl:\n  x"),
     ],
 )
-def test_file_that_was_merged_wrong_becomes_a_conflict(package, monkeypatch, right, wrong):
+@pytest.mark.parametrize("how", ["by block", "by line too"])
+def test_file_that_was_merged_wrong(package, monkeypatch, right, wrong, how):
+    """It is merged by line; what is wrong then, too, becomes a conflict."""
+
     def spoil(*trees):
-        result, unmerged = merge_package(*trees), trees[5]
-        if not unmerged:
+        result, ways = merge_package(*trees), trees[5]
+        if not ways or (how == "by line too" and ways[PATH] is by_line):
             text = result.tree[PATH].text.replace(right, wrong)
             result.tree[PATH] = replace(result.tree[PATH], data=text.encode())
         return result
 
     monkeypatch.setattr(module, "merge_package", spoil)
     report = finish(package)
-    assert report.conflicts == [PATH]
-    assert MINE in (package / PATH).read_text()
+    text = (package / PATH).read_text()
+    if how == "by block":
+        assert report.conflicts == []
+        assert text == MINE.replace("Fill in", "Complete")
+    else:
+        assert report.conflicts == [PATH]
+        assert MINE in text
+
+
+def test_conflict_of_a_file_shows_what_differs():
+    """The table is the developer's by block, for it is below their heading; the model has none."""
+    table = "| Transforms | Use |\n|---|---|\n| `store` | broadcaster |\n\n"
+    old = f"# Arm\n\nAn arm.\n\n## Node arm\n\nMoves it.\n\n{table}## Licence\n\nMIT\n\nOf all.\n"
+    mine = old.replace(table, f"### Mine\n\n{table}") + "\nWords of mine.\n"
+    new = old.replace(table, "")
+    trees = ({"README.md": File(text.encode())} for text in (mine, old, new))
+    merged = module.Versions(*trees).merge({"README.md": conflict}).tree["README.md"].text
+    parts = re.findall(r"(?s)<{7}[^\n]*\n(.*?)={7}\n(.*?)>{7}", merged)
+    assert parts == [(f"### Mine\n\n{table}", ""), ("\nWords of mine.\n", "")]
+    assert re.sub(r"(?m)^(<{7}|={7}|>{7}).*\n", "", merged) == mine
 
 
 @pytest.mark.parametrize("fault", ["line", "file", "error"])
