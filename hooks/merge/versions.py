@@ -37,7 +37,7 @@ class Versions:
     of_people: bool = False
 
     def merged(self) -> tuple[Result, Places]:
-        """Merge; a file that the proofs doubt is merged by line, then left to the developer.
+        """Merge; what the proofs doubt is merged by line, then the developer's (decision 109).
 
         Returns what they doubt even then.
         """
