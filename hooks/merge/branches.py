@@ -172,8 +172,8 @@ class Joiner:
         base = self.base(branches.bases)
         made = people(sides[0].tree, base, sides[1].tree)
         result = settle(made)
-        for side in sides:
-            _keep_conflicts(result, side)
+        for side, other in zip(sides, sides[::-1], strict=True):
+            _keep_conflicts(result, side, _moves(base, other.tree))
         own = self.files(branches.merge) if branches.merge else now
         if own != now:  # what came after the merge
             later = settle(people(result.tree, own, now))
@@ -266,22 +266,27 @@ def _moves(old: Tree, side: Tree) -> dict[str, str]:
     return found
 
 
-def _keep_conflicts(result: Result, side: Side) -> None:
-    """Bring in the conflicts of one developer and the model, where the two have none."""
+def _keep_conflicts(result: Result, side: Side, moved: Mapping[str, str]) -> None:
+    """Bring in the conflicts of one developer and the model, where the two have none.
+
+    `moved` has the files that the other developer has moved.
+    """
     made = side.versions
     sources = {made.renaming.path(path): path for path in made.old}
     for path, stages in side.result.conflicts.items():
-        if path in result.conflicts or path not in result.tree:
+        target = moved.get(path, path)
+        if target in result.conflicts or target not in result.tree:
             continue
-        result.conflicts[path] = stages
+        result.conflicts[target] = stages
         source = sources.get(path, path)
         file, new = made.old.get(source), made.new.get(path)
         if new and file and file.text is not None:
             old = File(encode(made.renaming.text(source, file.text)))
-            again = Versions({path: result.tree[path]}, {path: old}, {path: new}).merged()[0]
-            if path in again.conflicts:
+            mine = {target: result.tree[target]}
+            again = Versions(mine, {target: old}, {target: new}).merged()[0]
+            if target in again.conflicts:
                 for name in ("tree", "conflicts", "rejected", "settled"):
-                    getattr(result, name)[path] = getattr(again, name)[path]
+                    getattr(result, name)[target] = getattr(again, name)[target]
 
 
 def _refuse_older(version: str, others: Iterable[str]) -> None:

@@ -14,7 +14,7 @@ from copier import VcsRef
 from copier.errors import UserMessageError
 
 from hooks.faults import SpecError
-from hooks.merge.branches import Branches, Joiner, people
+from hooks.merge.branches import Branches, Joiner, Side, people
 from hooks.merge.tree import LINK, File
 from hooks.merge.versions import Versions
 from support.arm import SPEC
@@ -596,3 +596,30 @@ def test_both_wrap_a_node_and_one_has_the_line_ends_of_windows(is_ours):
     text = result.tree["launch/arm.launch"].data
     assert text.count(b"\r\n") == text.count(b"\n") > 0
     assert all(name in text for name in (b"<!-- a -->", b"<!-- b ends -->"))
+
+
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_conflict_with_the_model_follows_a_file_that_the_other_has_moved(is_ours):
+    path, target = "config/arm.yaml", "config/mine/arm.yaml"
+    before, after, tuned = (File(b"arm:\n  speed: %d\n" % speed) for speed in (1, 2, 3))
+
+    class Prepared(Joiner):
+        def side(self, commit):
+            place, file = (target, before) if commit == "moved" else (path, tuned)
+            made = Versions({place: file}, {path: before}, {path: after})
+            result, _ = made.merged()
+            assert list(result.conflicts) == ([] if commit == "moved" else [path])
+            return Side(commit, made, result, made.proof(result, result.tree))
+
+        def base(self, commits):
+            return {path: after}
+
+        def files(self, commit):
+            return {}
+
+    branches = Branches(*("moved", "tuned") if is_ours else ("tuned", "moved"), [])
+    result = Prepared(None, ANSWERS, {}, None, None, {}).join(branches, {}).result
+    assert list(result.conflicts) == [target]
+    text = result.tree[target].text
+    assert re.findall(r"speed: \d", text) == ["speed: 3", "speed: 2"]
+    assert text.startswith("arm:\n<<<<<<<")

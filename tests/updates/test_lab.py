@@ -117,7 +117,7 @@ def test_moves_lose_nothing_in_silence(laboratory, has_ros1, model, distro):
 
 
 @pytest.mark.parametrize("distro", DISTROS)
-@pytest.mark.parametrize("model", [*MODELS, "mixed_model"])
+@pytest.mark.parametrize("model", ALL_MODELS)
 def test_two_branches_become_one(laboratory, model, distro):
     """Two developers edit, change the spec and update; one of them may move to another ROS."""
     random, counts = Random(f"{SEED} branches {model} {distro}"), branches.Counts()

@@ -130,12 +130,20 @@ def answers(laboratory, model, spec, distro, version):
 
 
 def identified(spec):
-    """Give each node and item an identity that its names do not have."""
+    """Give each named thing an identity that its names do not have."""
     spec = copy.deepcopy(spec)
-    for node in spec["nodes"]:
-        for item in (node, *node["items"]):
+    for holder, items in _holders(spec):
+        for item in (holder, *items):
             item["id"] = item["name"]
     return spec
+
+
+def _holders(spec):
+    """Yield each node and interface with its items or fields."""
+    for node in spec["nodes"]:
+        yield node, node["items"]
+    for type_ in spec.get("types", ()):
+        yield type_, [field for fields in type_["parts"].values() for field in fields]
 
 
 def _identity(item):
@@ -145,8 +153,10 @@ def _identity(item):
 
 def merged_spec(base, ours, theirs):
     """Resolve the spec as developers would: what both have done; of two changes of one, ours."""
-    nodes = _merged(base["nodes"], ours["nodes"], theirs["nodes"])
-    return {**ours, "nodes": nodes or ours["nodes"]}
+    sides = (base, ours, theirs)
+    holders = "types" if "types" in ours else "nodes"
+    merged = _merged(*(side[holders] for side in sides))
+    return {**ours, holders: merged or ours[holders]}
 
 
 def _merged(base, ours, theirs):
@@ -169,13 +179,18 @@ def _merged_item(base, ours, theirs):
         base = {}
     item = {
         name: ours.get(name) if ours.get(name) != base.get(name) else theirs.get(name)
-        for name in {*ours, *theirs} - {"items"}
+        for name in {*ours, *theirs} - {"items", "parts"}
     }
     renamed_by = ours if ours["name"] != base.get("name") else theirs
     item |= {name: renamed_by.get(name) for name in ("name", "was")}
     if "items" in ours:
         items = _merged(*(side.get("items", []) for side in (base, ours, theirs)))
         item["items"] = items
+    if "parts" in ours:
+        sides = [side.get("parts", {}) for side in (base, ours, theirs)]
+        item["parts"] = {
+            part: _merged(*(side.get(part, []) for side in sides)) for part in sides[1]
+        }
     return item
 
 
@@ -184,7 +199,8 @@ def pair_of_branches(random, laboratory, model, distro, counts, mutate=None, **o
 
     There are none, and nothing is counted, where the two have made what cannot be.
     """
-    spec = identified(specs.random_spec(random))
+    has_nodes = model != "interfaces_model"
+    spec = identified((specs.random_spec if has_nodes else specs.random_interfaces)(random))
     versions, distros = ["1.0.0", "1.0.0"], [distro, distro]
     if model in MODELS and random.random() < 0.2:
         versions[random.randint(0, 1)] = "2.0.0"
@@ -292,9 +308,19 @@ def seen_from(spec, new_spec):
             was = before
         have = {item["name"]: item for item in (was or before or {"items": []})["items"]}
         for item in node["items"]:
-            if item.get("was") and have.get(item["name"], {}).get("was") == item["was"]:
-                item["was"] = None
+            _settle(item, have)
+    known = {(t["kind"], t["name"]): t["parts"] for t in spec.get("types", ())}
+    for type_ in new_spec.get("types", ()):
+        for part, fields in known.get((type_["kind"], type_["name"]), {}).items():
+            have = {one["name"]: one for one in fields}
+            for one in type_["parts"][part]:
+                _settle(one, have)
     return new_spec
+
+
+def _settle(item, have):
+    if item.get("was") and have.get(item["name"], {}).get("was") == item["was"]:
+        item["was"] = None
 
 
 def _take_over_moves(part, other):

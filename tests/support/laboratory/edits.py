@@ -399,7 +399,7 @@ def _definition(random, edited, path, lines):
     mark = edited.mark(path)
     form = random.choice(("# {}", "float64 {}", "float64 {0}  # {0}"))
     free = [i for i in range(len(lines)) if not lines[max(i - 1, 0)].startswith("#")]
-    lines.insert(random.choice(free), form.format(mark))
+    lines.insert(random.choice(free or [len(lines)]), form.format(mark))
 
 
 def _code(random, edited, path, lines):

@@ -37,7 +37,7 @@ def judge(edited, old, new, tree, said, missing, moves, callbacks):
     where = {
         path: path if path in edited.moved else moves.get(path, path) for path in edited.texts
     }
-    for path in sorted(edited.crlf):
+    for path in sorted(edited.crlf & {*where}):
         text = result.get(where[path], "")
         if "\n" in edited.texts[path] and text.count("\r\n") != text.count("\n"):
             complaints.append(f"{path}: its line ends have changed")

@@ -97,7 +97,7 @@ def change_interfaces(random, spec):
             _add_type(random, spec)
         elif how == "field":
             fields.insert(random.randint(0, len(fields)), _field(random, random.choice(free)))
-        elif not fields:
+        elif not fields or (how == "rename" and not free):
             continue
         elif how == "remove":
             fields.pop()

@@ -164,11 +164,10 @@ def trial(random, pair, counts, mutate=None, check=None, **options):
     mine, old, new = edited.tree(), tree_of(pair.old), tree_of(pair.new)
     trees = (mine, old, new, pair.renaming, pair.is_kept)
     made = Versions(*trees, pair.to_ros)
-    result = made.merge(set())
-    if doubtful := doubts(trees, result):
-        # As an update does: what the proofs do not find in its place becomes a conflict.
+    result = made.merge({})
+    if doubts(trees, result):
         counts.doubtful += 1
-        result = made.merge({path for path, _ in doubtful})
+        result = made.merged()[0]
     if mutate:
         mutate(random, result.tree, edited, pair)
     texts = {path: file.text or "" for path, file in result.tree.items()}
