@@ -319,8 +319,13 @@ def seen_from(spec, new_spec):
 
 
 def _settle(item, have):
-    if item.get("was") and have.get(item["name"], {}).get("was") == item["was"]:
+    if not item.get("was"):
+        return
+    alike = [name for name, one in have.items() if one.get("was") == item["was"]]
+    if item["name"] in alike:
         item["was"] = None
+    elif alike and item["was"] not in have:
+        item["was"] = alike[0]  # each developer has given it another name
 
 
 def _take_over_moves(part, other):

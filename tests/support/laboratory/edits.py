@@ -370,7 +370,7 @@ def _cmake(random, edited, path, lines):
             first -= 1
         if starts and not lines[first - 1].startswith("if("):
             ends = [i for i in range(first, len(lines)) if lines[i] == ")" and not lines[i + 1]]
-            name = re.match(form, lines[first])[1]
+            name = next(re.match(form, line)[1] for line in lines[first:] if line[:1] != "#")
             form = "if(TRUE)  # {}", "endif()  # {}"
             if not any(first < start < ends[0] for start in starts):
                 _put_around(edited, path, lines, first, ends[0], name, form)
