@@ -94,6 +94,8 @@ def _broken(line: str, is_value: bool = False) -> list[str]:
         )
     if match := re.fullmatch(r"((?!using|return|const|explicit)[\w:<>]+) (\w+(;| =.*))", code):
         parts = [(0, match[1]), (0 if match[1].endswith(">") else 2, match[2])]
+    elif match := re.fullmatch(r"([\w:<> ]+ \w+\([^()]*\)[ \w]*) \{([^{};]+;)\}", code):
+        parts = [(0, match[1]), (0, "{"), (2, match[2]), (0, "}")]
     elif match := re.fullmatch(r"([^=\"(]+ =) (.+)", code):
         value = " " * (indent + 2) + match[2]
         return [*_broken(line[: indent + match.end(1)]), *_broken(value, is_value=True)]
@@ -131,7 +133,7 @@ def _parts(code: str, is_value: bool) -> list[tuple[int, str]]:
         return [(0, match[1]), (0, match[2])]
     if arguments := _arguments(code):
         return [(0, arguments[0]), *((0 if is_value else 2, each) for each in arguments[1:])]
-    if match := re.fullmatch(r"([^()]*<)([\w:]+>.*)", code):
+    if match := re.fullmatch(r"([^()]*<)((?:const )?[\w:]+>.*)", code):
         is_nested = match[1].count("<") > 1
         further = 0 if is_value else 2
         if is_nested and (is_value or not code.endswith("(")):

@@ -16,7 +16,7 @@ from jinja2.ext import Extension
 _WIDTH = 99
 _STEP = 4
 _NO_LIMIT = "  # noqa: E501"
-_SIGN = re.compile(r"""'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|#.*|\S""")
+_SIGN = re.compile(r"""'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|#.*|\b(?:and|for|or)\b|\S""")
 _EMPTY = re.compile(r"([(\[{])\n *([)\]}])")
 _OPENING, _CLOSING = tuple("([{"), tuple(")]}")
 
@@ -112,6 +112,9 @@ def _code(rows: list[str]) -> list[str]:
             found.append(row)
         elif code.startswith("#"):
             found += map(_marked, _wrapped(row, "# "))
+        elif lines := _annotated(code, indent, rest):
+            rest.extendleft(reversed(lines))
+            continue
         elif change > 0 and (wrapped := _in_parentheses(code, indent, rest)):
             rest.extendleft(reversed(wrapped))
             continue
@@ -121,6 +124,25 @@ def _code(rows: list[str]) -> list[str]:
             found += [_marked(line) for line in _folded(code, indent, depth > 0)]
         depth += change
     return found
+
+
+def _annotated(code: str, indent: int, rest: deque[str]) -> list[str]:
+    """Return the lines of an assignment whose annotation is folded, for its value cannot begin.
+
+    Nothing where it can. A value of one item is joined from the `rest` where it then fits.
+    """
+    margin = " " * indent
+    match = re.fullmatch(r"(\w+: \w+\[)(.+)\] = ([(\[{].*)", code)
+    if not match or match.start(3) + indent < _WIDTH:
+        return []
+    value = match[3]
+    if value in _OPENING and len(rest) > 1 and rest[1].strip() in _CLOSING:
+        joined = value + rest[0].strip() + rest[1].strip()
+        if len(f"{margin}] = {joined}") <= _WIDTH:
+            value = joined
+            rest.popleft()
+            rest.popleft()
+    return [margin + match[1], f"{margin}    {match[2]}", f"{margin}] = {value}"]
 
 
 def _in_parentheses(code: str, indent: int, rest: deque[str]) -> list[str]:
@@ -156,6 +178,11 @@ def _folded(code: str, indent: int, is_inside: bool) -> list[str]:
     if match := re.fullmatch(r"(from .* import )([^(]*)", code):
         names = [f"{margin}    {name}," for name in match[2].split(", ")]
         return [f"{margin}{match[1]}(", *names, f"{margin})"]
+    for operator in ("or", "and", "+") if is_inside and _is_expression(code) else ():
+        first, *terms = (term.strip() for term in _split(code, operator))
+        if terms:
+            lines = [first, *(f"{operator} {term}" for term in terms)]
+            return [part for line in lines for part in _folded(line, indent, False)]
     pair = _pair(code, first=code.startswith("def "))
     if value := _value_in_parentheses(code, indent, is_inside, pair):
         return value
@@ -192,9 +219,6 @@ def _body(body: str, indent: int, is_display: bool) -> list[str]:
     items = _split(body, ",")
     if len(items) > 1 or is_display:
         return [line for item in items for line in _folded(f"{item.strip()},", indent, True)]
-    terms = _split(body, "+")
-    if len(terms) > 1:
-        return [margin + terms[0].strip(), *(f"{margin}+ {term.strip()}" for term in terms[1:])]
     return _folded(body, indent, True)
 
 
@@ -229,9 +253,14 @@ def _split(code: str, separator: str) -> list[str]:
     """Return the parts of code between separators that stand in no brackets."""
     places = [place for sign, place, depth in _signs(code) if depth == 0 and sign == separator]
     ends = [*places, len(code)]
-    starts = [0, *(code.index(separator, place) + 1 for place in places)]
+    starts = [0, *(place + len(separator) for place in places)]
     parts = [code[start:end] for start, end in zip(starts, ends, strict=True)]
     return parts if parts[-1].strip() else parts[:-1]
+
+
+def _is_expression(code: str) -> bool:
+    """Tell whether code in brackets is one expression: no named argument, pair or loop."""
+    return not any(depth == 0 and sign in ("=", ":", "for") for sign, _, depth in _signs(code))
 
 
 def _assignment(code: str) -> tuple[str, str, str]:

@@ -34,6 +34,16 @@ class Node:
     fifty_fifty = 1
     empty = [
     ]
+    fiftyfortyfifty: Sequence[float] = (
+        86.0,
+    )
+    fiftyfortyfifty: Sequence[float] = (
+        86.0,
+        87.0,
+    )
+    forty: Sequence[int] = (
+        86,
+    )
 
     def fifty(self, forty: int, thirty) -> None:
         """Do it."""
@@ -54,6 +64,11 @@ class Node:
             forty,
         )
         keyword(name=fifty, other=forty, more={})
+        named(
+            name=tuple(
+                self.get(fifty, thirty).value or ()
+            ),
+        )
         return fifty + 'fifty' + thirty
 '''
 FOLDED_PYTHON = '''\
@@ -78,6 +93,18 @@ class Node:
     # fiftyfiftyfifty
     fifty_fifty = 1  # noqa: E501
     empty = []
+    fiftyfortyfifty: Sequence[  # noqa: E501
+        float
+    ] = (86.0,)
+    fiftyfortyfifty: Sequence[  # noqa: E501
+        float
+    ] = (
+        86.0,
+        87.0,
+    )
+    forty: Sequence[int] = (
+        86,
+    )
 
     def fifty(
         self, forty: int, thirty
@@ -128,6 +155,15 @@ class Node:
             other=forty,
             more={},
         )
+        named(
+            name=tuple(
+                self.get(
+                    fifty,
+                    thirty,
+                ).value
+                or ()
+            ),
+        )
         return fifty + 'fifty' + thirty  # noqa: E501
 '''
 CPP = """\
@@ -146,6 +182,10 @@ CPP = """\
 void FiftyImpl::fifty_thirty::forty_callback_name_of(
   return std::vector<std::shared_ptr<fifty_types::thirty_forty>>{};
   using fifty_forty = thirty::fifty_type;
+  using Shared = std::shared_ptr<std::shared_ptr<const fiftyConfig>>;
+  std::shared_ptr<const fiftyConfig> current_configuration() const
+  std::string reconfigure(const fiftyConfig & config) {return impl_->reconfigure(config);}
+  void late_forty() {recorder_.called("late_forty");}
 """
 FOLDED_CPP = """\
 // *INDENT-OFF*
@@ -196,6 +236,19 @@ forty_callback_name_of(
   using fifty_forty
     =
     thirty::fifty_type;
+  using Shared =
+    std::shared_ptr<std::shared_ptr<
+        const fiftyConfig>>;
+  std::shared_ptr<
+    const fiftyConfig> current_configuration() const
+  std::string reconfigure(const fiftyConfig & config)
+  {
+    return impl_->reconfigure(config);
+  }
+  void late_forty()
+  {
+    recorder_.called("late_forty");
+  }
 """
 
 

@@ -5,8 +5,9 @@ import itertools
 import pytest
 
 from hooks.model import Model
+from support import ros
 from support.linters import cpp_faults, python_faults, ruff_faults, type_faults, write
-from support.packages import DATA, without_tf
+from support.packages import DATA
 from support.repository import ROOT
 
 SPEC = (DATA / "groups.ros_package").read_text()
@@ -143,7 +144,7 @@ def test_packages_with_groups_pass_their_linters(packages, tmp_path, ros2):
 def test_code_for_nodes_with_a_group_passes_mypy(renderers, tmp_path, ros2):
     found = {}
     for model in ("python_model", "mixed_model"):
-        text = without_tf(spec_for(model)).replace('"sharing"', f'"sharing_{model[:3]}"')
+        text = ros.fitting(ros2, spec_for(model)).replace('"sharing"', f'"sharing_{model[:3]}"')
         context = Model(ROOT / model, ROOT).context(text.encode(), "spec.xml", "kilted")
         package = context["name"]
         files = renderers[model].render(context, "kilted")

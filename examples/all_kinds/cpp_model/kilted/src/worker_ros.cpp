@@ -131,10 +131,7 @@ public:
   /// Return whether the logic gets changed parameters: from configure to cleanup.
   bool is_configured() const {return is_configured_;}
 
-  std::string reconfigure(const WorkerConfig & config)
-  {
-    return impl_->reconfigure(config);
-  }
+  std::string reconfigure(const WorkerConfig & config) {return impl_->reconfigure(config);}
   bool activate() override {return impl_->activate();}
   void deactivate() override {impl_->deactivate();}
   void cleanup() override

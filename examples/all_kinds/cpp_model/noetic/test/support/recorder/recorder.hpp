@@ -80,6 +80,13 @@ std::string to_json(const std::vector<Value> & values)
   return "[" + text + "]";
 }
 
+/// Add a value to the members of an object in JSON.
+template<typename Value>
+void add(std::string & members, const std::string & name, const Value & value)
+{
+  members += (members.empty() ? "" : ", ") + to_json(name) + ": " + to_json(value);
+}
+
 /// Return a message, serialized, in hexadecimal.
 template<typename Message>
 std::string encode(const Message & message)

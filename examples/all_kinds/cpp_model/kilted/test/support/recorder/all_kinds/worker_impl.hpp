@@ -189,17 +189,17 @@ private:
   /// Report the parameters, if they have changed.
   void record(const WorkerConfig & config)
   {
-    const std::string text = "{"
-      "\"prefix\": " + to_json(config.prefix) +
-      ", \"echo_topic\": " + to_json(config.echo_topic) +
-      ", \"call_topics\": " + to_json(config.call_topics) +
-      ", \"answer_topics\": " + to_json(config.answer_topics) +
-      ", \"weights\": " + to_json(config.weights) +
-      ", \"gain\": " + to_json(config.gain) +
-      ", \"step\": " + to_json(config.step) +
-      ", \"verbose\": " + to_json(config.verbose) +
-      ", \"label\": " + to_json(config.label) +
-      "}";
+    std::string members;
+    add(members, "prefix", config.prefix);
+    add(members, "echo_topic", config.echo_topic);
+    add(members, "call_topics", config.call_topics);
+    add(members, "answer_topics", config.answer_topics);
+    add(members, "weights", config.weights);
+    add(members, "gain", config.gain);
+    add(members, "step", config.step);
+    add(members, "verbose", config.verbose);
+    add(members, "label", config.label);
+    const std::string text = "{" + members + "}";
     const std::lock_guard<std::mutex> lock(config_mutex_);
     if (text != config_) {
       config_ = text;

@@ -75,9 +75,9 @@ private:
   /// Report the parameters, if they have changed.
   void record(const ObserverConfig & config)
   {
-    const std::string text = "{"
-      "\"limit\": " + to_json(config.limit) +
-      "}";
+    std::string members;
+    add(members, "limit", config.limit);
+    const std::string text = "{" + members + "}";
     if (text != config_) {
       config_ = text;
       report("config", text);
