@@ -8,6 +8,8 @@ import textwrap
 
 _LIMIT = 100  # of cpplint and uncrustify
 _NO_LIMIT = "  // NOLINT(whitespace/line_length)"
+# A list whose sign of equality has a line of its own, as the name of its member fills one.
+_LIST = re.compile(r"^(  [\w:<>]+ \w{97,} = \{\n(?:    .*\n)+)  \};", re.MULTILINE)
 
 
 def cpp_guard(file: str) -> str:
@@ -53,7 +55,7 @@ def fit(text: str) -> str:
 
     It would break guards and includes, too, which cpplint wants whole: comments keep it away.
     """
-    written = text.split("\n")
+    written = _LIST.sub(r"\1    };", text).split("\n")
     lines = [
         part
         for line, before in zip(written, ["", *written], strict=False)
@@ -93,7 +95,7 @@ def _broken(line: str, is_value: bool = False) -> list[str]:
             break_on_hyphens=False,
         )
     if match := re.fullmatch(r"((?!using|return|const|explicit)[\w:<>]+) (\w+(;| =.*))", code):
-        parts = [(0, match[1]), (0 if match[1].endswith(">") else 2, match[2])]
+        parts = _member(match[1], match[2], _LIMIT - indent)
     elif match := re.fullmatch(r"([\w:<> ]+ \w+\([^()]*\)[ \w]*) \{([^{};]+;)\}", code):
         parts = [(0, match[1]), (0, "{"), (2, match[2]), (0, "}")]
     elif match := re.fullmatch(r"([^=\"(]+ =) (.+)", code):
@@ -107,6 +109,18 @@ def _broken(line: str, is_value: bool = False) -> list[str]:
         return [line]
     first, *rest = [" " * (indent + more) + text for more, text in parts]
     return [*_broken(first, is_value), *(part for text in rest for part in _broken(text))]
+
+
+def _member(type_: str, rest: str, room: int) -> list[tuple[int, str]]:
+    """Return the parts of a member that do not fit beside its type: a literal begins no line."""
+    indent = 0 if type_.endswith(">") else 2
+    name, sign, value = rest.partition(" =")
+    if len(rest) + indent <= room or not sign or "(" in value:
+        return [(0, type_), (indent, rest)]
+    own_line = len(f"{name} =") + indent > room
+    begin = [(indent, name), (2, "=")] if own_line else [(indent, f"{name} =")]
+    value_indent = 2 if own_line else indent
+    return [(0, type_), *begin, *([(value_indent, value.strip())] if value else [])]
 
 
 def _long_names(code: str, room: int) -> list[tuple[int, str]]:
@@ -129,6 +143,10 @@ def _parts(code: str, is_value: bool) -> list[tuple[int, str]]:
         return [(0, match[1]), (0, match[2])]
     if match := re.fullmatch(r"(if \()(.+ [!=]=) (.+\)) \{", code):
         return [(0, match[1]), (2, match[2]), (2, match[3]), (0, "{")]
+    if match := re.fullmatch(r"((?:class|struct) \w+) (: .+)", code):
+        return [(0, match[1]), (2, match[2])]
+    if match := re.fullmatch(r"((?:: )?\w+,) (\w+(?:, \w+)*)", code):
+        return [(0, match[1]), (0, match[2])]
     if match := re.fullmatch(r"(.+ &) (\w+\()", code):
         return [(0, match[1]), (0, match[2])]
     if arguments := _arguments(code):

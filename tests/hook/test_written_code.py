@@ -186,6 +186,12 @@ void FiftyImpl::fifty_thirty::forty_callback_name_of(
   std::shared_ptr<const fiftyConfig> current_configuration() const
   std::string reconfigure(const fiftyConfig & config) {return impl_->reconfigure(config);}
   void late_forty() {recorder_.called("late_forty");}
+  double fortyfiftyabc = 1.0;
+  bool fiftyfifty = true;
+  std::vector<bool> fiftyfifty = {
+    true
+  };
+struct fortyData : fiftyData, thirtyData, fortyOther
 """
 FOLDED_CPP = """\
 // *INDENT-OFF*
@@ -249,6 +255,22 @@ forty_callback_name_of(
   {
     recorder_.called("late_forty");
   }
+  double
+    fortyfiftyabc =
+    1.0;
+  bool
+    fiftyfifty  // NOLINT(whitespace/line_length)
+    =
+    true;
+  std::vector<bool>
+  fiftyfifty  // NOLINT(whitespace/line_length)
+    =
+    {
+    true
+    };
+struct fortyData
+  : fiftyData,
+  thirtyData, fortyOther
 """
 
 
