@@ -75,14 +75,18 @@ def fit(text: str) -> str:
 
 def _marked(line: str) -> str:
     """Return a line that cpplint accepts: a long one has a mark, or ends in an address."""
-    fits = len(line) <= _LIMIT or re.fullmatch(r" *//.*https?://\S*", line)
+    fits = (
+        len(line) <= _LIMIT
+        or line.endswith(_NO_LIMIT)
+        or re.fullmatch(r" *//.*https?://\S*", line)
+    )
     return line if fits else line + _NO_LIMIT
 
 
 def _broken(line: str, is_value: bool = False) -> list[str]:
     """Return the lines that a line is broken into; `is_value`: it follows a sign of equality."""
     code = line.lstrip()
-    if len(line) <= _LIMIT or code.startswith("#"):
+    if len(line) <= _LIMIT or code.startswith("#") or line.endswith(_NO_LIMIT):
         return [line]
     indent = len(line) - len(code)
     if match := re.match("//+ ", code):
@@ -159,7 +163,8 @@ def _parts(code: str, is_value: bool) -> list[tuple[int, str]]:
         return [(0, match[1]), (further, match[2])]
     if match := re.fullmatch(r"(.+::)(\w.*)", code):
         # Uncrustify counts one column less than cpplint, and would join the name of a function.
-        is_joined = len(code) == _LIMIT + 1 and re.fullmatch(r"(\w+ )?\w+::\w+\(", code)
+        begin = re.fullmatch(r"(\w+ )?\w+::\w+\(", code.removesuffix(")"))
+        is_joined = begin and len(begin[0]) <= _LIMIT + 1
         return [(0, match[1] + (_NO_LIMIT if is_joined else "")), (0, match[2])]
     return [(0, code)]
 

@@ -191,6 +191,10 @@ void FiftyImpl::fifty_thirty::forty_callback_name_of(
   std::vector<bool> fiftyfifty = {
     true
   };
+void thirtyImpl::fiftyabcdefgh()
+void thirtyImpl::fiftyabcdefghi()
+void thirtyImpl::fiftyabcdefghij()
+void fiftyabcdeImpl::thirtyabc()
 struct fortyData : fiftyData, thirtyData, fortyOther
 """
 FOLDED_CPP = """\
@@ -268,6 +272,14 @@ forty_callback_name_of(
     {
     true
     };
+void thirtyImpl::  // NOLINT(whitespace/line_length)
+fiftyabcdefgh()
+void thirtyImpl::  // NOLINT(whitespace/line_length)
+fiftyabcdefghi()
+void thirtyImpl::
+fiftyabcdefghij()
+void fiftyabcdeImpl::  // NOLINT(whitespace/line_length)
+thirtyabc()
 struct fortyData
   : fiftyData,
   thirtyData, fortyOther

@@ -1,6 +1,7 @@
 """Packages pass their own linters whatever their spec: each interface kind alone, long names."""
 
 import itertools
+import re
 import string
 
 import pytest
@@ -85,4 +86,26 @@ def test_linters_accept_long_names(renderers, tmp_path, ros2):
         assert put(renderers, tmp_path / f"{number}_{name}", model, elements, distro)
     leave_news(tmp_path, {})
     faults = python_faults(ros2, tmp_path) + cpp_faults(ros2, tmp_path)
+    assert not faults, faults
+
+
+def test_linters_accept_callbacks_with_long_names(renderers, tmp_path, ros2):
+    """Signatures about as long as a line: of what the logic hears, accepts, does in threads."""
+    text = """<package name="arm" description="Arm" author="A" author_email="a@b.org"
+      license="MIT">
+      <node name="{}">
+        <parameter name="topics" type="string[]" value="[a]"/>
+        <directSubscriber name="hear" type="std_msgs::String" for_each="topics"/>
+        <actionServer name="move" type="test_msgs::Fibonacci" accept="true"/>
+        <thread name="{}"/>
+        <thread name="{}"/>
+      </node>
+    </package>"""
+    for size, distro in itertools.product((36, 42, 48, 49, 51, 54, 57, 60), ROS):
+        spec = text.format("a" * size, "b" * (88 - size), "c" * (89 - size)).encode()
+        context = MODELS["cpp_model"].hook.context(spec, "spec.xml", distro)
+        files = renderers["cpp_model"].render(context, distro)
+        code = {name: lines for name, lines in files.items() if re.match(r"src/\w+\.cpp", name)}
+        write(tmp_path / f"{size}_{distro}", code)
+    faults = cpp_faults(ros2, tmp_path)
     assert not faults, faults

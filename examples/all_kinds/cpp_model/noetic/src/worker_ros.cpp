@@ -501,7 +501,9 @@ private:
     const std::string & name,
     const std::vector<std::string> & topics,
     const std::string & method,
-    void (WorkerImpl::* receive)(const std::string &, const Message &),
+    void (WorkerImpl::* receive)(
+      const std::string &,
+      const Message &),
     std::uint32_t queue_size = 10,
     const ros::TransportHints & hints = ros::TransportHints())
   {
@@ -577,7 +579,8 @@ private:
     const std::string & method,
     GoalPolicy policy,
     void (WorkerImpl::* execute)(Goal<Action> &),
-    bool (WorkerImpl::* accept)(const typename Action::Goal &))
+    bool (WorkerImpl::* accept)(
+      const typename Action::Goal &))
   {
     const auto thread = std::make_shared<CallbackThread>(node, name);
     receivers_.push_back(
