@@ -13,10 +13,6 @@ import pytest
 from copier import VcsRef
 from copier.errors import UserMessageError
 
-from hooks.faults import SpecError
-from hooks.merge.branches import Branches, Joiner, Side, people
-from hooks.merge.tree import LINK, File
-from hooks.merge.versions import Versions
 from support.arm import SPEC
 from support.documentation import blocks
 from support.laboratory.trials import second_version
@@ -445,18 +441,6 @@ def test_other_ros_on_one_side(model, make_team):
     team.has(**TOGETHER)
 
 
-def test_version_older_than_that_of_a_branch():
-    commits = {"ours": {"_commit": "1.0.0"}, "theirs": {"_commit": "1.2.0"}}
-    joiner = Joiner(None, ANSWERS, {"_commit": "1.1.0"}, None, None, {})
-    joiner.recorded = commits.get
-    with pytest.raises(SpecError) as caught:
-        joiner.check(Branches("ours", "theirs", []), [])
-    assert str(caught.value) == (
-        "one branch was made by version 1.2.0 of the model, newer than 1.1.0;"
-        " add --vcs-ref=1.2.0 [older-version]"
-    )
-
-
 @MODELS
 def test_same_lines_conflict(model, make_team):
     """As git marks conflicts: of each file three versions are in the index."""
@@ -530,96 +514,3 @@ def test_page_of_two_branches(make_team):
     subprocess.run(["sh", "-c", told], cwd=team.package, env=environment, check=True)
     assert len(team.git("rev-parse", "HEAD^@").split()) == 2
     team.has(**TOGETHER)
-
-
-EMPTY = "void Arm::cleanup()\n{\n}\n"
-HELPER = "\nstatic int %s()\n{\n  return 1;\n}\n"
-SCOPE = "  {\n    int %s = 2;\n  }\n"
-
-
-def joined_texts(ours, theirs, base=EMPTY):
-    """Join the two texts of a source file that two developers have made of one."""
-    sides = ({"src/arm_impl.cpp": File(text.encode())} for text in (ours, base, theirs))
-    versions = Versions(*sides, of_people=True)
-    result, wrong = versions.merged()
-    assert not wrong
-    return versions, result, result.tree["src/arm_impl.cpp"].text
-
-
-@pytest.mark.parametrize(
-    "ends", [("", ""), (HELPER % "lift", HELPER % "sink"), (HELPER % "lift", "")]
-)
-def test_both_write_blocks_with_braces_in_one_empty_function(ends):
-    """The brace of the function is not one of a block in it."""
-    written = EMPTY.replace("{\n", "{\n%s")
-    ours, theirs = (written % (SCOPE % name) + end for name, end in zip("ab", ends, strict=True))
-    _, result, text = joined_texts(ours, theirs, EMPTY + "\n")
-    assert not result.conflicts
-    assert written % (SCOPE % "b" + SCOPE % "a") in text
-    assert all(end in text for end in ends)
-
-
-def test_line_of_a_join_in_another_function_is_seen():
-    """Even between the lines that it was between."""
-    ours, helper = EMPTY.replace("{\n", "{\n" + SCOPE % "a"), HELPER % "lift"
-    versions, result, text = joined_texts(ours, EMPTY + helper)
-    assert versions.doubts(result) == []
-    wrong = text.replace(SCOPE % "a", "").replace("  return 1;\n", SCOPE % "a" + "  return 1;\n")
-    result.tree["src/arm_impl.cpp"] = File(wrong.encode())
-    assert ("src/arm_impl.cpp", "int a = 2;") in versions.doubts(result)
-
-
-@pytest.mark.parametrize("is_ours", [True, False])
-def test_one_moves_a_file_that_the_other_edits_and_leaves_a_link(is_ours):
-    page = "# Arm\n\nWhat it is.\n\n## Use\n\nHow to.\n"
-    moved = {"docs/README.md": File(page.encode()), "README.md": File(b"docs/README.md", LINK)}
-    edited = {"README.md": File(page.replace("How to.", "How to.\n\n## Help\n\nAsk.").encode())}
-    sides = (moved, edited) if is_ours else (edited, moved)
-    result, wrong = people(sides[0], {"README.md": File(page.encode())}, sides[1]).merged()
-    assert (wrong, result.conflicts) == ([], {})
-    assert result.tree == {**moved, "docs/README.md": edited["README.md"]}
-
-
-@pytest.mark.parametrize("is_ours", [True, False])
-def test_both_wrap_a_node_and_one_has_the_line_ends_of_windows(is_ours):
-    base = '<launch>\n  <arg name="a"/>\n  <node name="arm"/>\n</launch>\n'
-    sides = [
-        base.replace("  <node", f"<group>  <!-- {name} -->\n  <node").replace(
-            "</launch>", f"</group>  <!-- {name} ends -->\n</launch>"
-        )
-        for name in "ab"
-    ]
-    encoded = [sides[0].replace("\n", "\r\n").encode(), sides[1].encode()]
-    files = [{"launch/arm.launch": File(each)} for each in (encoded if is_ours else encoded[::-1])]
-    result, wrong = people(files[0], {"launch/arm.launch": File(base.encode())}, files[1]).merged()
-    assert not wrong
-    text = result.tree["launch/arm.launch"].data
-    assert text.count(b"\r\n") == text.count(b"\n") > 0
-    assert all(name in text for name in (b"<!-- a -->", b"<!-- b ends -->"))
-
-
-@pytest.mark.parametrize("is_ours", [True, False])
-def test_conflict_with_the_model_follows_a_file_that_the_other_has_moved(is_ours):
-    path, target = "config/arm.yaml", "config/mine/arm.yaml"
-    before, after, tuned = (File(b"arm:\n  speed: %d\n" % speed) for speed in (1, 2, 3))
-
-    class Prepared(Joiner):
-        def side(self, commit):
-            place, file = (target, before) if commit == "moved" else (path, tuned)
-            made = Versions({place: file}, {path: before}, {path: after})
-            result, _ = made.merged()
-            assert list(result.conflicts) == ([] if commit == "moved" else [path])
-            return Side(commit, made, result, made.proof(result, result.tree))
-
-        def base(self, commits):
-            return {path: after}
-
-        def files(self, commit):
-            return {}
-
-    branches = Branches(*("moved", "tuned") if is_ours else ("tuned", "moved"), [])
-    result = Prepared(None, ANSWERS, {}, None, None, {}).join(branches, {}).result
-    assert list(result.conflicts) == [target]
-    text = result.tree[target].text
-    assert re.findall(r"speed: \d", text) == ["speed: 3", "speed: 2"]
-    assert text.startswith("arm:\n<<<<<<<")

@@ -1,0 +1,397 @@
+"""Two branches become one, with a model of a few lines in the place of Copier, so quickly."""
+
+import subprocess
+
+import pytest
+import yaml
+
+from hooks.dictionary import load
+from hooks.faults import SpecError
+from hooks.merge.branches import Branches, Joiner, people, under_way, wrong_merge
+from hooks.merge.tree import LINK, File, read_folder, read_paths, write
+from hooks.merge.update import Update
+from hooks.merge.versions import Versions
+from support.repository import ROOT, commit, git
+from support.small_model import ANSWERS, LOGIC, SPEC, Model, answers
+
+
+class Team:
+    """A package in a repository, whose developers write lines in callbacks."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def make(self, *callbacks, branch="", message="Update", **lines):
+        """Commit what the model makes of callbacks, and lines in them."""
+        if branch:
+            self.git("checkout", "-q", "-B", branch, "start")
+        made = Model().recorded(answers(*callbacks)).tree
+        for path in {*read_folder(self.folder)} - {*made}:
+            (self.folder / path).unlink()
+        for path, file in made.items():
+            write(self.folder / path, file)
+        self.answer(*callbacks)
+        self.edit(**lines)
+        commit(self.folder, message)
+
+    def answer(self, *callbacks, **others):
+        text = yaml.safe_dump(answers(*callbacks, **others))
+        (self.folder / ANSWERS).write_text(text, newline="\n")
+
+    def edit(self, **lines):
+        """Write a line into each of some callbacks."""
+        for name, line in lines.items():
+            start = f'"""Serve {name}."""\n'
+            text = (self.folder / "arm.py").read_text()
+            assert start in text
+            text = text.replace(start, f"{start}        {line} = 1\n")
+            (self.folder / "arm.py").write_text(text, newline="\n")
+
+    def git(self, *arguments):
+        return git(self.folder, *arguments)
+
+    def begin(self, *arguments):
+        """Run a command of git's that stops at conflicts."""
+        command = ["git", "-c", "core.editor=true", *arguments]
+        assert subprocess.run(command, cwd=self.folder, capture_output=True).returncode
+
+    def joiner(self, *callbacks, **others):
+        dictionary = load(ROOT / "python_model/dictionary.yaml", ROOT)
+        given = answers(*callbacks, **others)
+        return Joiner(self.folder, ANSWERS, given, Model(), dictionary, {})
+
+    def now(self):
+        return {path: file for path, file in read_folder(self.folder).items() if path != ANSWERS}
+
+    def wrong(self, *callbacks):
+        return wrong_merge(self.joiner(*callbacks), self.now())
+
+    def update(self, *callbacks):
+        """Update as Copier would have us do, and return what is said."""
+        update = Update(self.folder, ANSWERS, quiet=True)
+        self.answer(*callbacks)
+        joiner = self.joiner(*callbacks)
+        about = (joiner.answers, joiner.renderer, joiner.dictionary, {})
+        return update.finish(*about, inline=True).lines
+
+
+@pytest.fixture
+def team(tmp_path):
+    team = Team(tmp_path)
+    team.make("load", "store")
+    team.git("tag", "start")
+    team.make("load", "store", "park", branch="topic", load="theirs")
+    team.make("load", "store", "home", branch="main", store="ours")
+    return team
+
+
+BOTH = ("load", "store", "home", "park")
+
+
+def test_version_older_than_that_of_a_branch():
+    commits = {"ours": {"_commit": "1.0.0"}, "theirs": {"_commit": "1.2.0"}}
+    joiner = Joiner(None, ANSWERS, {"_commit": "1.1.0"}, None, None, {})
+    joiner.recorded = commits.get
+    with pytest.raises(SpecError) as caught:
+        joiner.check(Branches("ours", "theirs", []), [])
+    assert str(caught.value) == (
+        "one branch was made by version 1.2.0 of the model, newer than 1.1.0;"
+        " add --vcs-ref=1.2.0 [older-version]"
+    )
+
+
+def merge_wrong(team, *paths, callbacks=BOTH, squash=False):
+    """Merge both branches right, but take some files of one side; return the commit."""
+    if not squash:
+        team.git("merge", "-q", "-s", "ours", "--no-commit", "topic")
+    ours = read_paths(team.folder, paths)
+    made = Model().recorded(answers(*callbacks)).tree
+    for path, file in made.items():
+        write(team.folder / path, file)
+    team.answer(*callbacks)
+    team.edit(store="ours", load="theirs")
+    for path in paths:
+        write(team.folder / path, ours[path]) if path in ours else (team.folder / path).unlink()
+    commit(team.folder, "Merge")
+    return team.git("rev-parse", "HEAD")
+
+
+def test_what_git_is_about_to_join(team):
+    """Each of its ways, and what the two come from; nothing where nothing is under way."""
+    start, topic = team.git("rev-parse", "start"), team.git("rev-parse", "topic")
+    assert under_way(team.folder, ANSWERS) is None
+    team.begin("cherry-pick", "topic")
+    assert under_way(team.folder, ANSWERS) == Branches("HEAD", topic, [start])
+    team.git("cherry-pick", "--abort")
+    main = team.git("rev-parse", "main")
+    team.git("checkout", "-q", "topic")
+    team.begin("rebase", "main")
+    assert under_way(team.folder, ANSWERS) == Branches("HEAD", topic, [start])
+    team.git("rebase", "--abort")
+    team.begin("merge", "main")
+    assert under_way(team.folder, ANSWERS) == Branches("HEAD", main, [start])
+
+
+@pytest.mark.parametrize("branch", ["main", "topic"])
+def test_merge_with_what_no_model_has_made_is_left_to_git(team, branch):
+    """Only both sides together can be joined."""
+    team.git("checkout", "-q", branch)
+    team.git("rm", "-q", ANSWERS)
+    team.git("commit", "-q", "-m", "Leave the model")
+    team.git("checkout", "-q", "main")
+    team.git("merge", "-q", "-s", "ours", "--no-commit", "topic")
+    assert under_way(team.folder, ANSWERS) is None
+
+
+def test_merge_of_three_is_refused(team):
+    heads = [team.git("rev-parse", one) for one in ("topic", "start")]
+    (team.folder / ".git/MERGE_HEAD").write_text("".join(f"{head}\n" for head in heads))
+    with pytest.raises(SpecError, match=r"^3 branches are merged at once .*\[several-branches\]$"):
+        under_way(team.folder, ANSWERS)
+
+
+def test_merge_that_is_under_way_is_joined(team):
+    team.begin("merge", "topic")
+    team.git("checkout", "-q", "HEAD", "--", "arm.py", ANSWERS)
+    text = (team.folder / "arm.py").read_text() + "BY_HAND = 1\n"
+    (team.folder / "arm.py").write_text(text)
+    (team.folder / SPEC).write_text("resolved\n")
+    said = team.update(*BOTH)
+    text = (team.folder / "arm.py").read_text()
+    assert all(f"serve_{name}" in text for name in BOTH)
+    bodies = {part.partition("(")[0]: part for part in text.split("serve_")}
+    assert "theirs = 1" in bodies["load"]
+    assert "ours = 1" in bodies["store"]
+    assert (team.folder / SPEC).read_text() == "resolved\n"
+    assert "BY_HAND" not in text
+    (line,) = (line for line in said if "BY_HAND" in line)
+    name = line.removesuffix(")").split()[-1]
+    assert "BY_HAND" in team.git("show", name)
+    assert [line for line in said if "lines are in their place" in line] == [said[-1]]
+    assert said[-1].startswith("2 of 2 ")
+    status = team.git("status", "--porcelain").split("\n")
+    assert all(line[0] in "MA" and line[1] == " " for line in status)
+    assert f"M  {ANSWERS}" in status
+
+
+@pytest.mark.parametrize("path", ["README.md", "arm.py", "config/park.yaml"])
+def test_merge_that_has_left_a_file_of_one_side_is_seen(team, path):
+    """Until the file is mended, by whom ever."""
+    commit_ = merge_wrong(team, path)
+    main, topic, start = (team.git("rev-parse", one) for one in ("main^", "topic", "start"))
+    found = team.wrong(*BOTH)
+    assert found == Branches(main, topic, [start], commit_, (path,))
+    commit(team.folder, "Something else")
+    assert team.wrong(*BOTH) == found
+    write(team.folder / path, Model().recorded(answers(*BOTH)).tree[path])
+    assert team.wrong(*BOTH) is None
+
+
+def test_right_merge_is_not_joined_again(team):
+    merge_wrong(team)
+    assert team.wrong(*BOTH) is None
+
+
+def test_commit_without_another_side_is_no_merge(team):
+    assert team.wrong("load", "store", "home") is None
+    team.git("checkout", "-q", "start")
+    assert team.wrong("load", "store") is None
+
+
+def test_branch_that_was_squashed_is_made_of_what_was_before(team):
+    commit_ = merge_wrong(team, "README.md", squash=True)
+    main = team.git("rev-parse", "HEAD^")
+    assert team.wrong(*BOTH) == Branches("", main, [], commit_, ("README.md",))
+    (first, *_) = team.update(*BOTH)
+    assert first == (
+        f"! {commit_[:7]} has left files that were not made of the recorded spec: README.md:"
+        " made of the spec before it"
+    )
+    assert (team.folder / "README.md").read_bytes() == (
+        Model().recorded(answers(*BOTH)).tree["README.md"].data
+    )
+
+
+def test_another_model_is_no_merge(team):
+    merge_wrong(team, "README.md")
+    team.answer(*BOTH, _src_path="other")
+    commit(team.folder, "Follow another")
+    assert team.wrong(*BOTH) is None
+
+
+def test_what_a_developer_has_changed_or_deleted_is_not_of_another_spec(team):
+    """Else each update would bring it back."""
+    team.make("load", "store", branch="main")
+    text = (team.folder / "README.md").read_text().replace("- load\n", "- to load\n")
+    (team.folder / "README.md").write_text(text)
+    (team.folder / "config/store.yaml").unlink()
+    commit(team.folder, "Write")
+    (team.folder / "config/home.yaml").write_text("home: 1\n")
+    text = (team.folder / "arm.py").read_text() + LOGIC.format("home")
+    (team.folder / "arm.py").write_text(text)
+    (team.folder / "README.md").write_text((team.folder / "README.md").read_text() + "- home\n")
+    team.answer("load", "store", "home")
+    commit(team.folder, "Update")
+    assert team.wrong("load", "store", "home") is None
+
+
+def test_what_came_after_a_wrong_merge_stays(team):
+    commit_ = merge_wrong(team, "README.md")
+    team.edit(home="later")
+    (team.folder / "notes.txt").write_text("mine\n")
+    commit(team.folder, "Go on")
+    said = team.update(*BOTH)
+    assert said[0] == (
+        f"! {commit_[:7]} has left files that were not made of the recorded spec: README.md:"
+        " joined again from its two sides"
+    )
+    text = (team.folder / "arm.py").read_text()
+    assert all(f"{line} = 1" in text for line in ("ours", "theirs", "later"))
+    assert "- park\n" in (team.folder / "README.md").read_text()
+    assert (team.folder / "notes.txt").read_text() == "mine\n"
+    assert team.git("diff", "--cached", "--name-only") == ""
+
+
+def test_base_of_branches_that_have_merged_each_other(team):
+    """Both last common commits count; without any, what the model makes."""
+    joiner = team.joiner(*BOTH)
+    text = joiner.base(["main", "topic"])["arm.py"].text
+    assert "ours = 1" in text
+    assert "theirs = 1" in text
+    made = Model().fresh(answers(*BOTH)).tree
+    assert joiner.base([]) == made
+    assert {**joiner.base(["start"]), SPEC: made[SPEC]} == made
+    team.git("rm", "-q", ANSWERS)
+    team.git("commit", "-q", "-m", "Without a model")
+    assert joiner.base(["HEAD"]) == made
+    assert joiner.base(["HEAD", "topic"]) == joiner.base(["topic"])
+
+
+@pytest.mark.parametrize(
+    ("ours", "theirs", "now", "given", "said"),
+    [
+        ("a", "b", "a", (), "b"),
+        ("b", "a", "a", (), "b"),
+        ("b", "a", "b", (), None),
+        ("a", "b", "b", (), None),
+        ("a", "b", "a", ("license",), None),
+        ("b", "c", "b", (), "c"),
+        ("b", "b", "a", (), "b"),
+        ("a", "a", "a", (), None),
+    ],
+)
+def test_answer_that_differs_is_to_be_given(team, ours, theirs, now, given, said):
+    """That which one side has changed; "a" is the one that both come from."""
+    recorded = {"ours": {"license": ours}, "theirs": {"license": theirs}, "base": {"license": "a"}}
+    joiner = team.joiner(*BOTH, license=now)
+    joiner.recorded = recorded.get
+    branches = Branches("ours", "theirs", ["base"])
+    if said is None:
+        joiner.check(branches, given)
+        return
+    with pytest.raises(SpecError) as caught:
+        joiner.check(branches, given)
+    assert str(caught.value) == (
+        f"license: one branch has {ours}, the other {theirs}; say which one the package is to"
+        f" have: -d license={said} [answers-differ]"
+    )
+
+
+def files(**texts):
+    return {f"{name}.py": File(text.encode()) for name, text in texts.items()}
+
+
+def test_files_that_one_developer_has_moved_are_those_that_the_other_edits():
+    """The most alike first, each once, and none with another ending."""
+    lines = [f"a{number}\n" for number in range(10)]
+    near, far = ("".join([*lines[:keep], "b\n" * (10 - keep)]) for keep in (9, 7))
+    old = files(one="".join(lines), two=far)
+    moved = files(to_one=near, to_two=far) | {"copy.txt": old["one.py"]}
+    edited = {**old, "one.py": File(b"mine\n" + old["one.py"].data)}
+    for sides in ((moved, edited), (edited, moved)):
+        result, wrong = people(sides[0], old, sides[1]).merged()
+        assert not wrong
+        assert {*result.tree} == {"to_one.py", "to_two.py", "copy.txt"}
+        assert result.tree["to_one.py"].text == "mine\n" + near
+
+
+@pytest.mark.parametrize("branch", ["main", "topic"])
+def test_conflict_of_one_developer_and_the_model_stays_one(team, branch):
+    """The other developer has not touched what the model has changed, too."""
+    team.git("checkout", "-q", branch)
+    (team.folder / "rate.txt").write_text("rate: 7\n")
+    commit(team.folder, "Tune")
+    joined = team.joiner(*BOTH, rate=2).join(Branches("main", "topic", ["start"]), {})
+    stages = {1: b"rate: 1\n", 2: b"rate: 7\n", 3: b"rate: 2\n"}
+    result = joined.result
+    assert result.conflicts == {"rate.txt": stages}
+    assert result.settled["rate.txt"].data == stages[2]
+    assert "+rate: 2\n" in result.rejected["rate.txt"].text
+    lines = result.tree["rate.txt"].text.split("\n")
+    assert lines[1::2] == ["rate: 7", "rate: 2", ""]
+
+
+EMPTY = "void Arm::cleanup()\n{\n}\n"
+HELPER = "\nstatic int %s()\n{\n  return 1;\n}\n"
+SCOPE = "  {\n    int %s = 2;\n  }\n"
+
+
+def joined_texts(ours, theirs, base=EMPTY):
+    """Join the two texts of a source file that two developers have made of one."""
+    sides = ({"src/arm_impl.cpp": File(text.encode())} for text in (ours, base, theirs))
+    versions = Versions(*sides, of_people=True)
+    result, wrong = versions.merged()
+    assert not wrong
+    return versions, result, result.tree["src/arm_impl.cpp"].text
+
+
+@pytest.mark.parametrize(
+    "ends", [("", ""), (HELPER % "lift", HELPER % "sink"), (HELPER % "lift", "")]
+)
+def test_both_write_blocks_with_braces_in_one_empty_function(ends):
+    """The brace of the function is not one of a block in it."""
+    written = EMPTY.replace("{\n", "{\n%s")
+    ours, theirs = (written % (SCOPE % name) + end for name, end in zip("ab", ends, strict=True))
+    _, result, text = joined_texts(ours, theirs, EMPTY + "\n")
+    assert not result.conflicts
+    assert written % (SCOPE % "b" + SCOPE % "a") in text
+    assert all(end in text for end in ends)
+
+
+def test_line_of_a_join_in_another_function_is_seen():
+    """Even between the lines that it was between."""
+    ours, helper = EMPTY.replace("{\n", "{\n" + SCOPE % "a"), HELPER % "lift"
+    versions, result, text = joined_texts(ours, EMPTY + helper)
+    assert versions.doubts(result) == []
+    wrong = text.replace(SCOPE % "a", "").replace("  return 1;\n", SCOPE % "a" + "  return 1;\n")
+    result.tree["src/arm_impl.cpp"] = File(wrong.encode())
+    assert ("src/arm_impl.cpp", "int a = 2;") in versions.doubts(result)
+
+
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_one_moves_a_file_that_the_other_edits_and_leaves_a_link(is_ours):
+    page = "# Arm\n\nWhat it is.\n\n## Use\n\nHow to.\n"
+    moved = {"docs/README.md": File(page.encode()), "README.md": File(b"docs/README.md", LINK)}
+    edited = {"README.md": File(page.replace("How to.", "How to.\n\n## Help\n\nAsk.").encode())}
+    sides = (moved, edited) if is_ours else (edited, moved)
+    result, wrong = people(sides[0], {"README.md": File(page.encode())}, sides[1]).merged()
+    assert (wrong, result.conflicts) == ([], {})
+    assert result.tree == {**moved, "docs/README.md": edited["README.md"]}
+
+
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_both_wrap_a_node_and_one_has_the_line_ends_of_windows(is_ours):
+    base = '<launch>\n  <arg name="a"/>\n  <node name="arm"/>\n</launch>\n'
+    sides = [
+        base.replace("  <node", f"<group>  <!-- {name} -->\n  <node").replace(
+            "</launch>", f"</group>  <!-- {name} ends -->\n</launch>"
+        )
+        for name in "ab"
+    ]
+    encoded = [sides[0].replace("\n", "\r\n").encode(), sides[1].encode()]
+    files = [{"launch/arm.launch": File(each)} for each in (encoded if is_ours else encoded[::-1])]
+    result, wrong = people(files[0], {"launch/arm.launch": File(base.encode())}, files[1]).merged()
+    assert not wrong
+    text = result.tree["launch/arm.launch"].data
+    assert text.count(b"\r\n") == text.count(b"\n") > 0
+    assert all(name in text for name in (b"<!-- a -->", b"<!-- b ends -->"))
