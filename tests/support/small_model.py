@@ -13,13 +13,16 @@ LOGIC = '''    def serve_{0}(self, request):
 '''
 
 
-def answers(*callbacks, **others):
-    spec = {"name": "arm", "nodes": [], "callbacks": [*callbacks]}
+def answers(*callbacks, nodes=(), **others):
+    spec = {"name": "arm", "nodes": [*nodes], "callbacks": [*callbacks]}
     return {"_src_path": "model", "_commit": "1.0.0", **others, "spec": spec}
 
 
 class Model:
-    """What stands in for Copier: a model with a callback, a line and a file for each name."""
+    """What stands in for Copier: a model with a callback, a line and a file for each name.
+
+    Each node has a file, too.
+    """
 
     answers_file, url, commit = ANSWERS, "model", "1.0.0"
 
@@ -31,6 +34,7 @@ class Model:
             SPEC: "".join(f"{name}\n" for name in names),
             "rate.txt": f"rate: {answers.get('rate', 1)}\n",
             **{f"config/{name}.yaml": f"{name}: 1\n" for name in names},
+            **{f"{node['name']}.py": "x = 1\n" for node in answers["spec"]["nodes"]},
         }
         return Render({p: File(text.encode()) for p, text in texts.items()}, KEPT.__contains__)
 

@@ -4,14 +4,25 @@ import os
 import shutil
 
 import pytest
+import yaml
 from jinja2 import Environment, FileSystemLoader
 
 from extensions.spec import SpecExtension
+from hooks.dictionary import load
 from hooks.faults import SpecError
 from hooks.merge.git import mark_conflict
-from hooks.merge.preflight import refuse, refuse_names, refuse_places
-from hooks.merge.tree import TOO_LARGE
+from hooks.merge.preflight import (
+    check,
+    is_joining,
+    refuse,
+    refuse_copy,
+    refuse_join,
+    refuse_names,
+    refuse_places,
+)
+from hooks.merge.tree import TOO_LARGE, write
 from support.repository import ROOT, commit, git
+from support.small_model import ANSWERS, SPEC, Model, answers
 
 
 @pytest.fixture
@@ -182,6 +193,180 @@ def test_large_file_of_the_developer_is_fine(package):
     grown_beyond_the_limit(package)
     commit(package)
     refuse_places(package, ["watch.py"])
+
+
+@pytest.fixture
+def small(tmp_path):
+    """Return a package of the small model, in a repository."""
+    package = tmp_path / "arm"
+    given = answers("load", "store", nodes=[{"name": "reach"}])
+    for path, file in Model().fresh(given).tree.items():
+        write(package / path, file)
+    (package / ANSWERS).write_text(yaml.safe_dump(given))
+    (package / "mine.py").write_text("MINE = 1\n")
+    commit(package)
+    return package
+
+
+def whole(package, *callbacks, places=None, moved=None, **others):
+    """Check what an update of a package to other callbacks could not undo."""
+    dictionary = load(ROOT / "python_model/dictionary.yaml", ROOT)
+    given = answers(*callbacks, **{"nodes": [{"name": "reach"}], **others})
+    check(package, places or {}, given, dictionary, Model(), moved or {})
+
+
+def forgotten(package, path):
+    git(package, "rm", "-q", "--cached", path)
+    git(package, "commit", "-q", "-m", "Forget it")
+
+
+@pytest.mark.parametrize("path", ["config/store.yaml", "reach.py", "arm.py", ANSWERS])
+def test_file_that_an_update_would_change_or_remove_has_to_be_in_git(small, path):
+    whole(small, "load")
+    forgotten(small, path)
+    with pytest.raises(SpecError, match=rf"^{path}: not in git .*\[not-in-git\]$"):
+        whole(small, "load", nodes=[])
+    git(small, "add", "-A")
+    commit(small)
+    (small / path).write_text("MINE = 2\n")
+    gone = {"config/store.yaml", "reach.py"}  # git has what it was; the merge tells of what it is
+    if path not in gone:
+        with pytest.raises(SpecError, match=rf"^{path}: changed since the last .*-committed\]$"):
+            whole(small, "load", nodes=[])
+
+
+def test_file_that_an_update_would_add_has_to_be_in_git(small):
+    (small / "config/home.yaml").write_text("mine: 1\n")
+    whole(small, "load", "store")
+    with pytest.raises(SpecError, match=r"^config/home\.yaml: not in git "):
+        whole(small, "load", "store", "home")
+
+
+def test_file_of_the_developer_in_the_place_of_a_renamed_one(small):
+    (small / "grasp.py").write_text("MINE = 1\n")
+    commit(small)
+    renamed = [{"name": "grasp", "was": "reach"}]
+    with pytest.raises(SpecError, match=r"^grasp\.py: reach\.py is to have this name"):
+        whole(small, "load", "store", nodes=renamed)
+    whole(small, "load", "store", nodes=[{"name": "lift", "was": "reach"}])
+    (small / "lift.py").write_text("MINE = 1\n")
+    with pytest.raises(SpecError, match=r"^lift\.py: not in git"):
+        whole(small, "load", "store", nodes=[{"name": "lift", "was": "reach"}])
+
+
+def test_file_of_the_developer_in_the_place_of_one_that_the_model_calls_otherwise(small):
+    """It counts where the new version has made the new name."""
+    moved = {"config/store.yaml": "config/home.yaml"}
+    whole(small, "load", "home", moved=moved)
+    (small / "config/home.yaml").write_text("mine: 1\n")
+    commit(small)
+    with pytest.raises(SpecError, match=r"^config/home\.yaml: config/store\.yaml is to have"):
+        whole(small, "load", "home", moved=moved)
+    whole(small, "load", moved=moved)
+
+
+def test_was_is_checked_where_there_are_answers(small):
+    nodes, places = [{"name": "grasp", "was": "raech"}], {"node grasp": "arm:1: <node>"}
+    with pytest.raises(SpecError, match=r"^arm:1: <node>: was=\"raech\".*\[unknown-was\]$"):
+        whole(small, "load", nodes=nodes, places=places)
+    (small / ANSWERS).write_text("")
+    commit(small)
+    whole(small, "load", nodes=nodes, places=places)
+
+
+def test_version_of_a_house_is_followed_by_one(small):
+    """Copier may have found a tag of upstream's."""
+    (small / ANSWERS).write_text(yaml.safe_dump(answers("load", _commit="1.0.0+house.1")))
+    commit(small)
+    with pytest.raises(SpecError, match=r"^1\.0\.0 is a version without a house.*-house\]$"):
+        whole(small, "load")
+    for others in ({"_src_path": "other"}, {"_commit": "0.9.0"}, {"_commit": "v1-2-gabc"}):
+        (small / ANSWERS).write_text(yaml.safe_dump(answers("load", **others)))
+        commit(small)
+        whole(small, "load")
+
+
+def test_generated_file_beyond_the_limit_is_refused(small):
+    """One that would leave, too; of the developer's alone none."""
+    for path in ("mine.py", "config/store.yaml"):
+        (small / path).write_text("TABLE = 1\n" * (TOO_LARGE // 10 + 1))
+        commit(small)
+        if path == "mine.py":
+            whole(small, "load")
+    with pytest.raises(SpecError, match=r"^config/store\.yaml: larger than 5 MB"):
+        whole(small, "load")
+
+
+def test_package_in_no_repository(small):
+    (small / ".git").rename(small / "git")
+    with pytest.raises(SpecError, match=r"not in a git repository"):
+        whole(small, "load")
+    assert not is_joining(small, ANSWERS)
+
+
+def test_join_needs_what_it_writes_over_in_git(small):
+    """What both branches have changed may be changed, as git has begun to merge it."""
+    given = answers("load", "home")
+    (small / "arm.py").write_text("CONFLICT = 1\n")
+    refuse_join(small, given, Model())
+    (small / "config/home.yaml").write_text("mine: 1\n")
+    with pytest.raises(SpecError, match=r"^config/home\.yaml: not in git "):
+        refuse_join(small, given, Model())
+    (small / "config/home.yaml").unlink()
+    (small.parent / "outside").write_text("mine: 1\n")
+    (small / "config/home.yaml").symlink_to("../../outside")
+    with pytest.raises(SpecError, match=r"^config/home\.yaml: a link to"):
+        refuse_join(small, given, Model())
+    (small / "config/home.yaml").unlink()
+    (small / "config/home.yaml").mkdir()
+    with pytest.raises(SpecError, match=r"^config/home\.yaml: a folder"):
+        refuse_join(small, given, Model())
+
+
+def test_unfinished_merge_is_joined_by_an_update(small):
+    git(small, "checkout", "-q", "-b", "topic")
+    commit(small)
+    git(small, "checkout", "-q", "-")
+    assert not is_joining(small, ANSWERS)
+    git(small, "merge", "-q", "--no-ff", "--no-commit", "topic")
+    assert not is_joining(small, ANSWERS)  # nothing has changed, nothing is to be joined
+    (small / "arm.py").write_text("CONFLICT = 1\n")
+    assert is_joining(small, ANSWERS)
+    git(small, "merge", "--abort")
+    (small / "arm.py").write_text("MINE = 1\n")
+    assert not is_joining(small, ANSWERS)
+
+
+def test_copy_replaces_nothing_without_being_told(small):
+    given = answers("load", "store", nodes=[{"name": "reach"}])
+    refuse_copy(small, given, Model(), may_replace=False)
+    (small / SPEC).write_text("mine\n")  # which Copier leaves alone
+    refuse_copy(small, given, Model(), may_replace=False)
+    for path in ("arm.py", "rate.txt"):
+        (small / path).write_text("MINE = 1\n")
+    with pytest.raises(SpecError) as caught:
+        refuse_copy(small, given, Model(), may_replace=False)
+    said = "arm.py, rate.txt would be replaced, and Copier cannot ask; move them away, or let"
+    assert f"{small}: {said} --overwrite replace them [would-be-replaced]" == str(caught.value)
+    refuse_copy(small, given, Model(), may_replace=True)
+    for name in ("load", "store"):
+        (small / f"config/{name}.yaml").write_text("mine: 1\n")
+    for path in ("README.md", "reach.py"):
+        (small / path).write_text("mine\n")
+    said = "README.md, arm.py, config/load.yaml, config/store.yaml, rate.txt and more would be"
+    with pytest.raises(SpecError, match=said):
+        refuse_copy(small, given, Model(), may_replace=False)
+    (small / "arm.py").unlink()
+    (small / "arm.py").mkdir()
+    with pytest.raises(SpecError, match=r"arm\.py: a folder"):
+        refuse_copy(small, given, Model(), may_replace=True)
+
+
+def test_copy_into_a_folder_with_a_spec_alone(tmp_path):
+    """Nothing is rendered to see that."""
+    (tmp_path / SPEC).write_text("mine\n")
+    (tmp_path / ".git").mkdir()
+    refuse_copy(tmp_path, {}, None, may_replace=False)
 
 
 def test_copy_that_would_have_to_ask(collection, copier_command, tmp_path):
