@@ -8,10 +8,8 @@ import copier
 import copier._main
 import jinja2.environment
 import pytest
-from jinja2 import Environment, FileSystemLoader
 from jinja2.nodes import Template
 
-from extensions.compiled import CompiledExtension
 from support.arm import SPEC
 from support.repository import commit
 
@@ -114,22 +112,6 @@ def test_what_was_compiled_is_of_its_version(compiled, package, own_collection, 
     commit(own_collection, "Say goodbye", tag="2.0.0")
     update(package)
     assert (package / "GREETING.md").read_text() == "goodbye you\n"
-
-
-def test_fault_names_the_template_of_now(compiled, tmp_path):
-    """The compiled template may be that of a folder which is gone."""
-    for name in ("one", "two"):
-        (tmp_path / name).mkdir()
-        (tmp_path / name / "faulty.jinja").write_text(
-            "{% macro m() %}{{ 1 / 0 }}{% endmacro %}{{ m() }}"
-        )
-        environment = Environment(
-            loader=FileSystemLoader(tmp_path / name), extensions=[CompiledExtension]
-        )
-        with pytest.raises(ZeroDivisionError) as fault:
-            environment.get_template("faulty.jinja").render()
-        assert str(fault.traceback[-1].path) == str(tmp_path / name / "faulty.jinja")
-    assert compiled == ["faulty.jinja"]
 
 
 def test_folder_that_jinja_refuses(compiled, package, own_collection, render):
