@@ -395,3 +395,65 @@ def test_both_wrap_a_node_and_one_has_the_line_ends_of_windows(is_ours):
     text = result.tree["launch/arm.launch"].data
     assert text.count(b"\r\n") == text.count(b"\n") > 0
     assert all(name in text for name in (b"<!-- a -->", b"<!-- b ends -->"))
+
+
+FUNCTION = "int %s()\n{\n  return %s;\n}\n"
+
+
+@pytest.mark.parametrize(
+    ("ours", "base", "theirs", "wanted"),
+    [
+        ({"a": 1, "b": 2}, {"a": 1}, {"a": 1}, {"a": 1, "b": 2}),
+        ({"a": 1, "b": 2}, {"a": 1}, {"a": 1, "b": 2}, {"a": 1, "b": 2}),
+        ({"a": 1, "b": 2}, {"a": 1}, {"a": 1, "b": 3}, None),
+        ({"a": 1}, {"a": 1, "b": 2}, {"a": 1, "b": 2}, {"a": 1}),
+        ({"a": 1}, {"a": 1, "b": 2}, {"a": 1}, {"a": 1}),
+        ({"a": 1}, {"a": 1, "b": 2}, {"a": 1, "b": 3}, None),
+        ({"a": 1, "b": 3}, {"a": 1, "b": 2}, {"a": 1}, None),
+        ({"a": 1, "b": 3}, {"a": 1, "b": 2}, {"a": 1, "b": 4}, None),
+        ({"a": 1, "b": 3}, {"a": 1, "b": 2}, {"a": 0, "b": 2}, {"a": 0, "b": 3}),
+    ],
+)
+def test_functions_of_two_developers(ours, base, theirs, wanted):
+    """What one has deleted and the other edited, or both wrote, neither has to give way."""
+    sides = ("".join(FUNCTION % pair for pair in each.items()) for each in (ours, base, theirs))
+    versions = Versions(
+        *({"src/arm_impl.cpp": File(text.encode())} for text in sides), of_people=True
+    )
+    result, wrong = versions.merged()
+    assert not wrong
+    assert bool(result.conflicts) == (wanted is None)
+    assert (result.removed, result.missing, result.own) == ({}, {}, {})
+    text = result.tree["src/arm_impl.cpp"].text
+    if wanted is not None:
+        assert text == "".join(FUNCTION % pair for pair in wanted.items())
+    else:
+        parts = {part for each in (ours, theirs) for part in each.items()}
+        assert all(f"return {value};" in text for name, value in parts if name == "b")
+        (settled,) = (file.text for file in result.settled.values())
+        assert settled == "".join(FUNCTION % pair for pair in ours.items())
+
+
+@pytest.mark.parametrize(
+    ("ours", "base", "theirs", "wanted"),
+    [
+        (None, "a", "a", None),
+        ("a", "a", None, None),
+        (None, "a", "b", "b"),
+        ("b", "a", None, "b"),
+        (None, "a", None, None),
+        ("a", None, None, "a"),
+        (None, None, "a", "a"),
+    ],
+)
+def test_files_that_a_developer_has_deleted(ours, base, theirs, wanted):
+    sides = [{"a.py": File(each.encode())} if each else {} for each in (ours, base, theirs)]
+    result, wrong = people(*sides).merged()
+    assert not wrong
+    assert result.tree == ({"a.py": File(wanted.encode())} if wanted else {})
+    assert bool(result.conflicts) == (wanted == "b")
+    if wanted == "b":
+        stages = dict(enumerate((base, ours, theirs), 1))
+        found = {stage: text.encode() for stage, text in stages.items() if text}
+        assert result.conflicts == {"a.py": found}
+        assert result.settled == result.tree

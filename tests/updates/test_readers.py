@@ -1,6 +1,7 @@
 """Files as developers write them, read as blocks: each side's change is in the merged file."""
 
 import random
+import re
 from itertools import pairwise
 from pathlib import Path
 
@@ -503,6 +504,32 @@ def test_headers_of_others_can_be_read(library):
         except ValueError as error:
             unread[str(file)] = str(error)
     assert len(unread) <= len(files) / 100, unread
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "why"),
+    [
+        ("a.cpp", "int a;\n#endif\n", "line 2: #endif, without its beginning"),
+        ("a.cpp", "#if A\n", "line 1: #if A, without end"),
+        ("a.hpp", "#ifndef A\n#define A\nint a;\n", "line 1: #ifndef A, without end"),
+        ("a.cpp", "int a;\n}\n", "line 2: a brace that nothing opens"),
+        ("a.cpp", "#if A\n}\n#endif\n", "line 1: a brace that nothing opens"),
+        ("a.cpp", "namespace a\n{\n", "line 2: a brace that nothing closes"),
+        ("a.cpp", "int f()\n{\n", "line 2: { that nothing closes"),
+        ("CMakeLists.txt", "a()\nif(A)\n", "line 2: if(A), without end"),
+        ("CMakeLists.txt", "a()\nendif()\n", "line 2: endif, without its beginning"),
+        ("CMakeLists.txt", "if(A)\nendforeach()\n", "line 2: endforeach, without its beginning"),
+        ("CMakeLists.txt", "a(\n", "a parenthesis that nothing closes"),
+        ("CMakeLists.txt", "a())\n", "a parenthesis that nothing opens"),
+        ("a.py", "def a(:\n", "invalid syntax (<unknown>, line 1)"),
+        ("a.xml", "<a/></a>\n", "not well-formed (invalid token): line 1, column 5"),
+        ("a.yaml", "a: 1\n b: 2\n", "mapping values are not allowed here"),
+    ],
+)
+def test_text_that_is_not_of_its_language(path, text, why):
+    """It is merged by line, where it is the developer's."""
+    with pytest.raises(ValueError, match="^" + re.escape(why)):
+        language(path, text).blocks(text)
 
 
 def test_blocks_are_the_whole_text():
