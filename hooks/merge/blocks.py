@@ -102,18 +102,15 @@ def is_condition(block: Block) -> bool:
     return bool(block.children) and block.children[0].key == THEN
 
 
-def arrange(
-    lines: Sequence[str], spans: Iterable[Span], start: int, end: int, comment: str
-) -> list[Block]:
+def arrange(lines: Sequence[str], spans: Iterable[Span], start: int, end: int) -> list[Block]:
     """Make blocks of the lines `start` to `end`; what stands above an item belongs to it.
 
-    A comment that an empty line parts from what follows is a block of its own; `comment` is the
-    pattern of such a line.
+    A comment that an empty line parts from what follows is a block of its own.
     """
     blocks: list[Block] = []
     at = start
     for span in _joined(spans):
-        above = _paragraphs(lines[at : span.start], comment)
+        above = _paragraphs(lines[at : span.start])
         loose, close = above[:-1], above[-1] if above else []
         if close and not close[-1].strip():
             loose, close = above, []
@@ -122,11 +119,11 @@ def arrange(
             blocks.append(Block(span.key, [*close, *lines[span.start : span.end]]))
         else:
             first, last = span.body
-            inner = arrange(lines, span.items, first, last, comment)
+            inner = arrange(lines, span.items, first, last)
             head = [*close, *lines[span.start : first]]
             blocks.append(Block(span.key, head, inner, list(lines[last : span.end])))
         at = span.end
-    rest = _paragraphs(lines[at:end], comment)
+    rest = _paragraphs(lines[at:end])
     blocks += [_comment(part, at == start and not i) for i, part in enumerate(rest)]
     return _numbered(_close_gaps(blocks))
 
@@ -142,7 +139,7 @@ def _joined(spans: Iterable[Span]) -> list[Span]:
     return joined
 
 
-def _paragraphs(lines: Sequence[str], comment: str) -> list[Lines]:
+def _paragraphs(lines: Sequence[str]) -> list[Lines]:
     """Split the lines above an item after each empty line that follows a comment."""
     parts: list[Lines] = []
     current: Lines = []

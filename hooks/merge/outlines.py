@@ -12,8 +12,6 @@ import yaml
 from .blocks import Block, Span, arrange, nested, squeezed, unicode
 from .lines import margin, split
 
-COMMENT = "#"
-
 
 def yaml_blocks(text: str) -> list[Block]:
     """Return the keys of a document, each with those below it.
@@ -31,7 +29,7 @@ def yaml_blocks(text: str) -> list[Block]:
     spans: list[Span] = []
     for node, until in zip(filter(None, nodes), [*starts[1:], len(lines)], strict=False):
         spans += _keys(text, lines, node, until)
-    return arrange(lines, spans, 0, len(lines), COMMENT)
+    return arrange(lines, spans, 0, len(lines))
 
 
 def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Iterator[Span]:
@@ -51,7 +49,7 @@ def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Itera
         if isinstance(value, yaml.ScalarNode) and is_here:
             written = text.count("\n", 0, _index(value.end_mark))
         while not (line := lines[end - 1].lstrip()) or (
-            line.startswith(COMMENT) and end > written and margin(lines[end - 1]) <= column
+            line.startswith("#") and end > written and margin(lines[end - 1]) <= column
         ):
             end -= 1
         inner = [*_keys(text, lines, value, end)] if is_here else []
@@ -115,7 +113,7 @@ def cmake_blocks(text: str) -> list[Block]:
             spans.append(Span(key, text.count("\n", 0, start), ends))
     if depth:
         raise ValueError("a parenthesis that nothing closes")
-    return arrange(lines, nested(spans, _role), 0, len(lines), COMMENT)
+    return arrange(lines, nested(spans, _role), 0, len(lines))
 
 
 _STATEMENTS = ("if", "foreach", "while", "function", "macro", "block")
@@ -174,7 +172,7 @@ def message_blocks(text: str) -> list[Block]:
         if number:
             members = [Span("---", start, end, (start + 1, end), tuple(members))]
         spans += members
-    return arrange(lines, spans, 0, len(lines), COMMENT)
+    return arrange(lines, spans, 0, len(lines))
 
 
 def same_yaml(one: str, other: str) -> bool:

@@ -16,8 +16,6 @@ from collections.abc import Sequence
 from .blocks import THEN, Block, Span, arrange, squeezed, unicode
 from .lines import split
 
-COMMENT = "#"
-
 
 def blocks(text: str) -> list[Block]:
     """Return the blocks of a module; those of a class, `if`, `try` or `with` are inside.
@@ -27,7 +25,7 @@ def blocks(text: str) -> list[Block]:
 
     """
     lines = split(text)
-    return arrange(lines, _spans(parse(text).body, lines), 0, len(lines), COMMENT)
+    return arrange(lines, _spans(parse(text).body, lines), 0, len(lines))
 
 
 def same(one: str, other: str) -> bool:

@@ -9,7 +9,6 @@ from xml.parsers import expat
 from .blocks import Block, Span, arrange, collapsed, one_sort, squeezed
 from .lines import split
 
-COMMENT = "<!--"
 _MARKUP = re.compile(
     r"""(?P<other> <!--.*?--> | <\?.*?\?> | <!\[CDATA\[.*?\]\]> | <![^>]*> )
       | (?P<close> </[^>]+> )
@@ -46,7 +45,7 @@ def blocks(text: str) -> list[Block]:
         raise ValueError(str(error)) from error
     lines = split(text)
     spans = tuple(_span(text, element) for element in _elements(text))
-    return arrange(lines, spans, 0, len(lines), COMMENT)
+    return arrange(lines, spans, 0, len(lines))
 
 
 _EXACT = re.compile(
@@ -90,8 +89,6 @@ def _elements(text: str) -> list[_Element]:
             else:
                 stack.append(element)
         elif match["close"]:
-            if len(stack) < 2:
-                raise ValueError("a closing tag that nothing opens")
             element = stack.pop()
             element.outer, element.end = match.start(), match.end()
     return top.children
