@@ -12,6 +12,7 @@ import builtins
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import accumulate
 
 import yaml
 
@@ -200,21 +201,21 @@ def _keys_twice(text: str) -> set[str]:
     return twice
 
 
-def _unbalanced(ignored: str, *pairs: tuple[str, str]) -> Callable[[str], set[str]]:
+def _unbalanced(ignored: str, **pairs: tuple[str, str]) -> Callable[[str], set[str]]:
     """Return what finds the signs that open or close nothing, but for those in what is ignored."""
     skip = re.compile(ignored, re.DOTALL)
-    forms = [re.compile(f"(?m)({opens})|{closes}") for opens, closes in pairs]
+    forms = {
+        name: re.compile(f"(?m)({opens})|{closes}") for name, (opens, closes) in pairs.items()
+    }
 
     def find(text: str) -> set[str]:
         code = skip.sub(" ", text)
         found: set[str] = set()
-        for form in forms:
-            depths, depth = [0], 0
-            for match in form.finditer(code):
-                depth += 1 if match[1] else -1
-                depths.append(depth)
-            if min(depths) < 0 or depth:
-                found.add(f"{form.pattern[5:]} do not match")
+        for name, form in forms.items():
+            steps = (1 if match[1] else -1 for match in form.finditer(code))
+            depths = [*accumulate(steps, initial=0)]
+            if min(depths) < 0 or depths[-1]:
+                found.add(f"its {name} do not match")
         return found
 
     return find
@@ -234,17 +235,17 @@ _SOUND: tuple[tuple[str | tuple[str, ...], Callable[[str], set[str]]], ...] = (
         (".cpp", ".hpp", ".h", ".cc"),
         _unbalanced(
             rf"{_COMMENTS.pattern}|{_STRING}|'(?:\\.|[^'\\\n])'",
-            (r"\{", r"\}"),
-            (r"\(", r"\)"),
-            (r"^[ \t]*#[ \t]*if", r"^[ \t]*#[ \t]*endif"),
+            braces=(r"\{", r"\}"),
+            parentheses=(r"\(", r"\)"),
+            conditions=(r"^[ \t]*#[ \t]*if", r"^[ \t]*#[ \t]*endif"),
         ),
     ),
     (
         ("CMakeLists.txt", ".cmake"),
         _unbalanced(
             rf"#?\[(=*)\[.*?\]\1\]|#[^\n]*|{_STRING}",
-            (r"\(", r"\)"),
-            (_WORDS.format(""), _WORDS.format("end")),
+            parentheses=(r"\(", r"\)"),
+            commands=(_WORDS.format(""), _WORDS.format("end")),
         ),
     ),
 )

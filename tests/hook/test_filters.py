@@ -87,6 +87,14 @@ def test_python_that_is_too_long_is_folded_where_it_is_code():
     assert fold_python("def (\n") == "def (\n"  # what is no Python stays
     assert fold_python(f"x = {LONG}({LONG})\n") == f"x = {LONG}(\n    {LONG}\n)\n"
     assert fold_python(f"{LONG} = [\n    1,\n]\n") == f"{LONG} = [\n    1,\n]\n"
+    value = f"{LONG}(\n    1,\n)"
+    assert fold_python(f"{LONG} = {value}\n") == (
+        f"{LONG} = (\n    {LONG}(\n        1,\n    )\n)\n"
+    )
+    inside = f"    {LONG}={value}".replace("\n", "\n    ")
+    folded = f"    {LONG}=(\n        {LONG}(\n            1,\n        )\n    )"
+    for end in ("", ",", ",\n    c=2,"):
+        assert fold_python(f"f(\n{inside}{end}\n)\n") == f"f(\n{folded}{end}\n)\n"
 
 
 def test_only_python_without_a_frame_is_folded():

@@ -100,6 +100,7 @@ CPP_OURS = {
     "#include <lab/reach_impl.hpp>\nauto i = make<lab::ReachImpl>();\ni->receive_say(m);\n": (
         "#include <lab/grasp_impl.hpp>\nauto i = make<lab::GraspImpl>();\ni->receive_speak(m);\n"
     ),
+    '#include "reach_interface.hpp"\n': '#include "grasp_interface.hpp"\n',
     "void f() {data_.in_goal = this->config_.gain + config->gain;}\n": (
         "void f() {data_.in_target = this->config_.factor + config->factor;}\n"
     ),

@@ -405,6 +405,17 @@ LAST = ENDS | {
 }
 
 
+def test_parts_of_statements_in_python():
+    """Each has a name of its own, that of the condition or the exception."""
+    text = "if A:\n    a = 1\nelif B:\n    b = 1\nelif C:\n    c = 1\nelse:\n    d = 1\n"
+    text += "try:\n    e = 1\nexcept E:\n    f = 1\nexcept:\n    g = 1\nelse:\n    h = 1\n"
+    found = PYTHON.blocks(text + "finally:\n    i = 1\n")
+    assert [(block.key, [part.key for part in block.children]) for block in found] == [
+        ("if A", ["then", "elif B", "elif C", "else"]),
+        ("try", ["then", "except E", "except", "else", "finally"]),
+    ]
+
+
 @pytest.mark.parametrize("path", LAST)
 @pytest.mark.parametrize("change", ["remove", "add", "replace", "add before"])
 def test_own_comment_below_a_generated_item_is_no_conflict(path, change):

@@ -5,11 +5,11 @@ from random import Random
 
 import pytest
 
-from hooks.merge.package import merge_package
+from hooks.merge.package import Result, merge_package
 from hooks.merge.proof import prove
-from hooks.merge.recount import recount
+from hooks.merge.recount import _faults, recount
 from hooks.merge.renaming import Renaming
-from hooks.merge.tree import LINK, File, encode
+from hooks.merge.tree import LINK, PLAIN, File, encode
 from support.laboratory import specs
 from support.laboratory.edits import edit
 from support.laboratory.mutants import MUTANTS, OF_HABITS
@@ -191,3 +191,114 @@ def test_logic_that_was_moved_may_stay_when_its_node_leaves():
     result = merge_package(*sides)
     assert list(result.tree) == [cpp]
     assert recount(*sides, result, result.tree, []) == []
+
+
+UNREADABLE = {"cannot be read any more"}
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "faults"),
+    [
+        ("a.py", "x = y\n", {"y is not defined"}),
+        ("a.py", "from a import *\ny\n", set()),
+        ("a.py", "import a.b, c.d as e\nfrom f import g\na, e, g, print, __file__\n", set()),
+        ("a.py", "import a.b\nb\n", {"b is not defined"}),
+        ("a.py", "def f(a, *b, c=1, **d):\n    return a, b, c, d, f\n", set()),
+        ("a.py", "try:\n    1\nexcept E as e:\n    e\n", {"E is not defined"}),
+        ("a.py", "(\n", UNREADABLE),
+        ("a.yaml", "a: 1\na: 2\nb: {c: 1, c: 2}\n", {"a is there 2 times", "c is there 2 times"}),
+        ("a.yml", "- {a: 1, a: 1, a: 1}\n- a: 1\n---\nb: b\n", {"a is there 3 times"}),
+        ("a.yaml", "a: [\n", UNREADABLE),
+        ("a.md", "```\n", {"a fence is open"}),
+        ("a.md", "```\n  ```\nand ```\n", set()),
+        ("a.cpp", "f() {a[0];}\n", set()),
+        ("a.cpp", "}{", {"its braces do not match"}),
+        (
+            "a.hpp",
+            "#  if A\n( {",
+            {f"its {e} do not match" for e in ("braces", "parentheses")}
+            | {"its conditions do not match"},
+        ),
+        ("a.cc", "#if A\n#endif\n'{' '\\'' \"}\" // (\n/* {\n( */", set()),
+        ("CMakeLists.txt", 'if(A)\nfoo()\nendif()\n#[[ ( ]]\n# (\na("(" [=[ ) ]] ]=])\n', set()),
+        ("a.cmake", "foreach(A)\n", {"its commands do not match"}),
+        ("a.cmake", "message)\n", {"its parentheses do not match"}),
+        ("a.txt", "(", set()),
+    ],
+)
+def test_what_is_not_sound_in_a_file(path, text, faults):
+    assert _faults(path, text) == faults
+
+
+def about_files(mine, old, new, found, **said):
+    """Count files alone; a text stands for a file, one that begins with -> for a link."""
+    sides = (
+        {
+            path: File(text.removeprefix("->").encode(), LINK if text[:2] == "->" else PLAIN)
+            for path, text in side.items()
+        }
+        for side in (mine, old, new, found)
+    )
+    *sides, found = sides
+    result = Result(tree=found, **said)
+    return recount(*sides, Renaming(), {"kept"}.__contains__, result, found, [])
+
+
+LINE_ENDS = "the ends of its lines"
+
+
+@pytest.mark.parametrize(
+    ("mine", "old", "new", "right", "wrong", "said"),
+    [
+        ("->x", "->x", "->y", "->y", "->x", "the link"),
+        ("->z", "->x", "->y", "->z", "->y", "the link"),
+        ("->z", "", "", "->z", "", "the file"),
+        ("->z", "", "", "->z", "1", "the link"),
+        ("", "1", "1", "", "1", "the file"),
+        ("", "", "1", "1", "", "the file"),
+        ("1", "1", "", "", "1", "the file"),
+        ("1", "", "", "1", "", "the file"),
+        ("1\r\n", "1\n", "1\n", "1\r\n", "1\n", LINE_ENDS),
+        ("1\n", "1\r\n", "1\r\n", "1\n", "", "the file"),
+    ],
+)
+def test_files_that_have_to_be_there(mine, old, new, right, wrong, said):
+    sides = [{"a": text} if text else {} for text in (mine, old, new)]
+    found, other = ({"a": text} if text else {} for text in (right, wrong))
+    assert about_files(*sides, found) == []
+    assert ("a", said) in about_files(*sides, other)
+
+
+@pytest.mark.parametrize(("old", "new"), [("2", ""), ("2", "3"), ("", "3")])
+def test_file_that_is_kept_has_to_be_there(old, new):
+    sides = [{"kept": text} if text else {} for text in ("1", old, new)]
+    assert about_files(*sides, {"kept": "1"}) == []
+    assert about_files(*sides, {}) == [("kept", "the file")]
+
+
+def test_conflict_may_have_its_file_or_not():
+    for found in ({"a": "1"}, {}):
+        said = about_files({"a": "2"}, {"a": "0"}, {}, found, conflicts={"a": {}})
+        assert said == []
+
+
+def test_function_of_which_the_developer_has_one_half_is_theirs():
+    """As where they have defined it in the header, or not at all."""
+    hpp, cpp = "include/arm/worker_impl.hpp", "src/worker_impl.cpp"
+    for taken in (
+        ("  void serve_load(Request & request);\n", hpp),
+        (CPP[CPP.index("void") : CPP.rindex("void")], cpp),
+    ):
+        old = {hpp: HPP, cpp: CPP}
+        mine = {**old, taken[1]: old[taken[1]].replace(taken[0], "")}
+        new = {hpp: HPP.replace("Service load", "The service load"), cpp: CPP + "\n// More\n"}
+        sides = [{p: File(encode(t)) for p, t in side.items()} for side in (mine, old, new)]
+        sides = (*sides, Renaming(), {""}.__contains__)
+        result = merge_package(*sides)
+        assert [
+            said for said in recount(*sides, result, result.tree, []) if "half" in said[1]
+        ] == []
+        whole = [{p: File(encode(t)) for p, t in side.items()} for side in (old, old, new)]
+        said = recount(*whole, *sides[3:], result, result.tree, [])
+        half = "WorkerImpl::serve_load is but half there"
+        assert {(hpp, half), (cpp, half)} & {*said}
