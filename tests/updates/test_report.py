@@ -1,0 +1,125 @@
+"""What an update says, line by line."""
+
+import pytest
+
+from hooks.merge.package import Result
+from hooks.merge.proof import Proof
+from hooks.merge.report import left_behind, report
+from hooks.merge.tree import File, read_folder
+from support.repository import commit, git
+
+LOAD = "def load():\n    return {}\n"
+
+
+@pytest.fixture
+def package(tmp_path):
+    (tmp_path / "arm.py").write_text(LOAD.format(1) + "\n\ndef store():\n    return 1\n")
+    (tmp_path / "other.py").write_text("a = 1\n")
+    commit(tmp_path)
+    return tmp_path
+
+
+def said(package, after, before=None, changes=(), uses=(), left=(), **about):
+    after = {path: File(text.encode()) for path, text in after.items()}
+    before = read_folder(package) if before is None else before
+    result = Result(tree=after, **about)
+    proof = Proof(1, 1, [*left])
+    found = report(package, before, after, result, [*changes], uses, proof)
+    assert found.conflicts == sorted(result.conflicts)
+    assert found.lines[-1] == proof.sentence
+    return found.lines[:-1]
+
+
+def texts(package):
+    return {path: file.text for path, file in read_folder(package).items()}
+
+
+def test_nothing_has_changed(package):
+    assert said(package, texts(package)) == ["Nothing has changed."]
+    assert said(package, texts(package), changes=["+ node n"]) == ["+ node n"]
+    assert said(package, texts(package), uses=["a:1: b"]) == [
+        "still     a:1: b",
+        "Nothing has changed.",
+    ]
+
+
+def test_what_became_of_files(package):
+    """Of one that is in conflict, that alone."""
+    head = git(package, "rev-parse", "--short", "HEAD")
+    (package / "gone.py").write_text("")
+    before = read_folder(package)
+    (package / "gone.py").unlink()
+    after = {"new.py": "", "arm.py": "b = 1\n", "there.py": "a = 1\n", "clash.py": ""}
+    lines = said(
+        package, after, before, moved={"other.py": "there.py"}, conflicts={"clash.py": {}}
+    )
+    assert lines == [
+        "merged    arm.py",
+        "added     new.py",
+        "moved     other.py -> there.py",
+        f"removed   gone.py      (see it again: git show {head}:./gone.py)",
+        "CONFLICT  clash.py",
+    ]
+
+
+def test_parts_of_files(package):
+    head = git(package, "rev-parse", "--short", "HEAD")
+    lines = said(
+        package,
+        texts(package),
+        removed={"arm.py": ["load"]},
+        missing={"b.py": ["x", ""], "a.py": [""]},
+        back={"c.txt": ["y"]},
+        own={"d.py": ["z"]},
+    )
+    assert lines == [
+        f"removed   load from arm.py      (see it again: git show {head}:./arm.py)",
+        "missing   a.py",
+        "missing   b.py: x",
+        "missing   b.py",
+        "back      c.txt: y, which you had deleted",
+        "yours     d.py: z, which the model makes now, too: compare",
+    ]
+
+
+def test_what_comes_back_is_in_the_history(package):
+    """A file, and a function where it read otherwise; where it is what it was, nothing is said."""
+    had = git(package, "rev-parse", "--short", "HEAD")
+    (package / "other.py").unlink()
+    (package / "arm.py").write_text("def store():\n    return 1\n")
+    commit(package, "Remove")
+    assert said(package, {**texts(package), "other.py": "a = 1\n"}) == [
+        f"added     other.py      (as it was: git show {had}:./other.py)"
+    ]
+    store = "def store():\n    return 1\n"
+    assert said(package, {"arm.py": f"{store}\n\n{LOAD.format(2)}"}) == [
+        "merged    arm.py",
+        f"added     load to arm.py      (as it was: git show {had}:./arm.py)",
+    ]
+    for new in (LOAD.format(1), "def never():\n    return 1\n"):
+        assert said(package, {"arm.py": f"{store}\n\n{new}"}) == ["merged    arm.py"]
+
+
+def test_lines_that_left_are_said_by_place():
+    left = [
+        ("b.py", 9, "x"),
+        ("a.py", 3, "  y = 1\n"),
+        ("a.py", 1, "f" * 61),
+        ("a.py", 6, "z" * 60),
+    ]
+    shown = "HEAD:./{}".format
+    assert [*left_behind(shown, left)] == [
+        f"left      a.py:1-3: {'f' * 57}... and 1 more      (git show HEAD:./a.py)",
+        f"left      a.py:6: {'z' * 60}      (git show HEAD:./a.py)",
+        "left      b.py:9: x      (git show HEAD:./b.py)",
+    ]
+
+
+def test_file_that_only_lines_which_left_have_named(package):
+    left = [("arm.py", 1, "use('tool.py', 'named.py', other.py)")]
+    after = {**texts(package), "tool.py": "", "named.py": "", "list.txt": "named.py\n"}
+    lines = said(package, after, left=left)
+    assert [line for line in lines if line.startswith("unnamed")] == [
+        "unnamed   other.py: only lines that left have named it",
+        "unnamed   tool.py: only lines that left have named it",
+    ]
