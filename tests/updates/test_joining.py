@@ -391,7 +391,7 @@ def test_both_wrap_a_node_and_one_has_the_line_ends_of_windows(is_ours):
     encoded = [sides[0].replace("\n", "\r\n").encode(), sides[1].encode()]
     files = [{"launch/arm.launch": File(each)} for each in (encoded if is_ours else encoded[::-1])]
     result, wrong = people(files[0], {"launch/arm.launch": File(base.encode())}, files[1]).merged()
-    assert not wrong
+    assert (wrong, result.conflicts) == ([], {})
     text = result.tree["launch/arm.launch"].data
     assert text.count(b"\r\n") == text.count(b"\n") > 0
     assert all(name in text for name in (b"<!-- a -->", b"<!-- b ends -->"))
