@@ -1,5 +1,6 @@
 """Two branches become one, with a model of a few lines in the place of Copier, so quickly."""
 
+import re
 import subprocess
 
 import pytest
@@ -7,7 +8,7 @@ import yaml
 
 from hooks.dictionary import load
 from hooks.faults import SpecError
-from hooks.merge.branches import Branches, Joiner, people, under_way, wrong_merge
+from hooks.merge.branches import Branches, Joiner, Side, people, under_way, wrong_merge
 from hooks.merge.tree import LINK, File, read_folder, read_paths, write
 from hooks.merge.update import Update
 from hooks.merge.versions import Versions
@@ -457,3 +458,30 @@ def test_files_that_a_developer_has_deleted(ours, base, theirs, wanted):
         found = {stage: text.encode() for stage, text in stages.items() if text}
         assert result.conflicts == {"a.py": found}
         assert result.settled == result.tree
+
+
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_conflict_with_the_model_follows_a_file_that_the_other_has_moved(is_ours):
+    path, target = "config/arm.yaml", "config/mine/arm.yaml"
+    before, after, tuned = (File(b"arm:\n  speed: %d\n" % speed) for speed in (1, 2, 3))
+
+    class Prepared(Joiner):
+        def side(self, commit):
+            place, file = (target, before) if commit == "moved" else (path, tuned)
+            made = Versions({place: file}, {path: before}, {path: after})
+            result, _ = made.merged()
+            assert list(result.conflicts) == ([] if commit == "moved" else [path])
+            return Side(commit, made, result, made.proof(result, result.tree))
+
+        def base(self, commits):
+            return {path: after}
+
+        def files(self, commit):
+            return {}
+
+    branches = Branches(*("moved", "tuned") if is_ours else ("tuned", "moved"), [])
+    result = Prepared(None, ANSWERS, {}, None, None, {}).join(branches, {}).result
+    assert list(result.conflicts) == [target]
+    text = result.tree[target].text
+    assert re.findall(r"speed: \d", text) == ["speed: 3", "speed: 2"]
+    assert text.startswith("arm:\n<<<<<<<")
