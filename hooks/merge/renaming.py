@@ -46,8 +46,11 @@ class Renaming:
     """The names of nodes, which are those of targets in CMake."""
     taken: dict[str, set[str]] = field(default_factory=dict)
     """By file, the identifiers of what left, which are those of another interface now."""
-    generated: dict[str, set[str]] = field(default_factory=dict)
-    """By file, the lines that the model has made of it."""
+    generated: dict[str, dict[str, str]] = field(default_factory=dict)
+    """By file, the lines that the model has made of it, each as it is after the update.
+
+    One that is several lines then is empty.
+    """
     vocabulary: dict[str, set[str]] = field(default_factory=dict)
     """By file, the words that these lines have by themselves: they are members of nothing."""
     classes: set[str] = field(default_factory=set)
@@ -117,7 +120,7 @@ class Renaming:
 
         roots = self.roots | self.packages.keys()
         origin = origins(known, text, roots, exact.keys(), self.classes, self.holders)
-        generated = self.generated.get(path, set())
+        generated = self.generated.get(path, {})
         is_made = [line.strip() in generated for line in split(text)]
         vocabulary = (self.vocabulary.get(path, set()) & exact.keys()) | roots
 
@@ -141,7 +144,8 @@ class Renaming:
                 return self.packages[word.text] if is_root else word.text
             return word.text
 
-        return exchange(known, text, by)
+        lines = zip(split(text), split(exchange(known, text, by)), strict=True)
+        return "".join(_as_made(known, *pair, generated) for pair in lines)
 
     def uses_of_taken(self, path: str, text: str) -> Iterator[tuple[int, str]]:
         """Yield the line number, from 0, and the identifier of each use of what `taken` has."""
@@ -170,6 +174,18 @@ class Renaming:
         for exact in self.in_file.values():
             found |= exact
         return {before: after for before, after in found.items() if before != after}
+
+
+_COMMENT = {PYTHON.name: "#", CPP.name: "//", CMAKE.name: "#"}
+
+
+def _as_made(known: Language, before: str, after: str, generated: Mapping[str, str]) -> str:
+    """Return a line whose words are exchanged; of a generated one, those of its comment, too."""
+    made = generated.get(before.strip())
+    sign = _COMMENT.get(known.name)
+    if not made or not sign or made.partition(sign)[0] != after.strip().partition(sign)[0]:
+        return after
+    return after.replace(after.strip(), made)
 
 
 def plan_renames(
@@ -233,7 +249,7 @@ def plan(
         classes = {w.text for w in found if w.before[1] in ("class", "struct")}
         renaming.classes |= {reader.both(word)[0] for word in classes}
         renaming.vocabulary[before] = {reader.both(word)[0] for word in plain}
-        renaming.generated[before] = {line.strip() for line in split(reader.both(text)[0])}
+        renaming.generated[before] = reader.lines(text)
         if known in (CPP, PYTHON):
             renaming.roots |= {*PurePosixPath(before).parts[:-1][known is CPP :][:1]}
         renaming.keys[before] = _keys(reader, before, text)
@@ -326,6 +342,15 @@ class _Reader:
         before = _MARK.sub(lambda m: _form(m[0], self.marks[int(m[1])].before), text)
         after = _MARK.sub(lambda m: _form(m[0], self.marks[int(m[1])].after), text)
         return before, after
+
+    def lines(self, text: str) -> dict[str, str]:
+        """Return the marked lines of a file, each as it was and will be; empty where in doubt."""
+        found: dict[str, str] = {}
+        for line in map(str.strip, split(text)):
+            before, after = self.both(line)
+            is_clear = found.get(before, after) == after and not self.is_gone(line)
+            found[before] = after if is_clear else ""
+        return found
 
     def keys(self, text: str) -> dict[str, str]:
         """Return a marked key as it was, with the sign of each ROS in its name, and will be."""

@@ -4,8 +4,9 @@ import pytest
 
 from hooks.merge.languages import CMAKE
 from hooks.merge.tokens import words
+from hooks.merge.versions import Versions
 from support.arm import SPEC
-from support.laboratory.trials import Laboratory
+from support.laboratory.trials import Laboratory, tree_of
 from support.repository import commit, git
 
 KINDS = {
@@ -148,6 +149,38 @@ def test_names_in_generated_files(pairs, code, wanted):
     text = pair.renaming.text(path, mine)
     assert f"{margin}{wanted}\n" in text
     assert text.replace(f"{margin}{wanted}\n", "", 1) == pair.renaming.text(path, pair.old[path])
+
+
+HPP, CPP, PY = "include/lab/reach_impl.hpp", "src/reach_impl.cpp", "lab/reach_impl.py"
+GUARD = "LAB__REACH_IMPL_HPP_"
+MADE = [
+    (
+        HPP,
+        (f"#ifndef {GUARD}\n#define {GUARD}\n", "#pragma once\n"),
+        (f"#endif  // {GUARD}\n", ""),
+    ),
+    (HPP, ("  // Topic say\n", "")),
+    (HPP, ("  // Topic say\n", "  // Topic say, aloud\n")),
+    (CPP, ("// Service load\n", "// Service load, twice\n")),
+    (PY, ("    # Topic say\n", "")),
+    (PY, ("    # Topic say\n", "    # Topic say, aloud\n")),
+]
+
+
+@pytest.mark.parametrize(("path", "changes"), [(path, changes) for path, *changes in MADE])
+def test_what_a_developer_makes_of_a_comment_with_the_name_is_no_conflict(pairs, path, changes):
+    """The model's comments take the new name, too: a rename does not change them."""
+    pair = pairs["python_model" if path == PY else "cpp_model"]
+    wanted, text = pair.new[pair.renaming.path(path)], pair.old[path]
+    for before, after in changes:
+        new = before.replace("say", "speak").replace("load", "fetch").replace("reach", "grasp")
+        new = new.replace("REACH", "GRASP")
+        assert text.count(before) == wanted.count(new) == 1
+        text, wanted = text.replace(before, after), wanted.replace(new, after)
+    mine, old, new = map(tree_of, ({**pair.old, path: text}, pair.old, pair.new))
+    result, doubts = Versions(mine, old, new, pair.renaming, pair.is_kept).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree[pair.renaming.path(path)].text == wanted
 
 
 def test_foreign_look_alikes_are_listed_and_ours_renamed(render, copier_command):
