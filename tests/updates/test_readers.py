@@ -377,6 +377,74 @@ def test_a_comment_in_a_member_of_a_list_leaves_with_it_or_stays(edit, leaves):
         assert found == changed(new, edit)
 
 
+LOAD_HERE = {
+    "hpp": "  // Service load\n",
+    "cpp": "// Service load\n",
+    "py": "    # Service load\n",
+}
+ALPHA = {
+    "hpp": "  // Service alpha\n  void serve_alpha(Request & request);\n\n",
+    "cpp": "// Service alpha\nvoid WorkerImpl::serve_alpha(Request & request)\n{\n}\n\n",
+    "py": "    # Service alpha\n    def serve_alpha(self, request):\n        return True\n\n",
+}
+BANNER = {
+    "hpp": "  // ---- mine ----\n\n",
+    "cpp": "/* mine\n\n   more */\n\n",
+    "py": "    # mine\n\n",
+}
+
+
+@pytest.mark.parametrize("suffix", BANNER)
+def test_comment_of_the_developer_stays_above_what_it_is_about(suffix):
+    """With one empty line above it and below, as the developer has it."""
+    load, alpha, banner = LOAD_HERE[suffix], ALPHA[suffix], BANNER[suffix]
+    old = SOURCES[suffix]
+    mine = changed(old, (load, banner + load))
+    new = changed(old, (load, alpha + load))
+    merges, found, _ = merge(f"arm/worker_impl.{suffix}", mine, old, new)
+    assert merges
+    assert found == changed(new, (load, banner + load))
+
+
+def test_empty_line_that_the_developer_has_taken_away_does_not_come_back():
+    mine = changed(PY, ("\n" + IMPORT, "import math\n" + IMPORT))
+    new = changed(PY, HOME["py"])
+    merges, found, _ = merge("arm/worker_impl.py", mine, PY, new)
+    assert merges
+    assert found == changed(new, ("\nfrom arm", "import math\nfrom arm"))
+
+
+EMPTY_INSIDE = {
+    "hpp": "  /* mine\n\n   * more\n   */\n",
+    "cpp": "/* mine\n\n// mine, too\n\n*/\n",
+    "package.xml": "  <!-- mine\n\n  <depend>c</depend> -->\n",
+    "CMakeLists.txt": "  #[[ mine\n\n  find_package(d)\n  ]]\n",
+}
+
+
+@pytest.mark.parametrize("path", EMPTY_INSIDE)
+@pytest.mark.parametrize("change", ["remove", "add before"])
+@pytest.mark.parametrize("end", ["", "\n"])
+def test_comment_with_empty_lines_stays_whole(path, change, end):
+    """It is about the item below, or stands alone where an empty line parts it off."""
+    if path in SOURCES:
+        before, _ = NO_RESET[path]
+        old, item, other = SOURCES[path], before, before.replace("reset", "other")
+        name = f"arm/worker_impl.{path}"
+    else:
+        (old, item, other), name = ENDS[path], path
+    own = EMPTY_INSIDE[path] + end
+    mine = changed(old, (item, own + item))
+    new = changed(old, (item, {"remove": "", "add before": other + item}[change]))
+    merges, found, result = merge(name, mine, old, new)
+    assert merges
+    if change == "remove" and not end:
+        assert (own in found, *result.removed) == (False, name)
+    else:
+        assert own.rstrip() in found
+        assert found.replace(own.rstrip(), "").split() == new.split()
+
+
 README = """# arm
 
 Words.
