@@ -22,7 +22,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -255,10 +255,15 @@ def variants(stack: ExitStack, only: str = "") -> Iterator[Variant]:
         if version == "2" and not installed.has_package(ros, "rclcpp"):
             chosen = [each for each in chosen if each != "cpp_model"]
         if chosen and version == "1":
-            stack.enter_context(installed.master(ros))
+            stack.enter_context(master(ros))
         for model in chosen:
             folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
             yield Variant(model, ros, folder)
+
+
+def master(ros: Ros) -> AbstractContextManager[None]:
+    """Run a ROS 1 master whose own polling does not count as time of a node."""
+    return installed.master(ros, f"{ros.python} {SOURCES}/master.py")
 
 
 def name_of(model: str, ros: Ros) -> str:

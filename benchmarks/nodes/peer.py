@@ -116,14 +116,19 @@ def first(peer):
 
 
 def send(peer, size, rate, seconds):
-    """Send messages whose first value is when they were sent."""
+    """
+    Send messages whose first value is when they were sent.
+
+    They come at all moments of a cycle of 1 ms alike: multiples of the golden ratio leave no gap.
+    """
     while not peer.listeners():
         time.sleep(0.01)
     peer.fill(size)
     time.sleep(0.2)
     start = time.monotonic()
     for number in range(int(rate * seconds)):
-        time.sleep(max(0.0, start + number / rate - time.monotonic()))
+        due = start + number / rate + number * 0.618034 % 1 * 1e-3
+        time.sleep(max(0.0, due - time.monotonic()))
         peer.message.data[0] = time.monotonic()
         peer.publisher.publish(peer.message)
     time.sleep(0.05)

@@ -4,7 +4,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from benchmarks.compare import MODELS, SPEC, Effort, Variant, compare, picture, table
+from benchmarks.compare import MODELS, SPEC, Effort, Variant, compare, master, picture, table
 from support import ros
 
 
@@ -23,7 +23,7 @@ def check(model, ros_, make, workspace):
 
 @pytest.mark.parametrize("model", MODELS)
 def test_nodes_in_ros1(ros1, make, model, tmp_path):
-    with ros.master(ros1):
+    with master(ros1):
         check(model, ros1, make, tmp_path)
 
 
