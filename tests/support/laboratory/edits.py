@@ -75,7 +75,9 @@ class Edited:
             for part in self.deleted
         }
         self.replaced = {at(path): lines for path, lines in self.replaced.items()}
-        self.repeated = {at(path): lines for path, lines in self.repeated.items()}
+        repeated, self.repeated = self.repeated, {}
+        for path, lines in repeated.items():  # one file may leave for another that is renamed
+            self.repeated[at(path)] = self.repeated.get(at(path), Counter()) + lines
         self.formatted = {at(path) for path in self.formatted}
         self.ahead = {at(path) for path in self.ahead}
         self.crlf = {at(path) for path in self.crlf if at(path) in texts}
