@@ -222,7 +222,7 @@ class _Merger:
                 return list(lines.split(mine.text))
             new = Block(new.key, mine.lines, new.children, mine.tail)
         if old.lines and new.lines and gap(mine) != gap(old):
-            old, new = spaced(old, mine), spaced(new, mine)
+            new = spaced(new, mine)
         if self.is_same(new, old):
             return list(lines.split(mine.text))
         if self.is_same(mine, old):

@@ -850,13 +850,3 @@ def test_function_that_the_developer_calls_otherwise_is_theirs():
     assert result.missing == {"arm/a.py": ["serve_load"]}
     trees = [{"arm/a.py": File(encode(text))} for text in (mine, PY, new)]
     assert recount(*trees, Renaming(), {""}.__contains__, result, result.tree, []) == []
-
-
-def test_own_field_above_one_that_changes():
-    """The empty line above both is the own field's then."""
-    old = "\n# Size, m\nstring[] range\nfloat64 load\n"
-    mine = changed(old, ("# Size", "float64 mine\n# Size"))
-    new = changed(old, ("# Size, m\nstring[]", "# What it is for\ngeometry_msgs/Point"))
-    is_merged, text, _ = merge("msg/Store.msg", mine, old, new)
-    assert is_merged
-    assert text == changed(new, ("# What", "float64 mine\n# What"))
