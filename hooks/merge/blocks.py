@@ -11,7 +11,6 @@ import functools
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import takewhile
 
 from .lines import Lines
 
@@ -103,36 +102,28 @@ def is_condition(block: Block) -> bool:
     return bool(block.children) and block.children[0].key == THEN
 
 
-def arrange(
-    lines: Sequence[str],
-    spans: Iterable[Span],
-    start: int,
-    end: int,
-    marks: tuple[str, str] = ("", ""),
-) -> list[Block]:
+def arrange(lines: Sequence[str], spans: Iterable[Span], start: int, end: int) -> list[Block]:
     """Make blocks of the lines `start` to `end`; what stands above an item belongs to it.
 
-    So do empty lines. A comment that these part from what follows is a block of its own; one
-    between `marks` may have empty lines inside.
+    A comment that an empty line parts from what follows is a block of its own.
     """
     blocks: list[Block] = []
     at = start
     for span in _joined(spans):
-        above = _paragraphs(lines[at : span.start], marks)
+        above = _paragraphs(lines[at : span.start])
         loose, close = above[:-1], above[-1] if above else []
+        if close and not close[-1].strip():
+            loose, close = above, []
         blocks += [_comment(part, at == start and not i) for i, part in enumerate(loose)]
         if span.body is None:
             blocks.append(Block(span.key, [*close, *lines[span.start : span.end]]))
         else:
             first, last = span.body
-            filled = max([first, *(item.end for item in span.items)])
-            while last > filled and not lines[last - 1].strip():
-                last -= 1
-            inner = arrange(lines, span.items, first, last, marks)
+            inner = arrange(lines, span.items, first, last)
             head = [*close, *lines[span.start : first]]
             blocks.append(Block(span.key, head, inner, list(lines[last : span.end])))
         at = span.end
-    rest = _paragraphs(lines[at:end], marks)
+    rest = _paragraphs(lines[at:end])
     blocks += [_comment(part, at == start and not i) for i, part in enumerate(rest)]
     return _numbered(_close_gaps(blocks))
 
@@ -148,18 +139,16 @@ def _joined(spans: Iterable[Span]) -> list[Span]:
     return joined
 
 
-def _paragraphs(lines: Sequence[str], marks: tuple[str, str]) -> list[Lines]:
-    """Split the lines above an item before each empty line that follows a comment."""
-    opens, closes = marks
+def _paragraphs(lines: Sequence[str]) -> list[Lines]:
+    """Split the lines above an item after each empty line that follows a comment."""
     parts: list[Lines] = []
-    is_open = False
+    current: Lines = []
     for line in lines:
-        if not parts or (parts[-1][-1].strip() and not line.strip() and not is_open):
-            parts.append([])
-        parts[-1].append(line)
-        last = line.rfind(opens), line.rfind(closes)
-        is_open = last[0] > last[1] or (is_open and last[1] < 0)
-    return parts
+        if line.strip() and any(c.strip() for c in current) and not current[-1].strip():
+            parts.append(current)
+            current = []
+        current.append(line)
+    return [*parts, current] if current else parts
 
 
 def _comment(lines: Lines, is_first: bool) -> Block:
@@ -189,17 +178,6 @@ def _close_gaps(blocks: list[Block]) -> list[Block]:
     elif gap:
         closed.append(Block("empty", gap))
     return closed
-
-
-def gap(block: Block) -> int:
-    """Return how many empty lines are above a block."""
-    return len([*takewhile(str.isspace, block.lines)])
-
-
-def spaced(block: Block, other: Block) -> Block:
-    """Return a block with the empty lines that are above another one."""
-    lines = other.lines[: gap(other)] + block.lines[gap(block) :]
-    return Block(block.key, lines, block.children, block.tail)
 
 
 def _numbered(blocks: list[Block]) -> list[Block]:

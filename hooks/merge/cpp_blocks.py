@@ -63,7 +63,7 @@ def blocks(text: str) -> list[Block]:
     spans, at = _scope(tokens, 0)
     if at < len(tokens):
         raise ValueError(f"line {tokens[at].line + 1}: a brace that nothing opens")
-    return arrange(lines, _with_conditions(spans), 0, len(lines), ("/*", "*/"))
+    return arrange(lines, _with_conditions(spans), 0, len(lines))
 
 
 def _directive(token: _Token) -> Span:

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import count, takewhile
 
-from .blocks import Block, gap, is_condition, spaced
+from .blocks import Block, is_condition
 from .lines import margin, split
 
 Blocks = Sequence[Block]
@@ -55,17 +55,15 @@ def _join(block: Block, own: Blocks, above: set[str]) -> None:
 
     Decision 141.
     """
-    at = 0
     if any(re.match("def |class ", part.key) or part.key.endswith("()") for part in own):
         taken = [line for line in own[0].lines if line in above]
-        rest = [line for line in own[0].lines if line not in above]
-        own[0].lines = rest if "".join(rest).strip() else []
-        at = gap(block)
+        own[0].lines = [line for line in own[0].lines if line not in above]
     else:
         taken = [line for part in own for line in split(part.text)]
         for part in own:
             part.lines, part.children = [], []
-    block.lines[at:at] = taken
+    gap = [*takewhile(str.isspace, block.lines)] if own and own[0].lines else []
+    block.lines[: len(gap)] = gap + taken
 
 
 def _unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
@@ -285,7 +283,9 @@ def _set_like(same: Block, block: Block) -> Block:
     if relative := _RELATIVE.match(same.text):
         head = relative[0].lstrip()
         shifted.lines = [re.sub(r"\bfrom \S+ import", head, line) for line in shifted.lines]
-    return spaced(shifted, same)
+    gaps, found = ([*takewhile(str.isspace, b.lines)] for b in (same, shifted))
+    shifted.lines[: len(found)] = gaps
+    return shifted
 
 
 def _margin(block: Block) -> int:

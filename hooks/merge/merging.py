@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 from ..changes import GONE
 from . import lines
-from .blocks import Block, gap, is_comment, spaced, walk
+from .blocks import Block, is_comment, walk
 from .languages import CPP, MARKDOWN, PYTHON, TEXT, Language, language
 from .lines import Conflict, Merged
 from .matching import align
@@ -188,7 +188,7 @@ class _Merger:
                 merged += self.disputed("", base[key].text, theirs[key].text)
             if is_comment(last) and last not in theirs and _touch(merged[end - 1 : end + 1]):
                 merged.insert(end, "\n")  # or the comment would be about what follows it now
-            last = key if merged[end:] else last
+            last = key
         return merged
 
     def left(self, mine: Block, old: Block) -> Merged:
@@ -221,8 +221,6 @@ class _Merger:
                 self.own.append(block_name(mine.key))
                 return list(lines.split(mine.text))
             new = Block(new.key, mine.lines, new.children, mine.tail)
-        if old.lines and new.lines and gap(mine) != gap(old):
-            new = spaced(new, mine)
         if self.is_same(new, old):
             return list(lines.split(mine.text))
         if self.is_same(mine, old):
@@ -268,26 +266,17 @@ def _order(mine: list[str], old: list[str], new: list[str]) -> list[str]:
 
 
 def _inserted(keys: list[str], others: Iterable[str]) -> list[str]:
-    """Put in what `others` has more: a comment before what it precedes there, all else after.
-
-    A comment is about what follows it; what is new there comes before both.
-    """
+    """Put in what `others` has more, each after the one that it follows there."""
     result = list(keys)
     have = set(keys)
     at = 0
-    comments: list[str] = []
     for key in others:
         if key in have:
-            at = result.index(key)
-        elif is_comment(key):
-            comments.append(key)
-            continue
+            at = result.index(key) + 1
         else:
             result.insert(at, key)
-        result[at:at] = comments
-        at += len(comments) + 1
-        comments = []
-    return [*result[:at], *comments, *result[at:]]
+            at += 1
+    return result
 
 
 def block_name(key: str) -> str:

@@ -113,7 +113,7 @@ def cmake_blocks(text: str) -> list[Block]:
             spans.append(Span(key, text.count("\n", 0, start), ends))
     if depth:
         raise ValueError("a parenthesis that nothing closes")
-    return arrange(lines, nested(spans, _role), 0, len(lines), ("#[", "]"))
+    return arrange(lines, nested(spans, _role), 0, len(lines))
 
 
 _STATEMENTS = ("if", "foreach", "while", "function", "macro", "block")

@@ -45,7 +45,7 @@ def blocks(text: str) -> list[Block]:
         raise ValueError(str(error)) from error
     lines = split(text)
     spans = tuple(_span(text, element) for element in _elements(text))
-    return arrange(lines, spans, 0, len(lines), ("<!--", "-->"))
+    return arrange(lines, spans, 0, len(lines))
 
 
 _EXACT = re.compile(
