@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import uuid
 import weakref
 from dataclasses import dataclass
@@ -23,6 +24,8 @@ class Snapshot:
     files: Tree
     all_paths: frozenset[str]
     index: File | None
+    index_time: int
+    """When git has written it, in ns: git looks into files that are not older than its index."""
     modes: dict[str, str]
 
     def restore(self) -> None:
@@ -35,7 +38,9 @@ class Snapshot:
 
     def _restore_index(self) -> None:
         if self.index:
-            write(git.index_file(self.package), self.index)
+            file = git.index_file(self.package)
+            write(file, self.index)
+            os.utime(file, ns=(self.index_time, self.index_time))
 
     def put(self, result: Result, touched: set[str], inline: bool) -> None:
         """Put a merged package in the place of what Copier has made of it."""
@@ -59,11 +64,13 @@ def take(package: Path) -> Snapshot:
     """Take a snapshot of the files that git has."""
     modes = git.tracked(package)
     plain = [path for path, mode in modes.items() if mode != SUBMODULE]
+    index = git.index_file(package)
     return Snapshot(
         package,
         read_paths(package, plain),
         frozenset(paths(package)),
-        read(git.index_file(package)),
+        read(index),
+        index.stat().st_mtime_ns if index.exists() else 0,
         modes,
     )
 

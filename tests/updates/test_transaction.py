@@ -1,8 +1,13 @@
 """An update changes all or nothing, and nothing that git could not bring back."""
 
+import os
+
 import pytest
 import yaml
 
+from hooks.merge.package import Result
+from hooks.merge.transaction import take
+from hooks.merge.tree import File
 from support.arm import SPEC
 from support.packages import QUIET
 from support.repository import commit, git
@@ -169,3 +174,24 @@ def test_rejected_conflict_is_said(arm, copier_command):
     assert "CONFLICT  arm/reach_ros.py" in result.stderr
     assert "FREQUENCY = 12" in node.read_text()
     assert "+FREQUENCY = 20" in (arm / "arm/reach_ros.py.rej").read_text()
+
+
+@pytest.mark.parametrize("way", ["put", "restore"])
+def test_git_sees_a_file_of_the_same_size_that_is_written_in_the_same_second(tmp_path, way):
+    """It compares contents where a file is not older than its index."""
+    file, index = tmp_path / "config.yaml", tmp_path / ".git/index"
+    git(tmp_path, "init", "-q")
+    git(tmp_path, "config", "core.trustctime", "false")
+    file.write_text("a: 1\n")
+    moment = file.stat().st_mtime_ns - 10**10
+    os.utime(file, ns=(moment, moment))
+    commit(tmp_path, "Begin")
+    os.utime(index, ns=(moment, moment))
+    snapshot = take(tmp_path)
+    if way == "put":
+        snapshot.put(Result({"config.yaml": File(b"a: 2\n")}), set(), inline=True)
+    else:
+        snapshot.restore()
+        file.write_text("a: 2\n")
+    os.utime(file, ns=(moment, moment))
+    assert git(tmp_path, "status", "--short") == "M config.yaml"
