@@ -173,7 +173,8 @@ class Joiner:
         made = people(sides[0].tree, base, sides[1].tree)
         result = settle(made)
         for side, other in zip(sides, sides[::-1], strict=True):
-            _keep_conflicts(result, side, _moves(base, other.tree))
+            if side.result.conflicts:
+                _keep_conflicts(result, side, _moves(base, other.tree))
         own = self.files(branches.merge) if branches.merge else now
         if own != now:  # what came after the merge
             later = settle(people(result.tree, own, now))

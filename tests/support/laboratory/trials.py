@@ -16,8 +16,6 @@ import copier
 from hooks.changes import marked
 from hooks.dictionary import load
 from hooks.merge.moves import moved_files
-from hooks.merge.proof import prove
-from hooks.merge.recount import recount
 from hooks.merge.renaming import Renaming, plan
 from hooks.merge.tree import File, encode, read_folder, remove, write
 from hooks.merge.versions import Versions
@@ -162,16 +160,15 @@ def trial(random, pair, counts, mutate=None, check=None, **options):
     edited = edit(random, pair.old, ahead(random, pair), **options)
     edited.texts["lab.ros_package"] = pair.new["lab.ros_package"]
     mine, old, new = edited.tree(), tree_of(pair.old), tree_of(pair.new)
-    trees = (mine, old, new, pair.renaming, pair.is_kept)
-    made = Versions(*trees, pair.to_ros)
+    made = Versions(mine, old, new, pair.renaming, pair.is_kept, pair.to_ros)
     result = made.merge({})
-    if doubts(trees, result):
+    if made.doubts(result):
         counts.doubtful += 1
         result = made.merged()[0]
     if mutate:
         mutate(random, result.tree, edited, pair)
     texts = {path: file.text or "" for path, file in result.tree.items()}
-    left = prove(mine, old, result, result.tree, pair.renaming).left
+    left = made.proof(result, result.tree).left
     said = {*result.left, *_said(result.removed)}
     said |= {mark for *_, line in left for mark in re.findall(r"\bmine_\d+\b", line)}
     missing = {path for path, parts in result.missing.items() if "" in parts}
@@ -179,18 +176,11 @@ def trial(random, pair, counts, mutate=None, check=None, **options):
     places, names = moves(pair, edited), renamed(pair, edited)
     complaints = judge(edited, pair.old, pair.new, result.tree, said, missing, places, names)
     complaints += unjustified(pair, result, names)
-    complaints += [f"proof: {path}: {line}" for path, line in doubts(trees, result)]
+    complaints += [f"proof: {path}: {line}" for path, line in made.doubts(result)]
     if check and not result.conflicts:
         complaints += check(mine, result.tree, edited, pair, names)
     count(counts, pair, edited, texts, complaints)
     return complaints
-
-
-def doubts(trees, result):
-    """Return what the two proofs do not find as it should be."""
-    mine, old, _, renaming, _ = trees
-    proof = prove(mine, old, result, result.tree, renaming)
-    return proof.lost + recount(*trees, result, result.tree, proof.left)
 
 
 def chain(random, laboratory, model, distro, length, counts, check=None):
