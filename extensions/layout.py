@@ -58,20 +58,28 @@ def fold_python(text: str) -> str:
         found += _docstring(rows[first - 1 : last])
         done = last
     folded = "\n".join(found + _code(rows[done:]))
-    return folded if _meaning(folded) == _meaning(text) != "" else text
+    return folded if _means_the_same(text, folded) else text
 
 
-def _meaning(text: str) -> str:
-    """Return what Python makes of code, apart from docstrings; nothing where it is none."""
+def _means_the_same(text: str, other: str) -> bool:
+    """Tell whether Python makes the same of both, docstrings apart; not so where it makes none."""
     try:
-        tree = ast.parse(text)
+        return _is_same(ast.parse(text), ast.parse(other))
     except SyntaxError:
-        return ""
-    for part in ast.walk(tree):
-        match part:
-            case ast.Expr(ast.Constant(str())):
-                part.value = ast.Constant("")
-    return ast.dump(tree)
+        return False
+
+
+def _is_same(one: object, other: object) -> bool:
+    """Compare two nodes of syntax trees, or what is in their fields."""
+    match one, other:
+        case ast.Expr(ast.Constant(str())), ast.Expr(ast.Constant(str())):
+            return True
+        case ast.AST(), ast.AST():
+            fields = ((getattr(one, name), getattr(other, name, None)) for name in one._fields)
+            return type(one) is type(other) and all(_is_same(*field) for field in fields)
+        case list(), list():
+            return len(one) == len(other) and all(map(_is_same, one, other))
+    return one == other
 
 
 def _docstring(rows: list[str]) -> list[str]:

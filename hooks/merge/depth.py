@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 
 import yaml
 
+from ..data import LOADER
 from .blocks import unicode
 from .languages import YAML, language
 from .lines import margin, split
@@ -64,7 +65,7 @@ def _lower(above: Sequence[str], head: Sequence[str], column: int) -> Shift:
 
 def _compose(text: str) -> yaml.MappingNode | None:
     try:
-        node = yaml.compose(unicode(text), yaml.SafeLoader)
+        node = yaml.compose(unicode(text), LOADER)
     except yaml.YAMLError:
         return None
     return node if isinstance(node, yaml.MappingNode) and node.value else None

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 
 import yaml
 
+from ..data import LOADER
 from .blocks import Block, Span, arrange, nested, squeezed, unicode
 from .lines import margin, split
 
@@ -21,7 +22,7 @@ def yaml_blocks(text: str) -> list[Block]:
 
     """
     try:
-        nodes = list(yaml.compose_all(unicode(text), yaml.SafeLoader))
+        nodes = list(yaml.compose_all(unicode(text), LOADER))
     except yaml.YAMLError as error:
         raise ValueError(str(error)) from error
     lines = split(text)

@@ -16,6 +16,7 @@ from itertools import accumulate
 
 import yaml
 
+from ..data import LOADER
 from .blocks import unicode
 from .lines import plain
 from .package import Result
@@ -187,7 +188,7 @@ def _unbound(text: str) -> set[str]:
 
 def _keys_twice(text: str) -> set[str]:
     try:
-        nodes = [*yaml.compose_all(unicode(text), yaml.SafeLoader)]
+        nodes = [*yaml.compose_all(unicode(text), LOADER)]
     except yaml.YAMLError:
         return {"cannot be read any more"}
     twice: set[str] = set()

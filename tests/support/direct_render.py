@@ -30,6 +30,7 @@ class Renderer:
         self.excluded = "\n".join(yaml.safe_load(settings)["_exclude"])
         found = sorted(path for path in self.folder.rglob("*") if path.is_file())
         self.paths = [str(path.relative_to(self.folder)) for path in found]
+        self.made = {}
 
     def render(self, spec, distro):
         """Return the text of each file by its path, without Copier's own and the spec.
@@ -38,6 +39,14 @@ class Renderer:
             AssertionError: a file is made twice.
 
         """
+        key = f"{distro} {spec}"
+        if key not in self.made:
+            if len(self.made) == 8:  # two developers, before and after, and what they become
+                self.made.pop(next(iter(self.made)))
+            self.made[key] = self._rendered(spec, distro)
+        return dict(self.made[key])
+
+    def _rendered(self, spec, distro):
         values = {
             "model": self.model,
             "ros_distro": distro,
