@@ -92,8 +92,9 @@ def _prove_file(
         known = TEXT
     before, after = (_blocks(known, text, origin, renaming) for text in (old, ours))
     after = identify(after, before, before)
+    own = split(ours)
     lines = [
-        (scope, line, _number(split(ours), number, line))
+        (scope, line, _number(own, number, line))
         for scope, line, number in _developer_lines(known, after, before)
     ]
     proof.total += len(lines)

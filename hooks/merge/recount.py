@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import ast
 import builtins
+import functools
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -34,7 +35,7 @@ def _tight(text: str) -> str:
     return "".join(f"\t{word}\n" for word in _WORD.findall(text) if word)
 
 
-class _Text:
+class _Text(dict[str, int]):
     """A text, and how often something stands in it, whatever the form of both."""
 
     def __init__(self, text: str) -> None:
@@ -42,8 +43,13 @@ class _Text:
         lines = ((line.strip(), _tight(line)) for line in text.split("\n"))
         self.lines = [(line, tight) for line, tight in lines if tight]
 
-    def __getitem__(self, tight: str) -> int:
-        return self.tight.count(tight)
+    def __missing__(self, tight: str) -> int:
+        self[tight] = self.tight.count(tight)
+        return self[tight]
+
+
+_text = functools.lru_cache(maxsize=512)(_Text)
+"""The same texts are counted for each of two branches, and after each attempt to merge them."""
 
 
 def recount(
@@ -80,11 +86,11 @@ def recount(
         ours, base, theirs, there = (plain(text or "") for text in texts)
         ours, base = (renaming.text(origin, text) for text in (ours, base))
         if target not in carried:
-            sides = [_Text(text) for text in (ours, base, theirs, there)]
+            sides = [_text(text) for text in (ours, base, theirs, there)]
             parts = [*result.own.get(target, []), *result.missing.get(target, [])]
             excuse = excused.get(path, "") + _about(theirs, parts)
             taken = _about(base, result.missing.get(target, []))
-            lines = _lines(sides, _Text(excuse), _Text(taken), target in result.missing)
+            lines = _lines(sides, _text(excuse), _text(taken), target in result.missing)
             wrong += ((target, line) for line in lines)
         faults = _faults(target, there)
         for side in (ours, theirs) if faults else ():

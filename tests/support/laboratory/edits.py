@@ -48,7 +48,8 @@ class Edited:
 
     def follow(self, texts, moves, renamed):
         """Go on from an update: what was written is now at other places."""
-        everything = "\n".join(texts.values())
+        words = {path: {*re.findall(r"\w+", text)} for path, text in texts.items()}
+        everything = set().union(*words.values())
 
         def at(path):
             return path if path in self.moved else moves.get(path, path)
@@ -56,17 +57,17 @@ class Edited:
         self.around = {
             first: (last, renamed.get(self.lines[first][0], {}).get(name, name))
             for first, (last, name) in self.around.items()
-            if re.search(rf"\b{first}\b", everything)
+            if first in everything
         }
 
         def place(mark, path):
             places = [path, *COUNTERPARTS.get(path, ())]
-            return next((p for p in places if re.search(rf"\b{mark}\b", texts.get(p, ""))), path)
+            return next((p for p in places if mark in words.get(p, ())), path)
 
         self.lines = {
             mark: (place(mark, at(path)), renamed.get(path, {}).get(function, function))
             for mark, (path, function) in self.lines.items()
-            if re.search(rf"\b{mark}\b", everything)
+            if mark in everything
         }
         self.deleted = {
             (at(part[0]), renamed.get(part[0], {}).get(part[1], part[1]))
