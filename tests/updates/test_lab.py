@@ -1,5 +1,6 @@
 """The merge laboratory: a seeded part of what `make lab` runs, and a judge that is not blind."""
 
+import itertools
 import os
 import time
 from random import Random
@@ -119,15 +120,20 @@ def test_moves_lose_nothing_in_silence(laboratory, has_ros1, model, distro):
 @pytest.mark.parametrize("distro", DISTROS)
 @pytest.mark.parametrize("model", ALL_MODELS)
 def test_two_branches_become_one(laboratory, model, distro):
-    """Two developers edit, change the spec and update; one of them may move to another ROS."""
-    random, counts = Random(f"{SEED} branches {model} {distro}"), branches.Counts()
-    pairs = TRIALS // 4
-    while counts.pairs < pairs:
+    """Two developers edit, change the spec and update; one of them may move to another ROS.
+
+    Each pair has a seed of its own, with which it is made again.
+    """
+    counts, pairs = branches.Counts(), TRIALS // 4
+    for number in itertools.count():
+        if counts.pairs == pairs:
+            break
+        random = Random(f"{SEED} branches {model} {distro} {number}")
         ways = set(HABITS) - {"format"} if random.random() < 0.5 else ()
         for said in branches.pair_of_branches(
             random, laboratory, model, distro, counts, ways=ways
         ):
-            print(f"{model} {distro}, pair {counts.pairs}: {said}")
+            print(f"{model} {distro}, pair {number}: {said}")
     print(f"{model} {distro}, branches: {counts.row()}")
     assert counts.both_edited > counts.pairs
     assert counts.wrong == []

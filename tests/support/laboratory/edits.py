@@ -75,9 +75,12 @@ class Edited:
             else at(part)
             for part in self.deleted
         }
-        self.replaced = {at(path): lines for path, lines in self.replaced.items()}
+        # One file may leave for another that is renamed.
+        replaced, self.replaced = self.replaced, {}
+        for path, lines in replaced.items():
+            self.replaced.setdefault(at(path), []).extend(lines)
         repeated, self.repeated = self.repeated, {}
-        for path, lines in repeated.items():  # one file may leave for another that is renamed
+        for path, lines in repeated.items():
             self.repeated[at(path)] = self.repeated.get(at(path), Counter()) + lines
         self.formatted = {at(path) for path in self.formatted}
         self.ahead = {at(path) for path in self.ahead}

@@ -180,7 +180,8 @@ def enclosing(path, lines, at):
 
 def _template_side(edited, path, place, where, new, result, callbacks):
     """The result is the new version, less what the developer changed, plus their lines."""
-    source = next((before for before, after in where.items() if after == place), path)
+    sources = [before for before, after in where.items() if after == place]
+    source = max(sources, key=lambda before: before != place, default=path)  # not one that leaves
     if source in edited.formatted or source in edited.ahead:
         names = {p[1] for p in edited.deleted if isinstance(p, tuple) and p[0] == source}
         names = {callbacks.get(source, {}).get(name, name) for name in names}
