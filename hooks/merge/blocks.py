@@ -102,15 +102,25 @@ def is_condition(block: Block) -> bool:
     return bool(block.children) and block.children[0].key == THEN
 
 
-def arrange(lines: Sequence[str], spans: Iterable[Span], start: int, end: int) -> list[Block]:
+NO_COMMENT = re.compile(r"(?!)")
+
+
+def arrange(
+    lines: Sequence[str],
+    spans: Iterable[Span],
+    start: int,
+    end: int,
+    comments: re.Pattern[str] = NO_COMMENT,
+) -> list[Block]:
     """Make blocks of the lines `start` to `end`; what stands above an item belongs to it.
 
-    A comment that an empty line parts from what follows is a block of its own.
+    A comment that an empty line parts from what follows is a block of its own; of `comments`,
+    which have an end of their own, none is parted by an empty line inside.
     """
     blocks: list[Block] = []
     at = start
     for span in _joined(spans):
-        above = _paragraphs(lines[at : span.start])
+        above = _paragraphs(lines[at : span.start], comments)
         loose, close = above[:-1], above[-1] if above else []
         if close and not close[-1].strip():
             loose, close = above, []
@@ -119,11 +129,11 @@ def arrange(lines: Sequence[str], spans: Iterable[Span], start: int, end: int) -
             blocks.append(Block(span.key, [*close, *lines[span.start : span.end]]))
         else:
             first, last = span.body
-            inner = arrange(lines, span.items, first, last)
+            inner = arrange(lines, span.items, first, last, comments)
             head = [*close, *lines[span.start : first]]
             blocks.append(Block(span.key, head, inner, list(lines[last : span.end])))
         at = span.end
-    rest = _paragraphs(lines[at:end])
+    rest = _paragraphs(lines[at:end], comments)
     blocks += [_comment(part, at == start and not i) for i, part in enumerate(rest)]
     return _numbered(_close_gaps(blocks))
 
@@ -139,12 +149,18 @@ def _joined(spans: Iterable[Span]) -> list[Span]:
     return joined
 
 
-def _paragraphs(lines: Sequence[str]) -> list[Lines]:
+def _paragraphs(lines: Sequence[str], comments: re.Pattern[str]) -> list[Lines]:
     """Split the lines above an item after each empty line that follows a comment."""
+    text = "".join(lines)
+    inside: set[int] = set()
+    for comment in comments.finditer(text):
+        first = text.count("\n", 0, comment.start()) + 1
+        inside |= {*range(first, first + comment[0].count("\n"))}
     parts: list[Lines] = []
     current: Lines = []
-    for line in lines:
-        if line.strip() and any(c.strip() for c in current) and not current[-1].strip():
+    for number, line in enumerate(lines):
+        is_first = any(c.strip() for c in current) and not current[-1].strip()
+        if line.strip() and is_first and number not in inside:
             parts.append(current)
             current = []
         current.append(line)

@@ -45,6 +45,9 @@ class _Token:
 Tokens = list[_Token]
 
 
+_COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+
+
 def blocks(text: str) -> list[Block]:
     """Return the blocks of a source or header; those of a class or namespace are inside of it.
 
@@ -63,7 +66,7 @@ def blocks(text: str) -> list[Block]:
     spans, at = _scope(tokens, 0)
     if at < len(tokens):
         raise ValueError(f"line {tokens[at].line + 1}: a brace that nothing opens")
-    return arrange(lines, _with_conditions(spans), 0, len(lines))
+    return arrange(lines, _with_conditions(spans), 0, len(lines), _COMMENTS)
 
 
 def _directive(token: _Token) -> Span:

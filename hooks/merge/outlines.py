@@ -88,6 +88,9 @@ _COMMAND = re.compile(
 )
 
 
+_CMAKE_COMMENTS = re.compile(r"#\[(=*)\[.*?\]\1\]|#[^\n]*", re.DOTALL)
+
+
 def cmake_blocks(text: str) -> list[Block]:
     """Return the commands of a file, each known by its name and its first argument.
 
@@ -114,7 +117,7 @@ def cmake_blocks(text: str) -> list[Block]:
             spans.append(Span(key, text.count("\n", 0, start), ends))
     if depth:
         raise ValueError("a parenthesis that nothing closes")
-    return arrange(lines, nested(spans, _role), 0, len(lines))
+    return arrange(lines, nested(spans, _role), 0, len(lines), _CMAKE_COMMENTS)
 
 
 _STATEMENTS = ("if", "foreach", "while", "function", "macro", "block")

@@ -32,6 +32,9 @@ class _Element:
     children: list[_Element] = field(default_factory=list)
 
 
+_COMMENTS = re.compile(r"<!--.*?-->", re.DOTALL)
+
+
 def blocks(text: str) -> list[Block]:
     """Return the elements of a document; those inside of others are inside of them.
 
@@ -45,7 +48,7 @@ def blocks(text: str) -> list[Block]:
         raise ValueError(str(error)) from error
     lines = split(text)
     spans = tuple(_span(text, element) for element in _elements(text))
-    return arrange(lines, spans, 0, len(lines))
+    return arrange(lines, spans, 0, len(lines), _COMMENTS)
 
 
 _EXACT = re.compile(

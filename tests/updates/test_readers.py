@@ -377,6 +377,37 @@ def test_a_comment_in_a_member_of_a_list_leaves_with_it_or_stays(edit, leaves):
         assert found == changed(new, edit)
 
 
+EMPTY_INSIDE = {
+    "hpp": "  /* mine\n\n   * more\n   */\n",
+    "cpp": "/* mine\n\n// mine, too\n\n*/\n",
+    "package.xml": "  <!-- mine\n\n  <depend>c</depend> -->\n",
+    "CMakeLists.txt": "  #[[ mine\n\n  find_package(d)\n  ]]\n",
+}
+
+
+@pytest.mark.parametrize("path", EMPTY_INSIDE)
+@pytest.mark.parametrize("change", ["remove", "add before"])
+@pytest.mark.parametrize("end", ["", "\n"])
+def test_comment_with_empty_lines_stays_whole(path, change, end):
+    """It is about the item below, or stands alone where an empty line parts it off."""
+    if path in SOURCES:
+        before, _ = NO_RESET[path]
+        old, item, other = SOURCES[path], before, before.replace("reset", "other")
+        name = f"arm/worker_impl.{path}"
+    else:
+        (old, item, other), name = ENDS[path], path
+    own = EMPTY_INSIDE[path] + end
+    mine = changed(old, (item, own + item))
+    new = changed(old, (item, {"remove": "", "add before": other + item}[change]))
+    merges, found, result = merge(name, mine, old, new)
+    assert merges
+    if change == "remove" and not end:
+        assert (own in found, *result.removed) == (False, name)
+    else:
+        assert own.rstrip() in found
+        assert found.replace(own.rstrip(), "").split() == new.split()
+
+
 README = """# arm
 
 Words.
