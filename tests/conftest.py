@@ -11,7 +11,6 @@ from pathlib import Path
 
 import copier
 import pytest
-from hypothesis import settings
 
 from support import ros
 from support.command import run_copier
@@ -25,9 +24,6 @@ try:
     import fcntl
 except ImportError:  # Windows, where the tests run in one process
     fcntl = None
-
-settings.register_profile("any machine", deadline=None)
-settings.load_profile("any machine")
 
 ROOM = 8e9  # bytes
 NEEDS = {

@@ -4,7 +4,7 @@ import re
 import string
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hooks import formats
@@ -329,6 +329,7 @@ def test_hint_at_an_action_type_is_of_both_ros(model):
     assert said.endswith("such as tf2_msgs/LookupTransform [invalid-type]")
 
 
+@settings(deadline=None)
 @given(st.text(alphabet=string.printable))
 def test_any_text_is_a_spec_or_a_fault(text):
     model = Model(ROOT / "python_model", ROOT)
@@ -338,6 +339,7 @@ def test_any_text_is_a_spec_or_a_fault(text):
         assert str(error).startswith("spec.xml:")
 
 
+@settings(deadline=None)
 @given(st.text(st.characters(codec="utf-8", categories=("L", "N", "P", "S", "Zs")), min_size=1))
 def test_any_value_survives(text):
     from xml.sax.saxutils import quoteattr
