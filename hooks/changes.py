@@ -280,9 +280,13 @@ def _partners(
         left[renamed.get(name, name)] = item
     items = kind.of(new)
     partners: dict[int, Values | None] = {}
+    for number, item in enumerate(items):  # renamed before
+        name, was = _name(item, kind.naming), item.get(WAS)
+        if was is not None and name in left and left[name].get(WAS) == was:
+            partners[number] = left.pop(name)
     for number, item in enumerate(items):
         name, was = _name(item, kind.naming), item.get(WAS)
-        if was in left and was != name and (left.get(name) or {}).get(WAS) != was:
+        if number not in partners and was in left and was != name:
             partners[number] = left.pop(str(was))
     for number, item in enumerate(items):
         if number not in partners:

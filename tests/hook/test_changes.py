@@ -45,6 +45,11 @@ A, B = ("a", "T"), ("b", "T")
         (spec(), spec(node("n", A)), ["+ node n"]),
         (spec(node("n", A)), spec(node("n", ("a", "S"))), ["~ topic a on n: type T -> S"]),
         (spec(node("n", A)), spec(node("n", ("b", "T", "a"))), ["> topic b on n, was a"]),
+        (  # of two that have swapped their names, one is renamed by another developer
+            spec(node("n", ("a", "T", "b"), ("b", "T", "a"))),
+            spec(node("n", ("c", "T", "b"), ("b", "T", "a"))),
+            ["> topic c on n, was a"],
+        ),
         (spec(node("n")), spec(node("m", was="n")), ["> node m, was n"]),
         (
             spec(node("n")),

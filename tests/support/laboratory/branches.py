@@ -300,32 +300,28 @@ def seen_from(spec, new_spec):
     """Return the new spec as an update from a branch's sees it: what it has done is done."""
     new_spec = copy.deepcopy(new_spec)
     known = {node["name"]: node for node in spec["nodes"]}
+    _settle(new_spec["nodes"], known)
     for node in new_spec["nodes"]:
-        before = known.get(node["name"])
-        was = known.get(node.get("was"))
-        if before and before.get("was") == node.get("was"):
-            node["was"] = None
-            was = before
-        have = {item["name"]: item for item in (was or before or {"items": []})["items"]}
-        for item in node["items"]:
-            _settle(item, have)
+        before = known.get(node.get("was") or node["name"], {"items": []})
+        _settle(node["items"], {item["name"]: item for item in before["items"]})
     known = {(t["kind"], t["name"]): t["parts"] for t in spec.get("types", ())}
     for type_ in new_spec.get("types", ()):
         for part, fields in known.get((type_["kind"], type_["name"]), {}).items():
-            have = {one["name"]: one for one in fields}
-            for one in type_["parts"][part]:
-                _settle(one, have)
+            _settle(type_["parts"][part], {one["name"]: one for one in fields})
     return new_spec
 
 
-def _settle(item, have):
-    if not item.get("was"):
-        return
-    alike = [name for name, one in have.items() if one.get("was") == item["was"]]
-    if item["name"] in alike:
-        item["was"] = None
-    elif alike and item["was"] not in have:
-        item["was"] = alike[0]  # each developer has given it another name
+def _settle(items, have):
+    """Forget what was renamed before, and whose name is another's now."""
+    renamed = [item for item in items if item.get("was")]
+    for item in renamed:
+        if have.get(item["name"], {}).get("was") == item["was"]:
+            item["was"] = None
+    done = {item["name"] for item in renamed if not item["was"]}
+    for item in renamed:
+        alike = [n for n, one in have.items() if one.get("was") == item["was"] and n not in done]
+        if item["was"] and alike and item["was"] not in {*have} - done:
+            item["was"] = alike[0]  # each developer has given it another name
 
 
 def _take_over_moves(part, other):
