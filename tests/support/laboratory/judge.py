@@ -4,6 +4,7 @@ The judge reads texts alone. It knows nothing of blocks, and shares no code with
 """
 
 import ast
+import functools
 import re
 from collections import Counter
 from xml.etree import ElementTree
@@ -215,6 +216,7 @@ def _lines(text):
     return Counter(line.strip() for line in text.split("\n") if line.strip())
 
 
+@functools.lru_cache(maxsize=4096)
 def _readable(path, text):
     text = re.sub("[\udc80-\udcff]", "?", text)
     try:
