@@ -36,6 +36,7 @@ class Model:
             **{f"config/{name}.yaml": f"{name}: 1\n" for name in names},
             **{f"{node['name']}.py": "x = 1\n" for node in answers["spec"]["nodes"]},
         }
-        return Render({p: File(text.encode()) for p, text in texts.items()}, KEPT.__contains__)
+        made = {path: File(text.encode()) for path, text in texts.items()}
+        return Render(made | {"logo.png": File(b"\x89PNG\0")}, KEPT.__contains__)
 
     fresh = recorded

@@ -89,8 +89,9 @@ def team(tmp_path):
 BOTH = ("load", "store", "home", "park")
 
 
-def test_version_older_than_that_of_a_branch():
-    commits = {"ours": {"_commit": "1.0.0"}, "theirs": {"_commit": "1.2.0"}}
+@pytest.mark.parametrize("ours", ["1.0.0", "a commit without a tag"])
+def test_version_older_than_that_of_a_branch(ours):
+    commits = {"ours": {"_commit": ours}, "theirs": {"_commit": "1.2.0"}}
     joiner = Joiner(None, ANSWERS, {"_commit": "1.1.0"}, None, None, {})
     joiner.recorded = commits.get
     with pytest.raises(SpecError) as caught:
@@ -322,7 +323,9 @@ def test_conflict_of_one_developer_and_the_model_stays_one(team, branch):
     team.git("checkout", "-q", branch)
     (team.folder / "rate.txt").write_text("rate: 7\n")
     commit(team.folder, "Tune")
-    joined = team.joiner(*BOTH, rate=2).join(Branches("main", "topic", ["start"]), {})
+    now = {SPEC: File(b"resolved by hand"), "rate.txt": File(b"rate: 1\n")}
+    joined = team.joiner(*BOTH, rate=2).join(Branches("main", "topic", ["start"]), now)
+    assert joined.result.tree[SPEC] == now[SPEC]
     stages = {1: b"rate: 1\n", 2: b"rate: 7\n", 3: b"rate: 2\n"}
     result = joined.result
     assert result.conflicts == {"rate.txt": stages}
@@ -460,28 +463,54 @@ def test_files_that_a_developer_has_deleted(ours, base, theirs, wanted):
         assert result.settled == result.tree
 
 
-@pytest.mark.parametrize("is_ours", [True, False])
-def test_conflict_with_the_model_follows_a_file_that_the_other_has_moved(is_ours):
+class Sides(Joiner):
+    """Joins what two developers have made of a file, which the model has changed, too."""
+
+    def __init__(self, path, before, after, **files):
+        super().__init__(None, ANSWERS, {}, None, None, {})
+        self.path, self.before, self.after, self.made = path, before, after, files
+
+    def side(self, commit):
+        place, file = self.made[commit]
+        made = Versions({place: file}, {self.path: self.before}, {self.path: self.after})
+        result, _ = made.merged()
+        assert list(result.conflicts) == ([] if file == self.before else [self.path])
+        return Side(commit, made, result, made.proof(result, result.tree))
+
+    def base(self, commits):
+        return {self.path: self.after}
+
+    def files(self, commit):
+        return {}
+
+    def result(self, first, second):
+        return self.join(Branches(first, second, []), {}).result
+
+
+@pytest.mark.parametrize("branches", [("moved", "tuned"), ("tuned", "moved")])
+@pytest.mark.parametrize("content", [b"arm:\n  speed: %d\n", b"\0%d"], ids=["text", "binary"])
+def test_conflict_with_the_model_follows_a_file_that_the_other_has_moved(content, branches):
     path, target = "config/arm.yaml", "config/mine/arm.yaml"
-    before, after, tuned = (File(b"arm:\n  speed: %d\n" % speed) for speed in (1, 2, 3))
-
-    class Prepared(Joiner):
-        def side(self, commit):
-            place, file = (target, before) if commit == "moved" else (path, tuned)
-            made = Versions({place: file}, {path: before}, {path: after})
-            result, _ = made.merged()
-            assert list(result.conflicts) == ([] if commit == "moved" else [path])
-            return Side(commit, made, result, made.proof(result, result.tree))
-
-        def base(self, commits):
-            return {path: after}
-
-        def files(self, commit):
-            return {}
-
-    branches = Branches(*("moved", "tuned") if is_ours else ("tuned", "moved"), [])
-    result = Prepared(None, ANSWERS, {}, None, None, {}).join(branches, {}).result
+    before, after, tuned = (File(content % speed) for speed in (1, 2, 3))
+    sides = Sides(path, before, after, moved=(target, before), tuned=(path, tuned))
+    if b"\0" in content:  # which is no text in which what has moved could be known
+        target = path
+        sides.made["moved"] = (path, before)
+    result = sides.result(*branches)
     assert list(result.conflicts) == [target]
     text = result.tree[target].text
-    assert re.findall(r"speed: \d", text) == ["speed: 3", "speed: 2"]
-    assert text.startswith("arm:\n<<<<<<<")
+    if text is not None:
+        assert re.findall(r"speed: \d", text) == ["speed: 3", "speed: 2"]
+        assert text.startswith("arm:\n<<<<<<<")
+
+
+def test_conflict_of_two_developers_and_the_model_is_marked_once():
+    path = "config/arm.yaml"
+    before, after, three, four = (File(b"arm:\n  speed: %d\n" % speed) for speed in (1, 2, 3, 4))
+    result = Sides(path, before, after, ours=(path, three), theirs=(path, four)).result(
+        "ours", "theirs"
+    )
+    assert list(result.conflicts) == [path]
+    text = result.tree[path].text
+    assert text.count("<<<<<<< ") == 1
+    assert re.findall(r"speed: \d", text) == ["speed: 3", "speed: 4"]
