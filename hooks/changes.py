@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import copy
+import itertools
 import types
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -15,6 +16,8 @@ from .literals import spelled
 from .names import class_name
 
 Values = Mapping[str, Any]
+Contexts = tuple[Values, Values]
+"""What a package was made of, and what it is to be."""
 
 
 def changed_answers(old: Values, new: Values) -> Iterator[str]:
@@ -178,6 +181,44 @@ def _is_right(pair: _Pair) -> bool:
     was = (pair.after or {}).get(WAS)
     is_done = pair.before is not None and pair.before.get(WAS) == was
     return was is not None and (pair.is_renamed or was == pair.name or is_done)
+
+
+def as_parted(
+    histories: Sequence[Sequence[Values]], new: Values, dictionary: Dictionary
+) -> Contexts:
+    """Return where the first history ends, and what it is to be, with names as all began.
+
+    Histories are contexts that follow one another, from one that all have in common. One may have
+    renamed a thing more than once, and `new` says the last of the names before, which the others
+    never had.
+    """
+    memos: tuple[dict[int, Any], dict[int, Any]] = ({}, {})
+    ends = (histories[0][-1], new)
+    context, spec = (copy.deepcopy(end, memo) for end, memo in zip(ends, memos, strict=True))
+    for number, history in enumerate(histories):
+        names = _first_names(history, dictionary)
+        for pair in _pairs(history[-1], new, dictionary):
+            before, after = pair.before, pair.after
+            first = names.get(id(before))
+            if before is None or first is None:  # it came on the branch
+                continue
+            items = [memos[0][id(before)]] if number == 0 else []
+            name = _name(before, pair.naming)
+            if after and pair.name == name and before.get(WAS) == after.get(WAS):
+                items.append(memos[1].get(id(after), {}))
+            for item in items:
+                if item.get(WAS) is not None or first != name:
+                    item[WAS] = first
+    return context, spec
+
+
+def _first_names(history: Sequence[Values], dictionary: Dictionary) -> dict[int, str]:
+    """Return, by the identity of an item of the last context, its name in the first one."""
+    names = {id(pair.after): pair.name for pair in _pairs(history[0], history[0], dictionary)}
+    for old, new in itertools.pairwise(history):
+        pairs = [*_pairs(old, new, dictionary)]
+        names = {id(p.after): names[id(p.before)] for p in pairs if id(p.before) in names}
+    return names
 
 
 def _label(kind: str, name: str, path: str) -> str:

@@ -6,9 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 from packaging.version import InvalidVersion, Version
 
+from ..changes import Contexts, Values, as_parted
 from ..dictionary import Dictionary
 from ..faults import SpecError
 from ..package import SUFFIX
@@ -112,8 +114,10 @@ class Joiner:
         """Say where the package is, and what it is to be; arguments as those of an update."""
         self.package, self.answers_file, self.answers = package, answers_file, answers
         self.renderer, self.dictionary, self.moved = renderer, dictionary, moved
+        self.histories: dict[str, list[Values]] = {}
+        """The contexts of each branch that is joined, from that of the base on."""
 
-    def recorded(self, commit: str) -> dict[str, object]:
+    def recorded(self, commit: str) -> dict[str, Any]:
         """Return the answers that a commit has."""
         return recorded_answers(self.package, self.answers_file, commit)
 
@@ -147,6 +151,21 @@ class Joiner:
                     "answers-differ",
                 )
 
+    def history(self, base: str, commit: str) -> list[Values]:
+        """Return the contexts of a branch, from that of its base on."""
+        commits = git.changing(self.package, self.answers_file, base, commit)
+        found = (self.recorded(one).get("spec") for one in (base, *commits, commit))
+        return [context for context in found if isinstance(context, Mapping)]
+
+    def contexts(self, commit: str) -> Contexts:
+        """Return that of a commit and the new one, with names as the branches began with them."""
+        spec = self.answers["spec"]
+        own = self.histories.get(commit)
+        if not own:
+            return self.recorded(commit).get("spec") or {}, spec
+        others = (history for one, history in self.histories.items() if one != commit)
+        return as_parted([own, *others], spec, self.dictionary)
+
     def side(self, commit: str) -> Side:
         """Bring a commit to the new answers.
 
@@ -154,10 +173,8 @@ class Joiner:
             SpecError: a line would not be in its place.
 
         """
-        answers = self.recorded(commit)
-        made = versions(
-            self.files(commit), answers, self.answers, self.renderer, self.dictionary, self.moved
-        )
+        about = (self.answers, self.renderer, self.dictionary, self.moved, self.contexts(commit))
+        made = versions(self.files(commit), self.recorded(commit), *about)
         result = settle(made)
         return Side(commit, made, result, made.proof(result, result.tree))
 
@@ -168,6 +185,10 @@ class Joiner:
             SpecError: as above.
 
         """
+        for start in branches.bases[:1]:
+            commits = (branches.ours, branches.theirs, start)
+            histories = {commit: self.history(start, commit) for commit in commits}
+            self.histories = histories if all(histories.values()) else {}
         sides = (self.side(branches.ours), self.side(branches.theirs))
         base = self.base(branches.bases)
         made = people(sides[0].tree, base, sides[1].tree)

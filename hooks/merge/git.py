@@ -80,6 +80,12 @@ def last_making(folder: Path, path: str, commit: str) -> str:
     return git(folder, "rev-list", *options, commit, "--", path).partition(" ")[0].strip()
 
 
+def changing(folder: Path, path: str, start: str, end: str) -> list[str]:
+    """Return the commits of a branch that have changed a file since it began, the first first."""
+    options = ("--reverse", "--first-parent")
+    return git(folder, "rev-list", *options, f"{start}..{end}", "--", path).split()
+
+
 def pseudo_commits(folder: Path, name: str) -> list[str]:
     """Return the commits that a file of git's, like MERGE_HEAD, names."""
     file = own_file(folder, name)

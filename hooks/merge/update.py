@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ..changes import changed_answers, changes, left
+from ..changes import Contexts, changed_answers, changes, left
 from ..dictionary import Dictionary
 from ..faults import SpecError, UnrenderedError
 from . import git
@@ -94,16 +94,21 @@ class Update:
         proof = made.proof(result, found)
         self._insist(made, result, found, proof)
         said = [*notes, *changed_answers(self.answers, answers)]
-        said += changes(self.answers.get("spec") or {}, answers["spec"], dictionary)
-        still = self._still(self.answers, joiner, made, found)
+        contexts = (self.answers.get("spec") or {}, answers["spec"])
+        said += changes(*contexts, dictionary)
+        still = self._still(contexts, joiner, made, found)
         return report(self.package, self.snapshot.files, found, result, said, still, proof)
 
     def _still(
-        self, answers: Mapping[str, Any], joiner: Joiner, made: Versions, found: Tree
+        self,
+        contexts: Contexts,
+        joiner: Joiner,
+        made: Versions,
+        found: Tree,
     ) -> list[str]:
         """Return the uses of what was renamed, or left."""
         still = [*uses(made.mine, made.old, made.new, found, made.renaming)]
-        gone = left(answers.get("spec") or {}, joiner.answers["spec"], joiner.dictionary)
+        gone = left(*contexts, joiner.dictionary)
         holders = joiner.dictionary.holders
         return still + [*uses_of_left(gone, made.old, made.new, found, holders)]
 
@@ -143,11 +148,13 @@ class Update:
             git.stage(self.package, sorted(paths - {*result.conflicts}))
         said = [_noted(branches)] if branches.merge else []
         said += changed_answers(self.answers, joiner.answers)
-        said += changes(self.answers.get("spec") or {}, joiner.answers["spec"], joiner.dictionary)
+        now: Contexts = (self.answers.get("spec") or {}, joiner.answers["spec"])
+        contexts = now if branches.merge else joiner.contexts(ours.commit)
+        said += changes(*contexts, joiner.dictionary)
         still = {
             line
             for side in joined.sides
-            for line in self._still(joiner.recorded(side.commit), joiner, side.versions, found)
+            for line in self._still(joiner.contexts(side.commit), joiner, side.versions, found)
         }
         for name in ("moved", "removed", "missing", "own"):
             getattr(result, name).update(getattr(ours.result, name))

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from ..changes import Contexts
 from ..dictionary import Dictionary
 from .builds import carry_build_files
 from .launch import carry_launch_files
@@ -87,11 +88,17 @@ def versions(
     renderer: Renderer,
     dictionary: Dictionary,
     moved: Mapping[str, str],
+    contexts: Contexts | None = None,
 ) -> Versions:
-    """Render what a package was made of, and what it is to be."""
+    """Render what a package was made of, and what it is to be.
+
+    `contexts`, by default those of the answers, say what was renamed.
+    """
     spec = new_answers["spec"]
     old, new = renderer.recorded(answers), renderer.fresh(new_answers)
-    renaming = plan_renames(answers, spec, dictionary, old.tree, mine, renderer)
+    before, after = contexts or (answers.get("spec") or {}, spec)
+    named = {**answers, "spec": before}
+    renaming = plan_renames(named, after, dictionary, old.tree, mine, renderer)
     renaming.follow(moved, old.tree, new.tree)
     renaming.move(old.tree, new.tree)
     ros = [context.get("ros") for context in (answers.get("spec") or {}, spec)]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from hooks.changes import Mark, changed_answers, changes, left, marked
+from hooks.changes import Mark, as_parted, changed_answers, changes, left, marked
 from hooks.dictionary import load
 
 DICTIONARY = """
@@ -75,6 +75,34 @@ A, B = ("a", "T"), ("b", "T")
 )
 def test_what_is_said_of_a_change(dictionary, old, new, said):
     assert [*changes(old, new, dictionary)] == said
+
+
+TO_B, TO_C = ("b", "T", "a"), ("c", "T", "b")
+
+
+@pytest.mark.parametrize(
+    ("ours", "theirs", "new", "said"),
+    [
+        ([A], [TO_B, TO_C], TO_C, ["> topic c on n, was a"]),
+        ([A], [TO_B, B], B, ["> topic b on n, was a"]),
+        ([TO_B, TO_C], [A], TO_C, []),
+        (
+            [TO_B, TO_C],
+            [("x", "T", "a"), ("y", "T", "x")],
+            ("y", "T", "x"),
+            ["> topic y on n, was c"],
+        ),
+        ([A], [TO_B, ("a", "T", "b")], ("a", "T", "b"), []),
+        ([("x", "T", "a")], [TO_B, ("a", "T", "b")], ("a", "T", "b"), ["> topic a on n, was x"]),
+        ([], [A, TO_B], TO_B, ["+ topic b on n"]),
+    ],
+)
+def test_what_branches_have_renamed_more_than_once(dictionary, ours, theirs, new, said):
+    """Each changes a topic step by step; what one has renamed is that which the other has."""
+    base = spec(node("n", *([A] if ours else [])))
+    histories = [[base, *(spec(node("n", step)) for step in steps)] for steps in (ours, theirs)]
+    contexts = as_parted(histories, spec(node("n", new)), dictionary)
+    assert [*changes(*contexts, dictionary)] == said
 
 
 def test_names_of_what_left(dictionary):

@@ -352,6 +352,24 @@ def test_one_renames_what_the_other_edits(model, make_team, change, name):
 
 
 @MODELS
+def test_one_renames_twice_what_the_other_edits(model, make_team):
+    """The merged spec says the last of the names before, which the other never had."""
+    team = make_team(model=model)
+    team.work("topic", renamed(SPEC, "hoist"), serve_hoist="theirs")
+    twice = ('"hoist" was="load"', '"lift" was="hoist"')
+    team.work("topic", renamed(SPEC, "hoist").replace(*twice), at="topic", serve_lift="again")
+    team.git("checkout", "-q", "main")
+    team.work("main", OURS, serve_load="ours", serve_home="homed")
+    team.begin("merge", "--no-commit", "topic")
+    team.resolve(renamed(OURS, "hoist").replace(*twice))
+    team.join()
+    team.git("commit", "-q", "--no-edit")
+    body = re.split(STARTS[team.model][0].format("serve_lift"), team.text())[1][:160]
+    assert all(word in body for word in ("ours", "theirs", "again", "first"))
+    assert "serve_load" not in team.text()
+
+
+@MODELS
 def test_both_rename_one_each_in_another_way(model, make_team):
     team = make_team(model=model)
     team.work("topic", renamed(SPEC), serve_lift="theirs")

@@ -77,9 +77,13 @@ class Joining(Joiner):
     """Joins commits that are in memory."""
 
     commits: dict
+    """By name, the files of each, its answers, and the contexts that have led to it."""
 
     def recorded(self, commit):
         return self.commits[commit][1]
+
+    def history(self, base, commit):
+        return self.commits[commit][2]
 
     def files(self, commit):
         return self.commits[commit][0]
@@ -92,6 +96,8 @@ class Branch:
     edited: object
     answers: dict
     pair: object
+    contexts: list
+    """That of each update of it."""
 
 
 def grown(random, laboratory, spec, model, distros, versions, edited, number, **options):
@@ -115,7 +121,20 @@ def grown(random, laboratory, spec, model, distros, versions, edited, number, **
     edited.texts[SPEC] = pair.new[SPEC]
     if any(fault for path, text in edited.texts.items() for fault in _readable(path, text)):
         return None  # no developer would commit it
-    return Branch(edited, answers(laboratory, model, new_spec, distros[1], versions[1]), pair)
+    found = answers(laboratory, model, new_spec, distros[1], versions[1])
+    return Branch(edited, found, pair, [found["spec"]])
+
+
+def grown_again(random, laboratory, branch, model, distro, version, **options):
+    """Go on with a branch; what was renamed before may be renamed once more."""
+    spec = copy.deepcopy(branch.pair.new_spec)
+    if random.random() < 0.5 and not model.startswith("mixed"):  # whose languages go by names
+        for _, holder, items in _holders(spec):
+            for item in (holder, *items):
+                item["was"] = None
+    about = (model, (distro, distro), (version, version), branch.edited, branch.edited.number)
+    found = grown(random, laboratory, spec, *about, **options)
+    return found and replace(found, contexts=branch.contexts + found.contexts)
 
 
 def _texts(tree):
@@ -132,23 +151,23 @@ def answers(laboratory, model, spec, distro, version):
 def identified(spec):
     """Give each named thing an identity that its names do not have."""
     spec = copy.deepcopy(spec)
-    for holder, items in _holders(spec):
+    for _, holder, items in _holders(spec):
         for item in (holder, *items):
             item["id"] = item["name"]
     return spec
 
 
 def _holders(spec):
-    """Yield each node and interface with its items or fields."""
+    """Yield each node with its interfaces, and each type with the fields of each of its parts."""
     for node in spec["nodes"]:
-        yield node, node["items"]
+        yield _identity(node), node, node["items"]
     for type_ in spec.get("types", ()):
-        yield type_, [field for fields in type_["parts"].values() for field in fields]
+        for part, fields in type_["parts"].items():
+            yield (type_["kind"], _identity(type_), part), type_, fields
 
 
 def _identity(item):
-    names = (item["name"], item.get("was") or item["name"])
-    return item["id"] if item.get("id") in names else f"{item['name']}, which is new"
+    return item.get("id") or f"{item['name']}, which is new"
 
 
 def merged_spec(base, ours, theirs):
@@ -212,7 +231,11 @@ def pair_of_branches(random, laboratory, model, distro, counts, mutate=None, **o
     sides = []
     for number, (to, version) in enumerate(zip(distros, versions, strict=True), 1):
         about = (model, (distro, to), ("1.0.0", version), together, 1000 * number)
-        sides.append(grown(random, laboratory, spec, *about, **options))
+        side = grown(random, laboratory, spec, *about, **options)
+        if side and random.random() < 0.3:
+            about = (laboratory, side, model, to, version)
+            side = grown_again(random, *about, **options)
+        sides.append(side)
     if None in sides:
         return []
     new_spec = merged_spec(spec, *(side.pair.new_spec for side in sides))
@@ -225,12 +248,12 @@ def pair_of_branches(random, laboratory, model, distro, counts, mutate=None, **o
     renders = Renders(laboratory, model)
     dictionary = laboratory.models[model].dictionary
     joiner = Joining(None, ANSWERS, new, renders, dictionary, layout)
+    before = answers(laboratory, model, spec, distro, "1.0.0")
     joiner.commits = {
-        name: (side.edited.tree(), side.answers)
+        name: (side.edited.tree(), side.answers, [before["spec"], *side.contexts])
         for name, side in zip(("ours", "theirs"), sides, strict=True)
     }
-    before = answers(laboratory, model, spec, distro, "1.0.0")
-    joiner.commits["base"] = (together.tree(), before)
+    joiner.commits["base"] = (together.tree(), before, [before["spec"]])
     now = {SPEC: File(encode(specs.xml(new_spec, model)))}
     try:
         joined = joiner.join(Branches("ours", "theirs", ["base"]), now)
@@ -297,31 +320,17 @@ def judged(sides, joined, new_spec, fresh, together, counts):
 
 
 def seen_from(spec, new_spec):
-    """Return the new spec as an update from a branch's sees it: what it has done is done."""
+    """Return the new spec with the names before that things have on a branch."""
     new_spec = copy.deepcopy(new_spec)
-    known = {node["name"]: node for node in spec["nodes"]}
-    _settle(new_spec["nodes"], known)
-    for node in new_spec["nodes"]:
-        before = known.get(node.get("was") or node["name"], {"items": []})
-        _settle(node["items"], {item["name"]: item for item in before["items"]})
-    known = {(t["kind"], t["name"]): t["parts"] for t in spec.get("types", ())}
-    for type_ in new_spec.get("types", ()):
-        for part, fields in known.get((type_["kind"], type_["name"]), {}).items():
-            _settle(type_["parts"][part], {one["name"]: one for one in fields})
+    known = {}
+    for place, holder, items in _holders(spec):
+        known[place] = holder["name"]
+        known |= {(place, _identity(item)): item["name"] for item in items}
+    for place, holder, items in _holders(new_spec):
+        names = [known.get(place), *(known.get((place, _identity(item))) for item in items)]
+        for one, was in zip((holder, *items), names, strict=True):
+            one["was"] = was if was != one["name"] else None
     return new_spec
-
-
-def _settle(items, have):
-    """Forget what was renamed before, and whose name is another's now."""
-    renamed = [item for item in items if item.get("was")]
-    for item in renamed:
-        if have.get(item["name"], {}).get("was") == item["was"]:
-            item["was"] = None
-    done = {item["name"] for item in renamed if not item["was"]}
-    for item in renamed:
-        alike = [n for n, one in have.items() if one.get("was") == item["was"] and n not in done]
-        if item["was"] and alike and item["was"] not in {*have} - done:
-            item["was"] = alike[0]  # each developer has given it another name
 
 
 def _take_over_moves(part, other):

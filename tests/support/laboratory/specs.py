@@ -145,7 +145,8 @@ def _change(random, spec, how, callbacks_only):
     elif how == "reorder":
         random.shuffle(items)
     elif how == "replace" and free:
-        items[items.index(one)] = one | {"name": random.choice(free), "was": None}
+        name = random.choice(free)
+        items[items.index(one)] = one | {"name": name, "was": None, "id": None}
     elif how == "share":
         one["is_shared"] = not one["is_shared"]
     elif how == "retype":
