@@ -213,11 +213,19 @@ def as_parted(
 
 
 def _first_names(history: Sequence[Values], dictionary: Dictionary) -> dict[int, str]:
-    """Return, by the identity of an item of the last context, its name in the first one."""
-    names = {id(pair.after): pair.name for pair in _pairs(history[0], history[0], dictionary)}
-    for old, new in itertools.pairwise(history):
-        pairs = [*_pairs(old, new, dictionary)]
-        names = {id(p.after): names[id(p.before)] for p in pairs if id(p.before) in names}
+    """Return, by the identity of an item of the last context, its name in the first one.
+
+    One in between may lack an item, where the branch has merged another one later.
+    """
+    names: dict[int, str] = {}
+    for old, new in itertools.pairwise([history[0], *history]):
+        begun, gone_on = (
+            [p for p in _pairs(before, new, dictionary) if p.before and p.after]
+            for before in (history[0], old)
+        )
+        found = {id(pair.after): _name(pair.before or {}, pair.naming) for pair in begun}
+        found |= {id(p.after): names[id(p.before)] for p in gone_on if id(p.before) in names}
+        names = found
     return names
 
 

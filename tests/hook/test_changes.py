@@ -95,12 +95,22 @@ TO_B, TO_C = ("b", "T", "a"), ("c", "T", "b")
         ([A], [TO_B, ("a", "T", "b")], ("a", "T", "b"), []),
         ([("x", "T", "a")], [TO_B, ("a", "T", "b")], ("a", "T", "b"), ["> topic a on n, was x"]),
         ([], [A, TO_B], TO_B, ["+ topic b on n"]),
+        ([A], [None, A, TO_B, TO_C], TO_C, ["> topic c on n, was a"]),
+        (
+            [A],
+            [None, ("x", "T"), ("y", "T", "x")],
+            ("y", "T", "x"),
+            ["+ topic y on n", "- topic a on n"],
+        ),
     ],
 )
 def test_what_branches_have_renamed_more_than_once(dictionary, ours, theirs, new, said):
     """Each changes a topic step by step; what one has renamed is that which the other has."""
     base = spec(node("n", *([A] if ours else [])))
-    histories = [[base, *(spec(node("n", step)) for step in steps)] for steps in (ours, theirs)]
+    histories = [
+        [base, *(spec(node("n", *filter(None, [step]))) for step in steps)]
+        for steps in (ours, theirs)
+    ]
     contexts = as_parted(histories, spec(node("n", new)), dictionary)
     assert [*changes(*contexts, dictionary)] == said
 
