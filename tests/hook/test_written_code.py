@@ -12,7 +12,15 @@ from extensions.python import (
     refused_values,
     sort_imports,
 )
-from extensions.qos import qos_words, rclcpp_qos, rclpy_qos, rclpy_qos_names
+from extensions.qos import (
+    offering,
+    offers_times,
+    qos_words,
+    queue_size,
+    rclcpp_qos,
+    rclpy_qos,
+    rclpy_qos_names,
+)
 
 LENGTHS = {"fifty": 50, "forty": 40, "thirty": 30}
 """What stands for names of so many letters."""
@@ -447,13 +455,53 @@ def test_qos(topic, said, latched, queue, python, cpp):
 
 def test_qos_that_is_too_long_for_its_line():
     assert rclcpp_qos(LATCHED, 52).count("\n") == 0
-    assert rclcpp_qos(LATCHED, 54) == (
+    assert rclcpp_qos(LATCHED, 53) == (
         "rclcpp::QoS(1)"
-        + "".join(f"\n{' ' * 54}.{c}()" for c in ("best_effort", "transient_local"))
+        + "".join(f"\n{' ' * 53}.{c}()" for c in ("best_effort", "transient_local"))
     )
+    line = rclpy_qos({"depth": 1}, 0)
+    assert line == "QoSProfile(depth=1)"
+    assert rclpy_qos({"depth": 1}, 98 - len(line)) == line
+    assert rclpy_qos({"depth": 1}, 99 - len(line)).count("\n") == 2
     assert sorted(rclpy_qos_names([{}, LATCHED])) == [
         "DurabilityPolicy",
         "QoSProfile",
         "ReliabilityPolicy",
     ]
     assert rclpy_qos_names([{}]) == []
+
+
+LIVELINESS = {"liveliness": "manual_by_topic"}
+OFFERED = {"deadline": 0.5, "lifespan": 2.0, **LIVELINESS, "liveliness_lease_duration": 3.0}
+
+
+def test_what_a_publisher_offers_besides():
+    assert qos_words(OFFERED) == "deadline 0.5 s, lifespan 2 s, manual_by_topic, lease 3 s"
+    assert qos_words(OFFERED, ros=1) == rclpy_qos(OFFERED, 4) == rclcpp_qos(OFFERED, 4) == ""
+    for ros in (1, 2):  # the subscriber's node watches it
+        words = qos_words(OFFERED | {"depth": 1}, ros, publishes=False)
+        assert words == f"{'queue' if ros == 1 else 'depth'} 1, deadline 0.5 s"
+    assert rclpy_qos(OFFERED, 0, publishes=True) == (
+        "QoSProfile(\n    depth=10,\n    deadline=Duration(seconds=0.5),\n"
+        "    lifespan=Duration(seconds=2),\n"
+        "    liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,\n"
+        "    liveliness_lease_duration=Duration(seconds=3),\n)"
+    )
+    assert rclcpp_qos(OFFERED, 0, publishes=True).split("\n") == [
+        "rclcpp::QoS(10)",
+        ".deadline(rclcpp::Duration::from_seconds(0.5))",
+        ".lifespan(rclcpp::Duration::from_seconds(2))",
+        ".liveliness(rclcpp::LivelinessPolicy::ManualByTopic)",
+        ".liveliness_lease_duration(rclcpp::Duration::from_seconds(3))",
+    ]
+    assert offering([{}, OFFERED, {"liveliness": "automatic"}]) == [OFFERED]
+    assert [offers_times([each]) for each in ({}, LIVELINESS, OFFERED)] == [False, False, True]
+    assert sorted(rclpy_qos_names([], [LIVELINESS])) == ["LivelinessPolicy", "QoSProfile"]
+    assert rclpy_qos_names([{}], [{"deadline": 0.5}]) == ["QoSProfile"]
+    assert rclpy_qos_names([{"depth": 1}]) == ["QoSProfile"]
+
+
+def test_queue_of_ros1():
+    sizes = {"keep_all": 0, "system_default": 10, "keep_last": 10}
+    assert {word: queue_size({"history": word}) for word in sizes} == sizes
+    assert queue_size({"qos": "system_default"}) == 10
