@@ -152,7 +152,7 @@ class _Carrier:
         elif self._has_target(code, name):
             is_first = re.match(_KNOWN["first"], name)
             at = self._below_packages() if is_first else len(self.new)
-            while not is_first and re.match(_KNOWN["last"], self.new[at - 1].key):
+            while re.match(_KNOWN["last"], self.new[at - 1].key):
                 at -= 1
             self.new.insert(
                 at,

@@ -237,6 +237,11 @@ target_link_libraries(reach
     ${std_msgs_TARGETS}
 )
 
+target_link_libraries(${PROJECT_NAME}_interface
+  PUBLIC
+    ${std_msgs_TARGETS}
+)
+
 install(DIRECTORY config DESTINATION share/${PROJECT_NAME})
 
 if(BUILD_TESTING)
@@ -305,6 +310,9 @@ BUILT_1_TO_2 = """\
  )
    PUBLIC
 +    fmt
+     ${std_msgs_TARGETS}
+   PUBLIC
++    ${tf2_ros_TARGETS}
      ${std_msgs_TARGETS}
  install(DIRECTORY config DESTINATION share/${PROJECT_NAME})
 +target_compile_options(reach PRIVATE -O3)
@@ -381,7 +389,7 @@ BUILT_2_TO_1 = """\
 +  DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 
 """
-NUMBERS_2_TO_1 = [6, 7, 11, 13, 19, 24, 25, 28, 29, 31, 32, 33, 44]
+NUMBERS_2_TO_1 = [6, 7, 11, 13, 19, 24, 25, 28, 29, 31, 32, 33, 49]
 SETUP = """\
 from glob import glob
 from setuptools import setup
@@ -713,13 +721,20 @@ def test_what_the_developer_deleted_of_cmake_is_said():
     assert result.back == {path: ["add_executable reach"]}
 
 
+def test_cmake_of_which_one_parenthesis_would_come_is_left_to_the_merge():
+    path, mine = "CMakeLists.txt", PROPERTIES.replace("x\n", "x\n  Y (a\n    catkin b)\n")
+    old, new = {path: PACKAGES[1] + PROPERTIES}, {path: PACKAGES[2] + PROPERTIES}
+    result = built({path: PACKAGES[1] + mine}, old, new, 2)
+    assert (result.tree, result.carried) == ({}, {})
+
+
 def test_what_the_merge_said_of_files_that_are_carried():
     """That they conflict, say; and whose they are: their links and their own files stay."""
-    path, other, link = "CMakeLists.txt", "setup.py", File(b"elsewhere", "120000")
+    path, other, link = "setup.py", "CMakeLists.txt", File(b"elsewhere", "120000")
     result = Result(missing={path: [], other: []}, conflicts={path: [], other: []})
-    mine = {path: File(encode(CMAKE_1 + "run(x)\n")), other: link}
-    old = {path: File(encode(CMAKE_1)), other: File(encode(SETUP))}
-    new = {path: File(encode(CMAKE_2), "100755"), other: File(encode(SETUP + "\n"))}
+    mine = {path: File(encode(SETUP + "mine()\n")), other: link}
+    old = {path: File(encode(SETUP)), other: File(encode(CMAKE_1))}
+    new = {path: File(encode(SETUP), "100755"), other: File(encode(CMAKE_2))}
     carry_build_files(mine, old, new, Renaming(), result, 2)
     assert (list(result.tree), result.tree[path].mode) == ([path], "100755")
     assert (list(result.missing), list(result.conflicts)) == ([other], [other])
