@@ -453,6 +453,36 @@ def test_qos(topic, said, latched, queue, python, cpp):
     assert (rclpy_qos(topic, 4), rclcpp_qos(topic, 4)) == (python, cpp)
 
 
+@pytest.mark.parametrize(
+    ("topic", "cpp"),
+    [
+        (
+            {"qos": "best_available"},
+            "rclcpp::QoS(10).reliability_best_available().durability_best_available()",
+        ),
+        (
+            {"qos": "system_default", "reliability": "reliable", "durability": "volatile"},
+            "rclcpp::SystemDefaultsQoS().reliable().durability_volatile()",
+        ),
+        (
+            {"qos": "system_default", "depth": 3},
+            "rclcpp::QoS(3).reliability(rclcpp::ReliabilityPolicy::SystemDefault)"
+            ".durability(rclcpp::DurabilityPolicy::SystemDefault)"
+            ".history(rclcpp::HistoryPolicy::SystemDefault)",
+        ),
+        (
+            {"qos": "system_default", "history": "keep_last"},
+            "rclcpp::QoS(10).reliability(rclcpp::ReliabilityPolicy::SystemDefault)"
+            ".durability(rclcpp::DurabilityPolicy::SystemDefault)",
+        ),
+        ({"qos": "sensor_data", "reliability": "reliable"}, "rclcpp::QoS(5)"),
+        ({"history": "keep_all", "depth": 3}, "rclcpp::QoS(rclcpp::KeepAll())"),
+    ],
+)
+def test_qos_of_cpp(topic, cpp):
+    assert "".join(rclcpp_qos(topic, 4).split()) == cpp
+
+
 def test_qos_that_is_too_long_for_its_line():
     assert rclcpp_qos(LATCHED, 52).count("\n") == 0
     assert rclcpp_qos(LATCHED, 53) == (
