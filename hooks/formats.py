@@ -395,7 +395,6 @@ FORMATS: dict[str, Callable[[str], Any]] = {
 }
 """The names a dictionary may write after `format:`."""
 FORMATS_OF_ROS: dict[int, dict[str, Callable[[str], Any]]] = {
-    1: {},
     2: {
         "interface_name": _as_file(_interface_name),
         "field_name": _name(

@@ -14,7 +14,7 @@ LETTERS = "letters, digits and underscores, a letter first"
 SINGLE = "and single underscores, a letter first"
 TYPE = "allowed: package::Type, package/Type, package/msg/Type, such as std_msgs/String"
 FIELD = "allowed: a primitive type, Type, package::Type; [], [3] or [<=3] after it"
-TAKEN = '"for" is a keyword of Python and C++; choose another'
+TAKEN = '"for" is a keyword of Python and C++; choose another [reserved-name]'
 NAME = "a letter, then letters, digits and single underscores"
 
 
@@ -86,194 +86,242 @@ def test_value(format_, text, value):
 @pytest.mark.parametrize(
     ("format_", "text", "says"),
     [
-        ("raw", "a\x07", "U+0007 is a control character; drop it"),
-        ("raw", "\u2028", "U+2028 is a control character; drop it"),
-        ("raw", "\u202e", "U+202E is a control character; drop it"),
-        ("raw", "\ud800", "U+D800 is a control character; drop it"),
-        ("raw", "\uffff", "U+FFFF is no character; drop it"),
-        ("text", "\x07", "U+0007 is a control character; drop it"),
-        ("identifier", "a__b", f'"a__b" is not a valid name; allowed: {NAME}'),
-        ("identifier", "é", f'"é" is not a valid name; allowed: {NAME}'),
-        ("identifier", f"{LONG}a", f'"{"a" * 60}..." is too long; allowed: 100 characters'),
+        ("raw", "a\x07", "U+0007 is a control character; drop it [control-character]"),
+        ("raw", "\u2028", "U+2028 is a control character; drop it [control-character]"),
+        ("raw", "\u202e", "U+202E is a control character; drop it [control-character]"),
+        ("raw", "\ud800", "U+D800 is a control character; drop it [control-character]"),
+        ("raw", "\uffff", "U+FFFF is no character; drop it [control-character]"),
+        ("text", "\x07", "U+0007 is a control character; drop it [control-character]"),
+        ("identifier", "a__b", f'"a__b" is not a valid name; allowed: {NAME} [invalid-name]'),
+        ("identifier", "é", f'"é" is not a valid name; allowed: {NAME} [invalid-name]'),
+        (
+            "identifier",
+            f"{LONG}a",
+            f'"{"a" * 60}..." is too long; allowed: 100 characters [too-long]',
+        ),
         ("identifier", "for", TAKEN),
-        ("component_name", "CON", '"con" is a device of Windows; choose another'),
+        ("component_name", "CON", '"con" is a device of Windows; choose another [reserved-name]'),
         (
             "grouped_name",
             "a..b",
-            f'"a..b" is not a valid name; allowed: {NAME}; a "." between nested ones',
+            f'"a..b" is not a valid name; allowed: {NAME}; a "." between nested ones'
+            " [invalid-name]",
         ),
         ("grouped_name", "for", TAKEN),
         (
             "package_name",
             "a",
             '"a" is not a package name of REP 144; allowed: two or more of a-z, 0-9 and single'
-            " underscores, a letter first",
+            " underscores, a letter first [invalid-name]",
         ),
-        ("package_name", "os", '"os" is a module of Python; choose another'),
-        ("package_name", "nul", '"nul" is a device of Windows; choose another'),
-        ("file_name", "nul.txt", '"nul" is a device of Windows; choose another'),
+        ("package_name", "os", '"os" is a module of Python; choose another [reserved-name]'),
+        ("package_name", "nul", '"nul" is a device of Windows; choose another [reserved-name]'),
+        ("file_name", "nul.txt", '"nul" is a device of Windows; choose another [reserved-name]'),
         (
             "file_name",
             ".a",
             '".a" is not a file name; allowed: letters, digits, "_", "." and "-", no "." or "-"'
-            " first",
+            " first [invalid-name]",
         ),
         (
             "dependency",
             "1a",
             '"1a" is not a package name; allowed: one name of letters, digits and "_", a letter'
-            " first",
+            " first [invalid-name]",
         ),
-        ("email", "a@b", '"a@b" is not a mail address; allowed: name@host.domain'),
-        ("version", "1.02.0", '"1.02.0" is not a version; allowed: three numbers, such as 1.2.0'),
+        ("email", "a@b", '"a@b" is not a mail address; allowed: name@host.domain [invalid-value]'),
+        (
+            "version",
+            "1.02.0",
+            '"1.02.0" is not a version; allowed: three numbers, such as 1.2.0 [invalid-value]',
+        ),
         (
             "url",
             "ftp://a",
             '"ftp://a" is not an address of the web; allowed: https://host/path, without blanks'
-            " and quotes",
+            " and quotes [invalid-value]",
         ),
         (
             "ros_name",
             "a/1",
             '"a/1" is not a valid ROS name; allowed: letters, digits, single underscores and "/"'
-            ' between words that start with a letter, after "/" or "~/" if at all',
+            ' between words that start with a letter, after "/" or "~/" if at all [invalid-name]',
         ),
         ("ros_name", "~/for", TAKEN),
         (
             "message_type",
             "std_msgs/bool",
-            '"std_msgs/bool": a type begins with a capital; did you mean "std_msgs/Bool"?',
+            '"std_msgs/bool": a type begins with a capital; did you mean "std_msgs/Bool"?'
+            " [type-without-capital]",
         ),
         (
             "message_type",
             "String",
             '"String" is not a type; it lacks its package; did you mean "std_msgs::String"?'
-            f" {TYPE}",
+            f" {TYPE} [invalid-type]",
         ),
         (
             "message_type",
             "std_srvs/srv/Empty",
             '"std_srvs/srv/Empty" is the type of a service, where that of a message belongs;'
-            f" {TYPE}",
+            f" {TYPE} [invalid-type]",
         ),
         (
             "message_type",
             "std_msgs",
-            f'"std_msgs" is not a type; it names a package alone; {TYPE}',
+            f'"std_msgs" is not a type; it names a package alone; {TYPE} [invalid-type]',
         ),
         (
             "service_type",
             "a.b.c.d",
             '"a.b.c.d" is not a type; allowed: package::Type, package/Type, package/srv/Type,'
-            " such as std_srvs/Trigger",
+            " such as std_srvs/Trigger [invalid-type]",
         ),
         (
             "message_type",
             "std::string",
             '"std::string" is not a type; it lacks its package; did you mean "std_msgs::String"? '
-            f"{TYPE}",
+            f"{TYPE} [invalid-type]",
         ),
         ("message_type", "for::B", TAKEN),
-        ("message_type", "os::B", '"os" is a module of Python; choose another'),
-        ("message_type", "a::True", '"True" is a keyword of Python; choose another'),
+        ("message_type", "os::B", '"os" is a module of Python; choose another [reserved-name]'),
+        (
+            "message_type",
+            "a::True",
+            '"True" is a keyword of Python; choose another [reserved-name]',
+        ),
         (
             "stamped_type",
             "std_msgs::String",
-            '"std_msgs::String" has no header, and so no stamp; choose a type with one',
+            '"std_msgs::String" has no header, and so no stamp; choose a type with one'
+            " [type-without-stamp]",
         ),
-        ("field_type", "uint8[0]", '"uint8[0]": a size must be from 1 to 2147483647'),
-        ("field_type", "string<=0", '"string<=0": a size must be from 1 to 2147483647'),
+        (
+            "field_type",
+            "uint8[0]",
+            '"uint8[0]": a size must be from 1 to 2147483647 [invalid-type]',
+        ),
+        (
+            "field_type",
+            "string<=0",
+            '"string<=0": a size must be from 1 to 2147483647 [invalid-type]',
+        ),
         (
             "field_type",
             "uint8[2147483648]",
-            '"uint8[2147483648]": a size must be from 1 to 2147483647',
+            '"uint8[2147483648]": a size must be from 1 to 2147483647 [invalid-type]',
         ),
         (
             "field_type",
             "uint8[<=]",
-            f'"uint8[<=]" is not a field type; {FIELD}',
+            f'"uint8[<=]" is not a field type; {FIELD} [invalid-type]',
         ),
         (
             "field_type",
             "int8<=3",
-            f'"int8<=3": only a string has a bound; {FIELD}',
+            f'"int8<=3": only a string has a bound; {FIELD} [invalid-type]',
         ),
         (
             "field_type",
             "float",
-            f'"float" is no type of ROS; did you mean "float32"? {FIELD}',
+            f'"float" is no type of ROS; did you mean "float32"? {FIELD} [invalid-type]',
         ),
         (
             "field_type",
             "list(int)",
-            f'"list(int)" is not a field type; did you mean "int32[]"? {FIELD}',
+            f'"list(int)" is not a field type; did you mean "int32[]"? {FIELD} [invalid-type]',
         ),
         ("field_type", "for::A", TAKEN),
+        (
+            "field_type",
+            "a::srv::B",
+            '"a::srv::B" is the type of a service, where that of a message belongs;'
+            f" {TYPE} [invalid-type]",
+        ),
         (
             "number",
             "1,5",
             '"1,5" is not a number; did you mean "1.5"? allowed: a finite number without a unit,'
-            " such as 12.5",
+            " such as 12.5 [invalid-value]",
         ),
         (
             "number",
             "1_0",
-            '"1_0" is not a number; allowed: a finite number without a unit, such as 12.5',
+            '"1_0" is not a number; allowed: a finite number without a unit, such as 12.5'
+            " [invalid-value]",
         ),
         (
             "double",
             "1e-310",
-            f'"1e-310" is too small; allowed: 0, or at least {sys.float_info.min}',
+            f'"1e-310" is too small; allowed: 0, or at least {sys.float_info.min} [out-of-range]',
         ),
-        ("bool", "2", '"2" is not a bool; allowed: true, 1, yes, on, false, 0, no, off'),
-        ("int", "1.5", '"1.5" is not an int; allowed: a whole number, such as -3 or 0xff'),
+        (
+            "bool",
+            "2",
+            '"2" is not a bool; allowed: true, 1, yes, on, false, 0, no, off [invalid-value]',
+        ),
+        (
+            "int",
+            "1.5",
+            '"1.5" is not an int; allowed: a whole number, such as -3 or 0xff [invalid-value]',
+        ),
         (
             "int",
             "-010",
             '"-010" begins with 0, which C and YAML read in base 8, messages in base 10;'
-            " write -10, or 0o10 if it is octal",
+            " write -10, or 0o10 if it is octal [leading-zero]",
         ),
         (
             "int",
             "09",
-            '"09" begins with 0, which C and YAML read in base 8, messages in base 10; write 9',
+            '"09" begins with 0, which C and YAML read in base 8, messages in base 10; write 9'
+            " [leading-zero]",
         ),
         (
             "int",
             str(2**63),
-            f'"{2**63}" does not fit 64 bits; allowed: {-(2**63)} to {2**63 - 1}',
+            f'"{2**63}" does not fit 64 bits; allowed: {-(2**63)} to {2**63 - 1} [out-of-range]',
         ),
         (
             "interface_name",
             "1",
-            f'"1" is not a name of a type; allowed: {LETTERS}',
+            f'"1" is not a name of a type; allowed: {LETTERS} [invalid-name]',
         ),
-        ("interface_name", "True", '"True" is a keyword of Python; choose another'),
+        (
+            "interface_name",
+            "True",
+            '"True" is a keyword of Python; choose another [reserved-name]',
+        ),
         (
             "field_name",
             "1",
-            f'"1" is not a field name; allowed: {LETTERS}',
+            f'"1" is not a field name; allowed: {LETTERS} [invalid-name]',
         ),
         (
             "constant_name",
             "1",
-            f'"1" is not a constant name; allowed: {LETTERS}',
+            f'"1" is not a constant name; allowed: {LETTERS} [invalid-name]',
         ),
         (
             "ROS 2 interface_name",
             "A_b",
-            '"A_b" is not a name of a type; allowed: letters and digits, a capital first',
+            '"A_b" is not a name of a type; allowed: letters and digits, a capital first'
+            " [invalid-name]",
         ),
-        ("ROS 2 interface_name", "Con", '"con" is a device of Windows; choose another'),
+        (
+            "ROS 2 interface_name",
+            "Con",
+            '"con" is a device of Windows; choose another [reserved-name]',
+        ),
         (
             "ROS 2 field_name",
             "A",
-            f'"A" is not a field name; allowed: a-z, 0-9 {SINGLE}',
+            f'"A" is not a field name; allowed: a-z, 0-9 {SINGLE} [invalid-name]',
         ),
         (
             "ROS 2 constant_name",
             "a",
-            f'"a" is not a constant name; allowed: A-Z, 0-9 {SINGLE}',
+            f'"a" is not a constant name; allowed: A-Z, 0-9 {SINGLE} [invalid-name]',
         ),
     ],
 )
@@ -338,28 +386,32 @@ LIST = "allowed: a list such as [first, second]"
 @pytest.mark.parametrize(
     ("type_", "text", "says"),
     [
-        ("a/msg/B", "x", "no text is a value of a/msg/B; drop it"),
-        ("string<=2", "abc", '"abc" is too long for a string<=2'),
-        ("string<=2[]", "[ab, abc]", '"abc" is too long for a string<=2'),
-        ("float32", "3.5e38", "3.5e38 is no float32; allowed: up to 3.403e+38"),
-        ("byte", "256", "256 is no byte; allowed: -128 to 255"),
-        ("byte", "-129", "-129 is no byte; allowed: -128 to 255"),
-        ("char", "-1", "-1 is no char; allowed: 0 to 255"),
-        ("int16", "32768", "32768 is no int16; allowed: -32768 to 32767"),
-        ("uint32", "-1", f"-1 is no uint32; allowed: 0 to {2**32 - 1}"),
-        ("int[]", "1, 2", f'"1, 2" is not a int[]; {LIST}'),
-        ("int[]", "[[1]]", f'"[[1]]" is not a int[]; {LIST}'),
-        ("int[]", "[1", f'"[1" is not a int[]; {LIST}'),
-        ("int[]", "", f'"" is not a int[]; {LIST}'),
-        ("int[]", "{a: 1}", f'"{{a: 1}}" is not a int[]; {LIST}'),
-        ("int[]", "[1]\n---\n[2]", f'"[1]\\n---\\n[2]" is not a int[]; {LIST}'),
-        ("int[]", "[1, x]", '"x" is not an int; allowed: a whole number, such as -3 or 0xff'),
-        ("int[2]", "[1]", "1 values do not fit int[2]"),
-        ("int[<=2]", "[1, 2, 3]", "3 values do not fit int[<=2]"),
+        ("a/msg/B", "x", "no text is a value of a/msg/B; drop it [attribute-without-meaning]"),
+        ("string<=2", "abc", '"abc" is too long for a string<=2 [too-long]'),
+        ("string<=2[]", "[ab, abc]", '"abc" is too long for a string<=2 [too-long]'),
+        ("float32", "3.5e38", "3.5e38 is no float32; allowed: up to 3.403e+38 [out-of-range]"),
+        ("byte", "256", "256 is no byte; allowed: -128 to 255 [out-of-range]"),
+        ("byte", "-129", "-129 is no byte; allowed: -128 to 255 [out-of-range]"),
+        ("char", "-1", "-1 is no char; allowed: 0 to 255 [out-of-range]"),
+        ("int16", "32768", "32768 is no int16; allowed: -32768 to 32767 [out-of-range]"),
+        ("uint32", "-1", f"-1 is no uint32; allowed: 0 to {2**32 - 1} [out-of-range]"),
+        ("int[]", "1, 2", f'"1, 2" is not a int[]; {LIST} [invalid-value]'),
+        ("int[]", "[[1]]", f'"[[1]]" is not a int[]; {LIST} [invalid-value]'),
+        ("int[]", "[1", f'"[1" is not a int[]; {LIST} [invalid-value]'),
+        ("int[]", "", f'"" is not a int[]; {LIST} [invalid-value]'),
+        ("int[]", "{a: 1}", f'"{{a: 1}}" is not a int[]; {LIST} [invalid-value]'),
+        ("int[]", "[1]\n---\n[2]", f'"[1]\\n---\\n[2]" is not a int[]; {LIST} [invalid-value]'),
+        (
+            "int[]",
+            "[1, x]",
+            '"x" is not an int; allowed: a whole number, such as -3 or 0xff [invalid-value]',
+        ),
+        ("int[2]", "[1]", "1 values do not fit int[2] [invalid-value]"),
+        ("int[<=2]", "[1, 2, 3]", "3 values do not fit int[<=2] [invalid-value]"),
         (
             "string[]",
             f"[{'a' * 99_999}]",
-            "a list of 100001 characters is too long; allowed: 100000",
+            "a list of 100001 characters is too long; allowed: 100000 [too-long]",
         ),
     ],
 )
@@ -383,4 +435,4 @@ def format_named(name):
 def refusal(function, *arguments):
     with pytest.raises(SpecError) as raised:
         function(*arguments)
-    return raised.value.text
+    return str(raised.value)
