@@ -97,6 +97,29 @@ def test_python_that_is_too_long_is_folded_where_it_is_code():
         assert fold_python(f"f(\n{inside}{end}\n)\n") == f"f(\n{folded}{end}\n)\n"
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"x = = f({LONG}, {LONG})\n",
+        f'x = """\nf({LONG}, {LONG})\n"""\n',
+        f'x = """\nf({LONG}, {LONG})\n""", 1\n',
+    ],
+)
+def test_what_folding_would_change_stays(text):
+    assert fold_python(text) == text
+
+
+def test_python_that_just_fits_is_not_folded():
+    for letters, inside in ((88, "f({})"), (89, "f(\n        {}\n    )")):
+        name = "b" * letters
+        folded = f"g(\n    {LONG}\n    or {inside.format(name)},\n)\n"
+        assert fold_python(f"g(\n    {LONG} or f({name}),\n)\n") == folded
+    text = f'x: A[{LONG}] = [\n    """{LONG}""",\n]\n'
+    assert fold_python(text.replace("x", LONG)) == text.replace("x", LONG).replace(
+        f"A[{LONG}]", f"A[\n    {LONG}\n]"
+    )
+
+
 def test_only_python_without_a_frame_is_folded():
     layout = LayoutExtension(jinja2.Environment())
     assert layout.preprocess("x", "a.py.jinja") == "{% filter fold_python %}x{% endfilter %}"

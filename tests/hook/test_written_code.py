@@ -39,6 +39,7 @@ class Node:
 
     # A comment fifty forty thirty.
     # fiftyfiftyfifty
+    # A fifty word fifty-forty
     fifty_fifty = 1
     empty = [
     ]
@@ -62,7 +63,15 @@ class Node:
         forty += fifty.call(thirty)
         first(fifty, second(fifty), {'key': 'thirty'})
         fifty == call(forty, [1], thirty, x)
+        fifty.thirty = ['thirty', 1]
+        fifty(forty, thirty).call()
+        forty = thirty.forty.thirty(
+            forty,
+        )
         nested(
+            thirty + call(x=forty) + forty,
+            fifty and forty and thirty,
+            not fifty or forty and thirty,
             name=fifty.fifty,
             thirty=fifty.thirty,
             other=call(fifty + forty + thirty),
@@ -72,6 +81,10 @@ class Node:
             forty,
         )
         keyword(name=fifty, other=forty, more={})
+        named(
+            name=fifty + fifty,
+            other={'fifty': forty + forty},
+        )
         named(
             name=tuple(
                 self.get(fifty, thirty).value or ()
@@ -99,6 +112,8 @@ class Node:
     # A comment fifty
     # forty thirty.
     # fiftyfiftyfifty
+    # A fifty word
+    # fifty-forty
     fifty_fifty = 1  # noqa: E501
     empty = []
     fiftyfortyfifty: Sequence[  # noqa: E501
@@ -143,7 +158,25 @@ class Node:
         fifty == call(
             forty, [1], thirty, x
         )
+        fifty.thirty = [
+            'thirty',
+            1,
+        ]
+        fifty(
+            forty, thirty
+        ).call()
+        forty = thirty.forty.thirty(  # noqa: E501
+            forty,
+        )
         nested(
+            thirty
+            + call(x=forty)
+            + forty,
+            fifty
+            and forty
+            and thirty,
+            not fifty
+            or forty and thirty,
             name=fifty.fifty,  # noqa: E501
             thirty=(
                 fifty.thirty
@@ -162,6 +195,12 @@ class Node:
             name=fifty,
             other=forty,
             more={},
+        )
+        named(
+            name=fifty + fifty,  # noqa: E501
+            other={
+                'fifty': forty + forty,  # noqa: E501
+            },
         )
         named(
             name=tuple(
