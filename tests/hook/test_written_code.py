@@ -243,6 +243,17 @@ void thirtyImpl::fiftyabcdefghi()
 void thirtyImpl::fiftyabcdefghij()
 void fiftyabcdeImpl::thirtyabc()
 struct fortyData : fiftyData, thirtyData, fortyOther
+  using fiftyfifty = thirty::x;
+  const fiftyforty & thirty;
+  const fiftyfortyab & thirty;
+  const fiftyfortyabc & thirty;
+  fifty("forty \\" (, ", thirty_x);
+  fifty().forty_name_x(thirty_x);
+  fifty(thirty, {forty, thirty}, [](int a) {x;});
+  std::map<std::vector<fifty>, forty> call(thirty);
+  double fifty(int forty, thirty) const {return 1;}
+  // A fifty fifty-forty
+  x = fifty::forty::thirty;
 """
 FOLDED_CPP = """\
 // *INDENT-OFF*
@@ -330,6 +341,40 @@ thirtyabc()
 struct fortyData
   : fiftyData,
   thirtyData, fortyOther
+  using
+  fiftyfifty  // NOLINT(whitespace/line_length)
+    =
+    thirty::x;
+  const fiftyforty &
+  thirty;
+  const fiftyfortyab
+  & thirty;
+  const
+  fiftyfortyabc
+  & thirty;
+  fifty(
+    "forty \\" (, ",
+    thirty_x);
+  fifty().forty_name_x(  // NOLINT(whitespace/line_length)
+    thirty_x);
+  fifty(
+    thirty,
+    {forty, thirty},
+    [](int a) {x;});
+  std::map<std::vector<
+    fifty>, forty> call(  // NOLINT(whitespace/line_length)
+    thirty);
+  double fifty(
+    int forty,
+    thirty) const
+  {
+    return 1;
+  }
+  // A fifty
+  // fifty-forty
+  x =
+    fifty::forty::
+    thirty;
 """
 
 
