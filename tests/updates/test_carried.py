@@ -504,11 +504,18 @@ WITHIN = '  <node name="a">\n    <param name="p"/>\n  </node>\n'
 COMPOSABLE = WITHIN.replace("node", "composable_node").replace('a">', 'a" namespace="">')
 EMPTY = "  <group/>\n"
 GROUP = f'  <group if="x">\n  {NODE}  </group>\n'
+GROUP_WITH_OWN = GROUP.replace("  </", f"  {OWN}  </")
+IN_LINE = '  <node name="a"><param name="p"/></node>\n'
+REQUIRED = '  <node name="own" required="1"/>\n'
 SAID = "<!-- <b> -->"
 INCLUDE = """  <include file="$(find a)/a.launch">
     <arg name="x" value="y"/>
   </include>
 """
+PASSES = INCLUDE.replace("  </", '    <arg name="a" value="$(arg a)"/>\n  </')
+AGAIN = '  <include file="$(find a)/a.launch" if="1"/>\n'
+ALSO = '  <include file="$(find-pkg-share a)/a.launch.xml" if="1"/>\n'
+PASSED = '<arg name="a" value="$(var a)"/>'
 
 
 @pytest.mark.parametrize(
@@ -520,6 +527,7 @@ INCLUDE = """  <include file="$(find a)/a.launch">
         (2, NODE, f"{OWN}{NODE}", f"{NODE}{OTHER}", f"{NODE}{OTHER}{OWN}", {2: OWN}, []),
         # In a group or an include that is not there, around what is generated, with its own
         (2, GROUP, GROUP.replace("  <node", f"{OWN}  <node"), NODE, f"{NODE}{OWN}", {3: OWN}, []),
+        (1, GROUP, GROUP_WITH_OWN, GROUP, GROUP_WITH_OWN, {4: OWN}, []),
         (2, NODE, f"  <group>\n{NODE}{OWN}  </group>\n", NODE, f"{NODE}{OWN}", {4: OWN}, []),
         (
             2,
@@ -552,8 +560,23 @@ INCLUDE = """  <include file="$(find a)/a.launch">
             {2: 'output="log" namespace="x"', 4: '<remap from="b" to="c"/>'},
             [],
         ),
-        # What is there already
+        # What is there already, or only seems to be
+        (2, INCLUDE, f"{AGAIN}{INCLUDE}", INCLUDE, f"{INCLUDE}{ALSO}", {2: ALSO}, []),
         (2, OTHER, f"{OTHER}{NODE}", f"{NODE}{OTHER}", f"{NODE}{OTHER}", {3: NODE}, []),
+        # Of what is in the line of another element, and in one without an inside: nothing
+        (
+            2,
+            IN_LINE,
+            IN_LINE.replace('"a">', '"a" output="x">').replace("</", '<param name="q"/></'),
+            IN_LINE,
+            IN_LINE.replace('"a">', '"a" output="x">'),
+            {2: 'output="x"'},
+            [],
+        ),
+        (2, WITHIN, WITHIN.replace("  </", f"  {OWN}  </"), NODE, NODE, {}, []),
+        # Arguments for an include that it gets already
+        (2, INCLUDE, PASSES, INCLUDE, PASSES.replace("$(arg", "$(var"), {4: PASSED}, []),
+        (2, INCLUDE, PASSES, f"{ARG}{INCLUDE}", f"{ARG}{INCLUDE}", {4: PASSED}, []),
         # Attributes, in any quotes; not where the developer took some away
         (
             1,
@@ -569,6 +592,17 @@ INCLUDE = """  <include file="$(find a)/a.launch">
             [],
         ),
         (1, NODE, '  <node pkg="q" name="a"/>\n', NODE, NODE, {}, []),
+        (2, NODE, NODE.replace("output", 'required="1" output'), NODE, NODE, {}, []),
+        (2, NODE, f"{NODE}{REQUIRED}", NODE, NODE, {}, []),
+        (
+            2,
+            NODE,
+            NODE.replace("log", "x"),
+            NODE.replace('output="log"', 'args="a > b"'),
+            NODE.replace('output="log"', 'args="a > b" output="x"'),
+            {2: 'output="x"'},
+            [],
+        ),
         (
             2,
             NODE,
@@ -590,7 +624,7 @@ INCLUDE = """  <include file="$(find a)/a.launch">
             [],
         ),
         # What the developer deleted, by its name, as far as it is there
-        (2, NODE + OTHER, "", NODE + OTHER, NODE + OTHER, {}, ["node a", "node b"]),
+        (2, OTHER + NODE, "", NODE + OTHER, NODE + OTHER, {}, ["node a", "node b"]),
         (2, f"{NODE}{OTHER}{EMPTY}", "", f"{NODE}{EMPTY}", f"{NODE}{EMPTY}", {}, ["node a"]),
     ],
 )
