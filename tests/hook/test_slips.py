@@ -51,6 +51,14 @@ QUOTES = "after frequency= comes the value in quotes: frequency="
             "3: the value of frequency in line 2 is not closed; its quotes must be the same",
         ),
         (
+            ' frequency="10/> <node/>',
+            "2: the value of frequency in line 2 is not closed; its quotes must be the same",
+        ),
+        (
+            ' description="a\n  <node/>',
+            "3: the value of description in line 2 is not closed; its quotes must be the same",
+        ),
+        (
             " frequency='10\"/>",
             "3: the value of frequency in line 2 is not closed; its quotes must be the same",
         ),
@@ -71,7 +79,8 @@ QUOTES = "after frequency= comes the value in quotes: frequency="
         (" diagnostics/>", '2: an attribute has a value: diagnostics="..."'),
         (" diagnostics >", '2: an attribute has a value: diagnostics="..."'),
         (' frequency: "10"/>', '2: an attribute has a value: frequency="..."'),
-        (' frequency="10" / >', "2: / and > of /> stand together"),
+        *((f' frequency="10" /{x}>', "2: / and > of /> stand together") for x in (" ", "\n", "5")),
+        (' frequency="10"<x/>', "2: <node> of line 2 lacks its > or />"),
         (' frequency="10"', "3: <node> of line 2 lacks its > or />"),
         (' frequency="10"\n  <node name="m"/>', "3: <node> of line 2 lacks its > or />"),
         ("\n  <node/>", "3: <node> of line 2 lacks its > or />"),
@@ -122,6 +131,15 @@ def test_slip_in_a_tag(rest, says):
         ("<package></package></package>", "1: nothing may follow </package>"),
         ("<package/>\n</package>", "2: nothing may follow </package>"),
         ("<package></package", "1: </package> lacks its >"),
+        ("<package", "1: <package> of line 1 lacks its > or />"),
+        (
+            '\n<package name="a',
+            "2: the value of name in line 2 is not closed; its quotes must be the same",
+        ),
+        (
+            "</package>",
+            "1: after < comes the name of a tag, with no blank between; write < itself as &lt;",
+        ),
         (
             "<?xml version=1.0?><package/>",
             '1: after version= comes the value in quotes: version="1.0"',
