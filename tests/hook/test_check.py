@@ -19,6 +19,7 @@ arm_attributes:
       elsewhere: {speed: , hurry: mode="fast"}
       default: slow
   - gear: {format: int, above: 0, when: {mode: [fast]}, default: 3}
+  - moves: {format: bool, default: false}
   - low: {format: int, optional: true}
   - high: {format: int, minimum: low, optional: true}
   - note: {format: text, pattern: "[a-z ]*", reserved: [none], optional: true}
@@ -30,7 +31,10 @@ arm_interface:
     interface:
       bolt: {attributes: [name, {size: {format: int}}]}
   tool: {once: true, attributes: [kind]}
-  servo: {attributes: [name], requires: [rate, low]}
+  servo: {attributes: [name], requires: [rate, moves]}
+  directServo: [name]
+  dynText: {attributes: [name], requires: [moves]}
+  text: [name, {words: {format: raw}}]
   value:
     attributes:
       - name
@@ -48,14 +52,18 @@ message_interface:
 
 
 @pytest.fixture(scope="module")
-def said(tmp_path_factory):
+def values(tmp_path_factory):
     folder = tmp_path_factory.mktemp("model")
     (folder / "dictionary.yaml").write_text(DICTIONARY)
     model = Model(folder, folder)
+    return lambda spec: model.context(spec.encode(), "spec", "humble")
 
+
+@pytest.fixture
+def said(values):
     def run(spec):
         with pytest.raises(SpecError) as error:
-            model.context(spec.encode(), "spec", "humble")
+            values(spec)
         return str(error.value).replace("spec:", "")
 
     return run
@@ -204,12 +212,12 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a' side='left'/>",
             '2: <arm name="a">: unknown attribute "side"; it belongs to <joint>; allowed: '
-            "name, rate, mode, gear, low, high, note, was [unknown-attribute]",
+            "name, rate, mode, gear, moves, low, high, note, was [unknown-attribute]",
         ),
         (
             "<arm name='a' size='1'/>",
             '2: <arm name="a">: unknown attribute "size"; it belongs to <bolt>; allowed: '
-            "name, rate, mode, gear, low, high, note, was [unknown-attribute]",
+            "name, rate, mode, gear, moves, low, high, note, was [unknown-attribute]",
         ),
         (
             "<arm name='a' joint='x'/>",
@@ -219,7 +227,7 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a' nme='b'/>",
             '2: <arm name="a">: unknown attribute "nme"; did you mean "name"? allowed: name, '
-            "rate, mode, gear, low, high, note, was [unknown-attribute]",
+            "rate, mode, gear, moves, low, high, note, was [unknown-attribute]",
         ),
         (
             "<arm name='a' mode='best_available'/>",
@@ -233,13 +241,12 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a' mail='x'/>",
             '2: <arm name="a">: unknown attribute "mail"; it belongs to <package>; allowed: '
-            "name, rate, mode, gear, low, high, note, was [unknown-attribute]",
+            "name, rate, mode, gear, moves, low, high, note, was [unknown-attribute]",
         ),
         (
             "<arm name='a'>text</arm>",
             '2: <arm name="a">: text is not allowed here: "text"; it takes attributes: name, '
-            "rate, mode, gear, low, high, note; elements: joint, tool, servo, value, link "
-            "[text-not-allowed]",
+            "rate, mode, gear, moves, low, high, note [text-not-allowed]",
         ),
         (
             "<arm name='a'>// text</arm>",
@@ -276,7 +283,7 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a'><servo name='x'/></arm>",
             '2: <servo name="x">: its <arm> at line 2 must have the attribute "rate" (how '
-            'often) or "low" [owner-lacks-attribute]',
+            'often) or "moves", or use <directServo> [owner-lacks-attribute]',
         ),
         (
             "<arm name='a'><value name='x' type='int' value='y'/></arm>",
@@ -312,12 +319,13 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a'><hinge name='x'/></arm>",
             '2: <hinge name="x">: <hinge> is not known here; did you mean "joint"? allowed: '
-            "joint, tool, servo, value, link [unknown-tag]",
+            "joint, tool, servo, directServo, dynText, text, value, link [unknown-tag]",
         ),
         (
             "<arm name='a'><bolt name='x'/></arm>",
             '2: <bolt name="x">: <bolt> is not known here; it belongs inside <joint>; '
-            "allowed: joint, tool, servo, value, link [unknown-tag]",
+            "allowed: joint, tool, servo, directServo, dynText, text, value, link "
+            "[unknown-tag]",
         ),
         (
             "<arm name='a'><rate>1</rate></arm>",
@@ -330,7 +338,7 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a'><toll kind='x'/></arm>",
             '2: <toll kind="x">: <toll> is not known here; did you mean "tool"? allowed: '
-            "joint, tool, servo, value, link [unknown-tag]",
+            "joint, tool, servo, directServo, dynText, text, value, link [unknown-tag]",
         ),
         (
             "<arm name='a'><joint name='for' side='left'/></arm>",
@@ -356,8 +364,24 @@ def test_fault_of_a_package(said, spec, says):
             "[unknown-attribute]\n"
             '2: <joint name="a">: unknown attribute "y"; allowed: name, side, was '
             "[unknown-attribute]\n"
-            "3: <x>: <x> is not known here; allowed: joint, tool, servo, value, link "
-            "[unknown-tag]",
+            "3: <x>: <x> is not known here; allowed: joint, tool, servo, directServo, "
+            "dynText, text, value, link [unknown-tag]",
+        ),
+        (
+            "<arm name='a' moves='no'><dynText name='x'/></arm>",
+            '2: <dynText name="x">: its <arm> at line 2 must have the attribute "moves", or '
+            "use <text> [owner-lacks-attribute]",
+        ),
+        (
+            "<arm name='a'><value name='x' type='int'>3</value></arm>",
+            '2: <value name="x">: text is not allowed here: "3"; did you mean value="..."? '
+            "[text-not-allowed]",
+        ),
+        (
+            "<arm name='a'><tooo/><tool/></arm>",
+            '2: <tooo>: <tooo> is not known here; did you mean "tool"? allowed: joint, tool, '
+            "servo, directServo, dynText, text, value, link [unknown-tag]\n"
+            '2: <tool>: attribute "kind" is missing [missing-attribute]',
         ),
         (
             "<limb name='a'/>\n<arm name='A'/>",
@@ -379,7 +403,7 @@ def test_fault_of_a_package(said, spec, says):
             '2: <arm name="a">: mode: Humble has no "best_available"; ROS 2 has it since '
             "Iron [not-in-distro]\n"
             '2: <arm name="b">: unknown attribute "template"; it belongs to <package>; '
-            "allowed: name, rate, mode, gear, low, high, note, was [unknown-attribute]",
+            "allowed: name, rate, mode, gear, moves, low, high, note, was [unknown-attribute]",
         ),
         (
             "<message name='A'><field name='x' type='Bb'/></message>\n<message name='BB'/>",
@@ -419,3 +443,43 @@ def test_fault_of_a_package(said, spec, says):
 def test_fault_inside(said, inside, says):
     """The first line is that of the package."""
     assert said(f"<package name='pp'>\n{inside}</package>") == says
+
+
+def test_right_spec(values):
+    found = values("""<package name="pp">
+<limb name="my_arm" rate="1" mode=" s " low="3" high="3" note="">
+  <joint name="a" side="left" was="x"><bolt name="b" size="0x10"/></joint>
+  <tool kind="k"/>
+  <servo name="s"/>
+  <text name="t" words=""/>
+  <value name="v" type="string" list="[a, b]" value="b"/>
+  <link name="l" to="a"/>
+</limb>
+<arm name="other" moves="yes" mode="fast"><servo name="s"/><dynText name="t"/></arm>
+<folder name="f"/>
+<depend kind="exec">std_msgs</depend>
+</package>""")
+    first, other = found["arms"]
+    assert {key: each for key, each in first.items() if not isinstance(each, list)} == {
+        "tag": "arm",
+        "name": "my_arm",
+        "class_name": "MyArm",
+        "rate": 1.0,
+        "mode": "slow",
+        "gear": None,
+        "moves": False,
+        "low": 3,
+        "high": 3,
+        "note": "",
+        "tool": {"kind": "k"},
+    }
+    assert first["joints"] == [
+        {"name": "a", "side": "left", "was": "x", "bolts": [{"name": "b", "size": 16}]}
+    ]
+    assert first["values"] == [{"name": "v", "type": "string", "list": ["a", "b"], "value": "b"}]
+    assert (first["links"], first["texts"]) == (
+        [{"name": "l", "to": "a"}],
+        [{"name": "t", "words": ""}],
+    )
+    assert (other["gear"], other["moves"], other["tool"]) == (3, True, None)
+    assert (found["folders"], found["pairs"]) == ([{"name": "f"}], [])
