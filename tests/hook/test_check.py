@@ -40,10 +40,12 @@ arm_interface:
       - name
       - type: {choices: [int, string]}
       - list: {format: literal, of: type, several: true, optional: true}
-      - value: {format: literal, of: type, among: list}
+      - value: {format: literal, of: type, among: list, maximum: 9}
+  use: {takes: true, attributes: [name: {refers_to: group}]}
   link: {attributes: [name, {to: {refers_to: joint, whose: {side: [left]}}}]}
 pair_attributes: [name]
-pair_interface: {half: {attributes: [name], least: 2}}
+pair_interface: {half: {attributes: [name], least: 2, interface: {bolt: [name]}}}
+group_attributes: [name]
 folder_attributes: [name]
 message_attributes: [name: {format: interface_name, declares: msg}]
 message_interface:
@@ -103,13 +105,13 @@ def test_fault_of_a_package(said, spec, says):
     [
         (
             "<leg/>",
-            "2: <leg>: <leg> is not known here; allowed: arm, pair, folder, message, depend "
-            "[unknown-tag]",
+            "2: <leg>: <leg> is not known here; allowed: arm, pair, group, folder, message, "
+            "depend [unknown-tag]",
         ),
         (
             "<amr/>",
             '2: <amr>: <amr> is not known here; did you mean "arm"? allowed: arm, pair, '
-            "folder, message, depend [unknown-tag]",
+            "group, folder, message, depend [unknown-tag]",
         ),
         (
             "<arm name='a'/><depend x='y'>z</depend>",
@@ -139,8 +141,8 @@ def test_fault_of_a_package(said, spec, says):
         ),
         (
             "<arm name='a'/>\n<joint name='x'/>",
-            '3: <joint name="x">: <joint> is not known here; it belongs inside <arm>; '
-            "allowed: arm, pair, folder, message, depend [unknown-tag]",
+            '3: <joint name="x">: <joint> is not known here; it belongs inside <arm> or '
+            "<group>; allowed: arm, pair, group, folder, message, depend [unknown-tag]",
         ),
         (
             "<arm name='a'/>\n<mail>x</mail>",
@@ -222,7 +224,7 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a' joint='x'/>",
             '2: <arm name="a">: unknown attribute "joint"; it is an element: <joint> inside '
-            "<arm> [unknown-attribute]",
+            "<arm> or <group> [unknown-attribute]",
         ),
         (
             "<arm name='a' nme='b'/>",
@@ -319,12 +321,12 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a'><hinge name='x'/></arm>",
             '2: <hinge name="x">: <hinge> is not known here; did you mean "joint"? allowed: '
-            "joint, tool, servo, directServo, dynText, text, value, link [unknown-tag]",
+            "joint, tool, servo, directServo, dynText, text, value, use, link [unknown-tag]",
         ),
         (
             "<arm name='a'><bolt name='x'/></arm>",
             '2: <bolt name="x">: <bolt> is not known here; it belongs inside <joint>; '
-            "allowed: joint, tool, servo, directServo, dynText, text, value, link "
+            "allowed: joint, tool, servo, directServo, dynText, text, value, use, link "
             "[unknown-tag]",
         ),
         (
@@ -338,7 +340,7 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a'><toll kind='x'/></arm>",
             '2: <toll kind="x">: <toll> is not known here; did you mean "tool"? allowed: '
-            "joint, tool, servo, directServo, dynText, text, value, link [unknown-tag]",
+            "joint, tool, servo, directServo, dynText, text, value, use, link [unknown-tag]",
         ),
         (
             "<arm name='a'><joint name='for' side='left'/></arm>",
@@ -365,7 +367,21 @@ def test_fault_of_a_package(said, spec, says):
             '2: <joint name="a">: unknown attribute "y"; allowed: name, side, was '
             "[unknown-attribute]\n"
             "3: <x>: <x> is not known here; allowed: joint, tool, servo, directServo, "
-            "dynText, text, value, link [unknown-tag]",
+            "dynText, text, value, use, link [unknown-tag]",
+        ),
+        (
+            "<arm name='a'><use name='g' was='x'/></arm>\n<group name='g'><tooo/></group>",
+            '2: <use name="g">: unknown attribute "was"; allowed: name [unknown-attribute]\n'
+            '3: <tooo>: <tooo> is not known here; did you mean "tool"? allowed: joint, tool, '
+            "servo, directServo, dynText, text, value, link [unknown-tag]\n"
+            '3: <tooo> (used at line 2): <tooo> is not known here; did you mean "tool"? '
+            "allowed: joint, tool, servo, directServo, dynText, text, value, use, link "
+            "[unknown-tag]",
+        ),
+        (
+            "<arm name='a'><use name='h'/></arm>",
+            '2: <use name="h">: name: "h" is no <group> of this <package>; none is allowed '
+            "[unknown-reference]",
         ),
         (
             "<arm name='a' moves='no'><dynText name='x'/></arm>",
@@ -380,7 +396,7 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a'><tooo/><tool/></arm>",
             '2: <tooo>: <tooo> is not known here; did you mean "tool"? allowed: joint, tool, '
-            "servo, directServo, dynText, text, value, link [unknown-tag]\n"
+            "servo, directServo, dynText, text, value, use, link [unknown-tag]\n"
             '2: <tool>: attribute "kind" is missing [missing-attribute]',
         ),
         (

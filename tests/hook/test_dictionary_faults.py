@@ -324,6 +324,10 @@ def test_mistake_in_a_function(tmp_path, right, wrong, message):
             '1: a: the context needs the key "class_name"; rename it [reserved-name]',
         ),
         (
+            "a_interface: {b: [name]}\na_attributes: [name, bs]\n",
+            '1: a: the context needs the key "bs"; rename it [reserved-name]',
+        ),
+        (
             "a_attributes: [name, bs]\na_interface: {b: [name]}\n",
             '1: a: the context needs the key "bs"; rename it [reserved-name]',
         ),
@@ -432,3 +436,17 @@ def test_whole_message(tmp_path, dictionary, says):
     with pytest.raises(SpecError) as error:
         load(file, tmp_path)
     assert str(error.value) == f"{file}:{says}"
+
+
+def test_what_names_may_say(tmp_path):
+    file = tmp_path / "dictionary.yaml"
+    says = 'a: ["{name}"], in: package, ignore_case: true, ros: 1, parts: "/", reserved: ["{x}+"]'
+    file.write_text(f"a_attributes: [name]\nnames: {{files: {{{says}}}}}\n")
+    (scope,) = load(file, tmp_path).scopes
+    assert (scope.made_by, scope.owners, scope.reserved) == (
+        {"a": ["{name}"]},
+        ["package"],
+        ["{x}+"],
+    )
+    assert (scope.ignore_case, scope.ros, scope.parts) == (True, 1, "/")
+    assert scope.said_at == f"{file}:2"

@@ -149,6 +149,11 @@ def test_value(format_, text, value):
         ),
         ("ros_name", "~/for", TAKEN),
         (
+            "ros_name",
+            "co/await",
+            '"co_await" is a keyword of C++; choose another [reserved-name]',
+        ),
+        (
             "message_type",
             "std_msgs/bool",
             '"std_msgs/bool": a type begins with a capital; did you mean "std_msgs/Bool"?'
