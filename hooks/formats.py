@@ -81,7 +81,6 @@ def _as_file(format_: Callable[[str], str]) -> Callable[[str], str]:
         _free(name.partition(".")[0].lower(), DEVICES)
         return name
 
-    check.__doc__ = format_.__doc__
     return check
 
 
