@@ -108,7 +108,7 @@ class _Carrier:
             with contextlib.suppress(ForeignError):
                 if base is None and generated.isdisjoint(keys([block])):
                     self._insert(block, around, before, number)
-                elif base and block.lines != base.lines:
+                elif base:
                     self._set_attributes(block, base, number)
             if block.children:
                 inner = number + len(block.lines)

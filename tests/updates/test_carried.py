@@ -503,6 +503,11 @@ OWN = '  <node name="own"/>\n'
 WITHIN = '  <node name="a">\n    <param name="p"/>\n  </node>\n'
 COMPOSABLE = WITHIN.replace("node", "composable_node").replace('a">', 'a" namespace="">')
 EMPTY = "  <group/>\n"
+TURN = '    <remap from="b" to="c"/>\n'
+TURNED = COMPOSABLE.replace("  </", f"{TURN}  </")
+WITHIN_TURNED = WITHIN.replace("  </", f"{TURN}  </")
+WHERE = '  <node name="a" if="1"/>\n'
+DEFAULT = ARG.replace("/>", ' default="1"/>')
 GROUP = f'  <group if="x">\n  {NODE}  </group>\n'
 GROUP_WITH_OWN = GROUP.replace("  </", f"  {OWN}  </")
 IN_LINE = '  <node name="a"><param name="p"/></node>\n'
@@ -558,6 +563,26 @@ PASSED = '<arg name="a" value="$(var a)"/>'
             COMPOSABLE,
             COMPOSABLE.replace('""', '"x"').replace("  </", '    <remap from="b" to="c"/>\n  </'),
             {2: 'output="log" namespace="x"', 4: '<remap from="b" to="c"/>'},
+            [],
+        ),
+        (1, COMPOSABLE, TURNED, WITHIN, WITHIN_TURNED, {4: TURN}, []),
+        # What has the name and is another thing
+        (
+            2,
+            WHERE,
+            WHERE.replace("1", "2"),
+            f"{WHERE.replace('node', 'arg')}{WHERE}",
+            f"{WHERE.replace('node', 'arg')}{WHERE.replace('1', '2')}",
+            {2: 'if="2"'},
+            [],
+        ),
+        (
+            2,
+            ARG,
+            DEFAULT,
+            f"{ARG}{PASSES}",
+            f"{DEFAULT}{PASSES}",
+            {2: 'default="1"'},
             [],
         ),
         # What is there already, or only seems to be
@@ -836,6 +861,15 @@ def test_files_that_are_carried():
         f"launch/{arm}": ["launch/arm.launch"]
     }
     assert result.back == {"launch/arm.launch": BACK_2_TO_1}
+
+
+def test_launch_file_that_the_developer_has_already_stays():
+    old, mine = File(encode(LAUNCH_2)), File(encode(patched(LAUNCH_2, LAUNCH_2_TO_1)))
+    path, target = "arm.launch.xml", "arm.launch"
+    result = Result(tree={target: mine}, left=[path])
+    new = {target: File(encode(LAUNCH_1))}
+    carry_launch_files({path: mine}, {path: old}, new, Renaming(), result, 1)
+    assert (result.tree, result.carried) == ({target: mine}, {})
 
 
 def test_launch_file_that_is_no_xml_stays_behind():
