@@ -123,6 +123,9 @@ def test_python_that_just_fits_is_not_folded():
         name = "b" * letters
         folded = f"g(\n    {LONG}\n    or {inside.format(name)},\n)\n"
         assert fold_python(f"g(\n    {LONG} or f({name}),\n)\n") == folded
+    for letters, inside in ((95, "(\n    {}\n)"), (96, "{}  # noqa: E501")):
+        name = "b" * letters
+        assert fold_python(f"value = {name}\n") == f"value = {inside.format(name)}\n"
     text = f'x: A[{LONG}] = [\n    """{LONG}""",\n]\n'
     assert fold_python(text.replace("x", LONG)) == text.replace("x", LONG).replace(
         f"A[{LONG}]", f"A[\n    {LONG}\n]"

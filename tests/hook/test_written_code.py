@@ -54,6 +54,11 @@ class Node:
         86,
     )
 
+    forty: Sequence[int] = [fifty, thirty]
+
+    def thirty(self, forty: x[int], thirty: y[int]) -> None:
+        pass
+
     def fifty(self, forty: int, thirty) -> None:
         """Do it."""
         self.fifty = fifty.thirty
@@ -128,6 +133,18 @@ class Node:
     forty: Sequence[int] = (
         86,
     )
+
+    forty: Sequence[int] = [
+        fifty,
+        thirty,
+    ]
+
+    def thirty(
+        self,
+        forty: x[int],
+        thirty: y[int],
+    ) -> None:
+        pass
 
     def fifty(
         self, forty: int, thirty
