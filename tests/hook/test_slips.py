@@ -132,6 +132,7 @@ def test_slip_in_a_tag(rest, says):
         ("<package/>\n</package>", "2: nothing may follow </package>"),
         ("<package></package", "1: </package> lacks its >"),
         ("<package", "1: <package> of line 1 lacks its > or />"),
+        ("<package name=", '1: after name= comes the value in quotes: name="..."'),
         (
             '\n<package name="a',
             "2: the value of name in line 2 is not closed; its quotes must be the same",

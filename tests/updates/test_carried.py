@@ -872,6 +872,15 @@ def test_launch_file_that_the_developer_has_already_stays():
     assert (result.tree, result.carried) == ({target: mine}, {})
 
 
+def test_launch_file_that_is_a_link_now_has_nothing_to_carry():
+    path, target = "arm.launch.xml", "arm.launch"
+    new = {target: File(encode(LAUNCH_1))}
+    result = Result(tree=dict(new), left=[path])
+    mine, old = File(b"elsewhere", "120000"), File(encode(LAUNCH_2))
+    carry_launch_files({path: mine}, {path: old}, new, Renaming(), result, 1)
+    assert (result.tree, result.carried) == (new, {})
+
+
 def test_launch_file_that_is_no_xml_stays_behind():
     broken = {"arm.launch.xml": LAUNCH_2 + "<"}
     new = {"arm.launch": LAUNCH_1}
