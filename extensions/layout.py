@@ -216,7 +216,7 @@ def _value_in_parentheses(
     begin = f"{margin}{target}{sign}("
     can_fold = pair is not None and len(target) < pair[0] < _WIDTH - indent
     fits = pair is not None or indent + _STEP + len(value) <= _WIDTH
-    if not sign or can_fold or not fits or len(begin) > _WIDTH:
+    if can_fold or not fits or len(begin) > _WIDTH:
         return []
     return [begin, *_folded(value, indent + _STEP, False), f"{margin}){comma}"]
 

@@ -285,7 +285,7 @@ class _Checker:
                 continue
             if holder:
                 parts.setdefault(holder, set()).add(own)
-            if holder and holder in _reached(parts, own):
+            if holder in _reached(parts, own):
                 fault = f"{quoted(word)} would contain itself"
                 what = f"{name}: {fault}; choose another type"
                 self.fault(element, what, "recursive-type")

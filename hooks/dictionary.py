@@ -476,8 +476,9 @@ class _Reader:
         made_by = {tag: forms for tag, forms in item.items() if tag not in own}
         owners = item.get("in", Located(PACKAGE))
         owners = owners if isinstance(owners, list) else [owners]
-        for word, forms in {**made_by, "reserved": item.get("reserved", [])}.items():
-            self.check_shape(word, f"{place}: {word}", forms, list[str])
+        for word, forms in item.items():
+            if word not in own[:4]:
+                self.check_shape(word, f"{place}: {word}", forms, list[str])
         self.check_shape(label, f"{place}: in", owners, list[str])
         self.check_keys(place, {**made_by, **dict.fromkeys(owners)}, known)
         if item.get("ros") not in (None, 1, 2) or item.get("ignore_case") not in (

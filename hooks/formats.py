@@ -81,7 +81,6 @@ def _as_file(format_: Callable[[str], str]) -> Callable[[str], str]:
         _free(name.partition(".")[0].lower(), DEVICES)
         return name
 
-    check.__doc__ = format_.__doc__
     return check
 
 
@@ -395,7 +394,6 @@ FORMATS: dict[str, Callable[[str], Any]] = {
 }
 """The names a dictionary may write after `format:`."""
 FORMATS_OF_ROS: dict[int, dict[str, Callable[[str], Any]]] = {
-    1: {},
     2: {
         "interface_name": _as_file(_interface_name),
         "field_name": _name(

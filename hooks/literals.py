@@ -101,7 +101,7 @@ for _bits in (8, 16, 32, 64):
 
 def _items(value: str) -> Iterator[str]:
     """Yield the values of one YAML list, which has no other inside."""
-    events = yaml.parse(value, Loader=yaml.SafeLoader)
+    events = yaml.parse(value)
     kinds = [yaml.StreamStartEvent, yaml.DocumentStartEvent, yaml.SequenceStartEvent]
     if not all(isinstance(next(events), kind) for kind in kinds):
         raise ValueError

@@ -81,9 +81,7 @@ class _Types:
         attributes = [*kind.attributes.values(), *([NAME_BEFORE] if kind.can_be_renamed else [])]
         content = _content(attributes, elements)
         same = [known for known, other in self.contents.items() if other == content]
-        if same:
-            del self.contents[name]
-        else:
+        if not same:
             self.contents[name] = content
         doc = kind.doc if isinstance(kind, Interface) else ""
         return _tag("element", _note(doc), name=tag, type=(same or [name])[0])

@@ -176,7 +176,7 @@ def _tag(
     examples = {}
     for attribute in attributes:
         example = Template(str(attribute.example)).safe_substitute(sources or {})
-        if example or not attribute.optional:
+        if (example or not attribute.optional) and not attribute.ignored:
             examples[attribute.name] = example or attribute.name
     return tag_lines(tag, examples, indent, end)
 

@@ -94,7 +94,7 @@ def _in_tag(before: str, after: str) -> str | None:
         return _no_end(before, tag)
     if found := re.search(r"\s([\w.-]+):?\s*$", rest):
         return f'an attribute has a value: {found[1]}="..."'
-    return None
+    return None if sign else _no_end(before, tag)
 
 
 def _in_value(before: str, tag: str, start: str, after: str) -> str:

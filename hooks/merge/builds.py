@@ -18,7 +18,7 @@ from .lines import plain, split
 from .matching import match
 from .package import Result
 from .renaming import Renaming
-from .tree import LINK, File, Tree, encode
+from .tree import File, Tree, encode
 
 _KNOWN = load_data("builds.yaml")
 _CMAKE, _SETUP = "CMakeLists.txt", "setup.py"
@@ -47,7 +47,7 @@ def carry_build_files(
         path
         for path in (_CMAKE, _SETUP)
         if path in mine and path in old and mine[path] != old[path]
-        if mine[path].mode != LINK and mine[path].text is not None
+        if mine[path].text is not None
     ]
     files = {path: new[path] for path in (_CMAKE, _SETUP) if path in new}
     try:
@@ -121,7 +121,7 @@ class _Carrier:
         there = {block.key: block for block in new}
         for block in mine:
             base = known.get(block.key)
-            if base is None and is_top and generated.isdisjoint(keys([block])):
+            if is_top and generated.isdisjoint(keys([block])):
                 self._command(block, number)
             elif base and block.children and block.key in there:
                 inner = number + len(block.lines)
@@ -150,13 +150,10 @@ class _Carrier:
             if installed and (entry := self._as_entry(installed)):
                 self._note(number, block.text, entry)
         elif self._has_target(code, name):
-            last = [i for i, b in enumerate(self.new) if b.key.startswith("find_package")]
-            at = max(last, default=-1) + 1
-            if not re.match(_KNOWN["first"], name):
-                at = len(self.new)
-                while at and re.match(_KNOWN["last"], self.new[at - 1].key):
-                    at -= 1
             is_first = re.match(_KNOWN["first"], name)
+            at = self._below_packages() if is_first else len(self.new)
+            while re.match(_KNOWN["last"], self.new[at - 1].key):
+                at -= 1
             self.new.insert(
                 at,
                 Block(
@@ -170,12 +167,13 @@ class _Carrier:
     def _list(self, block: Block, number: int) -> None:
         """Put the items of a list of the developer's into the one that stands for it."""
         frame = re.compile(r"\w+\(|FILES|\)")
-        for i, line in enumerate(split(block.text)):
+        lines = list(enumerate(split(block.text), number))
+        for i, line in lines:
             if not frame.fullmatch(line.strip()):
-                self._item(block.key, line, "", "", number + i, self.new)
-        for i, line in enumerate(split(block.text)):
+                self._item(block.key, line, "", "", i, self.new)
+        for i, line in lines if any(i in self.lines for i, _ in lines) else ():
             if frame.fullmatch(line.strip()):
-                self._note(number + i, line, "(")
+                self._note(i, line, "(")
 
     def _has_target(self, code: str, name: str) -> bool:
         """Say whether the target that a command is about is there."""
@@ -205,14 +203,15 @@ class _Carrier:
             prefix = folder if self.ros == 1 else ""
             if key == source and item.startswith(prefix) and item.endswith(f".{folder[:-1]}"):
                 name = folder + item if self.ros == 2 else item.removeprefix(folder)
-                self._listed(target, name, f".{folder[:-1]}")
-                self._note(number, line, name)
+                if self._listed(target, name, f".{folder[:-1]}"):
+                    self._note(number, line, name)
                 return
         if key.startswith(_DEPENDENCIES[3 - self.ros]):
             self._dependency(key, item, number, line)
-        elif key == "find_package catkin" and self.ros == 2 and re.fullmatch(r"\w+", item):
-            self._package(item)
-            self._note(number, line, f"find_package({item} REQUIRED)")
+        elif key == "find_package catkin" and self.ros == 2:
+            if self.has_cmake and re.fullmatch(r"\w+", item):
+                self._package(item)
+                self._note(number, line, f"find_package({item} REQUIRED)")
         elif key.startswith(("target_link_libraries", "add_executable", "add_library")):
             self._part(key, item, number, line)
         elif re.search(_KNOWN["foreign"][3 - self.ros], self._translated(item)):
@@ -270,25 +269,32 @@ class _Carrier:
                 self._note(number, line, item)
                 return
 
-    def _listed(self, key: str, name: str, suffix: str) -> None:
-        """Put a file into the list of those like it; without a list, make one."""
+    def _listed(self, key: str, name: str, suffix: str) -> bool:
+        """Put a file into the list of those like it; without a list, make one if it has a use."""
         command = next((block for block in self.new if block.key == key), None)
         if command is None:
-            at = next(i for i, b in enumerate(self.new) if b.key.startswith("generate_messages"))
+            users = (i for i, b in enumerate(self.new) if b.key.startswith("generate_messages"))
+            if (at := next(users, None)) is None:
+                return False
             start = key.replace(" ", "(\n  ")
             self.new.insert(at, Block(key, [f"\n{start}\n", f"    {name}\n", ")\n"]))
-            return
+            return True
         last = [i for i, line in enumerate(command.lines) if line.strip().endswith(suffix)]
         at = last[-1] if last else _index_of(command.lines, key.split()[0])
         margin = re.match(r" *", command.lines[at])[0] if last else "  "  # type: ignore[index]
         command.lines.insert(at + 1, f"{margin}{name}\n")
+        return True
+
+    def _below_packages(self) -> int:
+        return max(i for i, b in enumerate(self.new) if b.key.startswith("find_package")) + 1
 
     def _package(self, name: str) -> None:
         """Find a package, and link every target of a node with it, as catkin does."""
-        last = [i for i, block in enumerate(self.new) if block.key.startswith("find_package")]
         key = f"find_package {name}"
         if not any(block.key == key for block in self.new):
-            self.new.insert(last[-1] + 1, Block(key, [f"find_package({name} REQUIRED)\n"]))
+            self.new.insert(
+                self._below_packages(), Block(key, [f"find_package({name} REQUIRED)\n"])
+            )
             for command in self.new:
                 public = _index(command.lines, "  PUBLIC\n")
                 if command.key.startswith("target_link_libraries ${PROJECT_NAME}_") and public:
@@ -320,8 +326,7 @@ class _Carrier:
         return self._in_setup(f"('{base}/' + package_name, [{listed}]),")
 
     def _in_setup(self, entry: str) -> str:
-        start = _index_of(self.setup, "data_files=[")
-        end = next(i for i, line in enumerate(self.setup) if i > start and line == "    ],\n")
+        end = self.setup.index("    ],\n", _index_of(self.setup, "data_files=["))
         self.setup.insert(end, f"        {entry}\n")
         return entry
 

@@ -53,7 +53,7 @@ def carry_launch_files(
     """Carry what the developer wrote into the launch files that a ROS, `ros`, calls otherwise."""
     before, after = (_KNOWN["suffixes"][n] for n in (3 - ros, ros))
     for path in result.left:
-        if not path.endswith(before) or path not in old:
+        if path not in old:
             continue
         target = renaming.path(path).removesuffix(before) + after
         if target not in new or result.tree.get(target) != new[target]:
@@ -108,7 +108,7 @@ class _Carrier:
             with contextlib.suppress(ForeignError):
                 if base is None and generated.isdisjoint(keys([block])):
                     self._insert(block, around, before, number)
-                elif base and block.lines != base.lines:
+                elif base:
                     self._set_attributes(block, base, number)
             if block.children:
                 inner = number + len(block.lines)
@@ -184,7 +184,8 @@ class _Carrier:
                     text = _with_attribute(text, name, value)
             same.lines = split(text)
         for i, line in enumerate(block.lines if found else ()):
-            new = [f"{n}={v}" for name, (n, v) in changed.items() if name in _attributes(line)]
+            given = {name for name, _, _ in _ATTRIBUTE.findall(_COMMENT.sub("", line))}
+            new = [f"{n}={v}" for name, (n, v) in changed.items() if name in given]
             if new:
                 self.lines[number + i] = tuple(new)
 
@@ -263,14 +264,19 @@ def _file(value: str, ros: int) -> str:
 
 
 def _attributes(text: str) -> dict[str, str]:
-    return {name: value for name, _, value in _ATTRIBUTE.findall(_COMMENT.sub("", text))}
+    """Return those of an element, and not those of others in its line."""
+    tag = _TAG.search(_COMMENT.sub("", text))
+    return {name: value for name, _, value in _ATTRIBUTE.findall(tag["inside"])} if tag else {}
 
 
 def _with_attribute(text: str, name: str, value: str) -> str:
     """Return an element, below its comments, with an attribute in the place of the one it has."""
     *comments, text = re.split(r"(?<=-->)", text)
-    above = "".join(comments)
     form = rf"""(?<=\s){re.escape(name)}\s*=\s*("[^"]*"|'[^']*')"""
-    if re.search(form, text):
-        return above + re.sub(form, lambda _: f"{name}={value}", text, count=1)
-    return above + re.sub(r"\s*(/?>)", lambda m: f" {name}={value}{m[1]}", text, count=1)
+
+    def tag(match: re.Match[str]) -> str:
+        if re.search(form, match[0]):
+            return re.sub(form, lambda _: f"{name}={value}", match[0])
+        return re.sub(r"\s*(/?>)$", lambda m: f" {name}={value}{m[1]}", match[0])
+
+    return "".join(comments) + _TAG.sub(tag, text, count=1)

@@ -4,6 +4,7 @@ import re
 
 import pytest
 
+from hooks.dictionary import load
 from hooks.faults import SpecError
 from hooks.model import Model
 from support.repository import ROOT
@@ -164,3 +165,288 @@ def test_mistake_in_a_function(tmp_path, right, wrong, message):
     functions = (STARTER / "functions.py").read_text().replace(right, wrong, 1)
     found = faults(tmp_path, (STARTER / "dictionary.yaml").read_text(), functions)
     assert found.startswith(message)
+
+
+@pytest.mark.parametrize(
+    ("dictionary", "says"),
+    [
+        ("- a\n", " must be a mapping with package_attributes and <tag>_interface [wrong-shape]"),
+        ("", " must be a mapping with package_attributes and <tag>_interface [wrong-shape]"),
+        ("include: x.yaml\n", "1: include: x.yaml: no such file; a model needs it [no-such-file]"),
+        (
+            "a_attributes: [name]\ninclude:\n- dictionary.yaml\n",
+            "3: include: dictionary.yaml includes this file itself; drop one [circular-include]",
+        ),
+        (
+            "a_atributes: []\n",
+            '1: unknown key "a_atributes"; did you mean "package_attributes"? allowed: '
+            "<component>_attributes, <component>_interface, aliases, definitions, holders, "
+            "include, names, package_attributes, skeleton [unknown-key]",
+        ),
+        ("a_attributes: x\n", "1: a: the attributes must be a list [wrong-shape]"),
+        ("a_attributes:\n- [x]\n", "1: a: ['x'] must be a name or a mapping [wrong-shape]"),
+        (
+            "a_attributes:\n- 3x\n",
+            "2: a: '3x' is no name; allowed: letters, digits and underscores, a letter "
+            "first [invalid-name]",
+        ),
+        (
+            "a_attributes:\n- name\n- name\n",
+            '3: a: attribute "name" is there twice, first at line 2; keep one [key-twice]',
+        ),
+        (
+            "a_attributes:\n- name: text\n",
+            "2: a name: 'text' must be a mapping of what it is [wrong-shape]",
+        ),
+        (
+            "a_attributes:\n- name: {choices: []}\n",
+            "2: a name: choices must be words, in quotes where YAML reads something else, "
+            'such as "on" [wrong-shape]',
+        ),
+        (
+            "a_attributes:\n- name: {choices: [[x]]}\n",
+            "2: a name: choices: [['x']] must be a list [wrong-shape]",
+        ),
+        (
+            "a_attributes:\n- name: {elsewhere: x}\n",
+            "2: a name: elsewhere: 'x' must be a list, or a mapping [wrong-shape]",
+        ),
+        (
+            "a_attributes:\n- name: {format: literal}\n",
+            "2: a name: a literal needs of: the attribute that names its type [missing-key]",
+        ),
+        (
+            "a_attributes:\n- name: {declares: x}\n",
+            '2: a name: declares: unknown kind of type "x"; allowed: msg, srv, action '
+            "[unknown-word]",
+        ),
+        (
+            "a_attributes:\n- name: {pattern: '('}\n",
+            "2: a name: pattern: '(' is no regular expression: missing ), unterminated "
+            "subpattern at position 0 [not-a-pattern]",
+        ),
+        (
+            "a_attributes:\n- name: {pattern: a+, default: b}\n",
+            '2: a name: default: "b" does not match the pattern a+ [pattern-mismatch]',
+        ),
+        (
+            "a_attributes:\n- name: {format: bool, default: 'true'}\n",
+            "2: a name: default: write true, without quotes [wrong-shape]",
+        ),
+        (
+            "a_attributes:\n- name: {format: int, example: x}\n",
+            '2: a name: example: "x" is not an int; allowed: a whole number, such as -3 or '
+            "0xff [invalid-value]",
+        ),
+        (
+            "a_attributes:\n- name: {choices: [x], default: y}\n",
+            '2: a name: default: unknown choice "y"; allowed: x [unknown-word]',
+        ),
+        (
+            "a_attributes:\n- name: {same_as: other}\n- other\n",
+            '2: a name: same_as: unknown attribute above it "other"; none is allowed '
+            "[unknown-word]",
+        ),
+        (
+            "a_attributes:\n- name: {among: name}\n",
+            '2: a name: among: unknown attribute above it "name"; none is allowed [unknown-word]',
+        ),
+        (
+            "a_attributes:\n- name: {format: literal, of: x}\n",
+            '2: a name: of: unknown attribute above it "x"; none is allowed [unknown-word]',
+        ),
+        (
+            "a_attributes:\n- name: {maximum: mst}\n- most\n",
+            '2: a name: unknown attribute of <a> "mst"; did you mean "most"? allowed: '
+            "name, most [unknown-word]",
+        ),
+        (
+            "a_attributes:\n- name: {when: {other: [y]}}\n- other: {choices: [x]}\n",
+            '2: a name: when: unknown word of "other" "y"; allowed: x [unknown-word]',
+        ),
+        (
+            "a_attributes:\n- name: {when: {x: [y]}}\n",
+            '2: a name: unknown attribute of <a> "x"; allowed: name [unknown-word]',
+        ),
+        (
+            "a_attributes:\n- name: {refers_to: x}\na_interface: {b: [name]}\n",
+            '2: a name: unknown tag to refer to "x"; allowed: a, b [unknown-word]',
+        ),
+        (
+            "package_attributes:\n- name: {refers_to: b}\na_interface: {b: {once: true}}\n",
+            '2: package name: unknown tag to refer to "b"; allowed: a [unknown-word]',
+        ),
+        (
+            "a_interface: x\n",
+            "1: a_interface: 'x' must be a mapping of interface kinds [wrong-shape]",
+        ),
+        (
+            "a_interface:\n  b: 3\n",
+            "2: b: must be a list of attributes, or a mapping of attributes, doc, "
+            "elsewhere, requires, once, least, most, takes, interface [wrong-shape]",
+        ),
+        (
+            "a_interface:\n  b: {attribute: []}\n",
+            "2: b: must be a list of attributes, or a mapping of attributes, doc, "
+            "elsewhere, requires, once, least, most, takes, interface [wrong-shape]",
+        ),
+        (
+            "a_interface:\n  b c: []\n",
+            "2: interface kinds: 'b c' is no name; allowed: letters, digits and "
+            "underscores, a letter first [invalid-name]",
+        ),
+        (
+            "a_interface:\n  b: []\n",
+            "2: b: has no attributes to tell one from another; it needs once [missing-key]",
+        ),
+        (
+            "a_interface:\n  b: {attributes: [x], most: x}\n",
+            "2: b: most: 'x' must be a whole number [wrong-shape]",
+        ),
+        (
+            "a_interface:\n  b: {attributes: [x], requires: y}\na_attributes: [name, z]\n",
+            '2: b: requires "y", which is no attribute of <a>; allowed: name, z [unknown-word]',
+        ),
+        (
+            "a_interface:\n  b: {attributes: [x], doc: 3}\n",
+            "2: b: doc: 3 must be a text [wrong-shape]",
+        ),
+        (
+            "a_interface:\n  b:\n    attributes: [cs]\n    interface: {c: [x]}\n",
+            '2: b: the context needs the key "cs"; rename it [reserved-name]',
+        ),
+        (
+            "a_interface:\n  b: {attributes: [x], interface: {c: []}}\n",
+            "2: c: has no attributes to tell one from another; it needs once [missing-key]",
+        ),
+        (
+            "a_attributes: [class_name]\na_interface: {}\n",
+            '1: a: the context needs the key "class_name"; rename it [reserved-name]',
+        ),
+        (
+            "a_interface: {b: [name]}\na_attributes: [name, bs]\n",
+            '1: a: the context needs the key "bs"; rename it [reserved-name]',
+        ),
+        (
+            "a_attributes: [name, bs]\na_interface: {b: [name]}\n",
+            '1: a: the context needs the key "bs"; rename it [reserved-name]',
+        ),
+        (
+            "package_attributes: [ros]\n",
+            '1: package: the context needs the key "ros"; rename it [reserved-name]',
+        ),
+        (
+            "package_attributes: [name, as]\na_attributes: [name]\n",
+            '1: package: the context needs the key "as"; rename it [reserved-name]',
+        ),
+        ("skeleton: x\n", "1: skeleton: 'x' must be a list of texts [wrong-shape]"),
+        (
+            "skeleton: [b]\na_interface: {c: [name]}\n",
+            '1: skeleton: unknown interface kind "b"; allowed: c [unknown-word]',
+        ),
+        ("holders: x\n", "1: holders: 'x' must be a list of texts [wrong-shape]"),
+        ("aliases: x\n", "1: aliases: 'x' must be a mapping of texts [wrong-shape]"),
+        (
+            "aliases: {x: y}\na_attributes: [name]\n",
+            '1: aliases: x: unknown component tag "y"; allowed: a, depend [unknown-word]',
+        ),
+        (
+            "aliases: {a: depend}\na_attributes: [name]\n",
+            '1: aliases: "a" is a tag itself; choose another [reserved-name]',
+        ),
+        (
+            "aliases: {depend: a}\na_attributes: [name]\n",
+            '1: aliases: "depend" is a tag itself; choose another [reserved-name]',
+        ),
+        ("names: x\n", "1: names: 'x' must be a mapping [wrong-shape]"),
+        (
+            "names:\n  x: y\n",
+            "2: names: x: must be a mapping with lists of names, or in and a tag [wrong-shape]",
+        ),
+        (
+            "names:\n  x: {a: y}\na_attributes: [name]\n",
+            "2: names: x: must be a mapping with lists of names, or in and a tag [wrong-shape]",
+        ),
+        (
+            "names:\n  x: {b: [y]}\na_attributes: [name]\n",
+            '2: names: x: unknown key "b"; allowed: a, package [unknown-key]',
+        ),
+        (
+            "names:\n  x: {in: b}\na_attributes: [name]\n",
+            '2: names: x: unknown key "b"; allowed: a, package [unknown-key]',
+        ),
+        (
+            "names:\n  x: {in: [3]}\na_attributes: [name]\n",
+            "2: names: x: in: [3] must be a list of texts [wrong-shape]",
+        ),
+        (
+            "names:\n  x: {a: [3]}\na_attributes: [name]\n",
+            "2: names: x: a: [3] must be a list of texts [wrong-shape]",
+        ),
+        (
+            "names:\n  x: {ros: 3}\n",
+            "2: names: x: ros must be 1 or 2, ignore_case true or false [wrong-shape]",
+        ),
+        (
+            "names:\n  x: {ignore_case: 3}\n",
+            "2: names: x: ros must be 1 or 2, ignore_case true or false [wrong-shape]",
+        ),
+        ("names:\n  x: {parts: 3}\n", "2: names: x: parts: 3 must be a text [wrong-shape]"),
+        (
+            "names:\n  x: {reserved: ['(']}\n",
+            "2: names: x: '(' is no regular expression: missing ), unterminated subpattern "
+            "at position 0 [not-a-pattern]",
+        ),
+        (
+            "names:\n  x: {reserved: [3]}\n",
+            "2: names: x: reserved: [3] must be a list of texts [wrong-shape]",
+        ),
+        (
+            "a_interface:\n  b: {takes: true, attributes: [x]}\n",
+            "2: b: what a kind takes is named by refers_to of its first attribute [wrong-takes]",
+        ),
+        (
+            "a_interface:\n"
+            "  b: {takes: true, attributes: [x: {refers_to: c}]}\n"
+            "c_interface: {d: [x]}\n",
+            "2: b: takes <c>, which has an interface of its own; it needs c_attributes "
+            "alone [wrong-takes]",
+        ),
+        (
+            "a_interface:\n"
+            "  b:\n"
+            "    attributes: [x]\n"
+            "    interface: {c: {takes: true, attributes: [x: {refers_to: d}]}}\n"
+            "d_attributes: [name]\n",
+            "4: c: only a kind of a component takes [wrong-takes]",
+        ),
+        (
+            "a_interface:\n"
+            "  b: {takes: true, attributes: [x: {refers_to: d}]}\n"
+            "  e: [x, d]\n"
+            "d_attributes: [name]\n",
+            '3: e: the context needs the key "d"; rename it [reserved-name]',
+        ),
+    ],
+)
+def test_whole_message(tmp_path, dictionary, says):
+    """With its line and its id; no more of the dictionary than it takes."""
+    file = tmp_path / "dictionary.yaml"
+    file.write_text(dictionary)
+    with pytest.raises(SpecError) as error:
+        load(file, tmp_path)
+    assert str(error.value) == f"{file}:{says}"
+
+
+def test_what_names_may_say(tmp_path):
+    file = tmp_path / "dictionary.yaml"
+    says = 'a: ["{name}"], in: package, ignore_case: true, ros: 1, parts: "/", reserved: ["{x}+"]'
+    file.write_text(f"a_attributes: [name]\nnames: {{files: {{{says}}}}}\n")
+    (scope,) = load(file, tmp_path).scopes
+    assert (scope.made_by, scope.owners, scope.reserved) == (
+        {"a": ["{name}"]},
+        ["package"],
+        ["{x}+"],
+    )
+    assert (scope.ignore_case, scope.ros, scope.parts) == (True, 1, "/")
+    assert scope.said_at == f"{file}:2"

@@ -33,6 +33,9 @@ from extensions.paths import PathsExtension, all_of, value_of
             (["a" * 50, "b" * 37], 5),
             f"(\n         '{'a' * 50}',\n         '{'b' * 37}',\n     )",
         ),
+        (python.zero_value, ("string",), ""),
+        (python.zero_value, ("double",), 0.0),
+        (python.zero_value, ("bool[]",), []),
         (python.cfg_value, (["a" * 50, "b" * 36],), f"('{'a' * 50}', '{'b' * 36}')"),
         (python.python_text, ("it's 'so' \"\\", 0), "\"it's 'so' \\\"\\\\\""),
         (python.python_text, ("a" * 96, 0, 1), f"'{'a' * 96}'"),
@@ -56,7 +59,13 @@ from extensions.paths import PathsExtension, all_of, value_of
         (cpp.cpp_header, ("a/msg/PoseXY", 1), "a/PoseXY.h"),
         (cpp.cpp_header, ("a/action/Move", 1), "a/MoveAction.h"),
         (cpp.cpp_guard, ("all_kinds/goal.hpp",), "ALL_KINDS__GOAL_HPP_"),
-        (cpp.cpp_comment, ("// TODO\n// a\\\n// b??/",), "// todo\n// a\\.\n// b??/."),
+        (cpp.cpp_comment, ("// a\\\n// TODO\n// b??/",), "// a\\.\n// todo\n// b??/."),
+        (
+            cpp.sort_includes,
+            ('#include <b>\nx\n#include "z.hpp"\n#include <a>\n#include "y.hpp"\n#include <b>\n',),
+            '#include <a>\n#include <b>\n\n#include "y.hpp"\n#include "z.hpp"\n',
+        ),
+        (cpp.sort_includes, ('#include "z.hpp"',), '#include "z.hpp"\n'),
         (text.wrap, ("a b  c", "# ", 6), "# a b\n# c"),
         (text.wrap, ("abcdefghi", "# ", 6), "# abcd\n# efgh\n# i"),
         (text.wrap, ("\u4e2d\u4e2d\u4e2d", "# ", 6), "# \u4e2d\u4e2d\n# \u4e2d"),
@@ -95,6 +104,32 @@ def test_python_that_is_too_long_is_folded_where_it_is_code():
     folded = f"    {LONG}=(\n        {LONG}(\n            1,\n        )\n    )"
     for end in ("", ",", ",\n    c=2,"):
         assert fold_python(f"f(\n{inside}{end}\n)\n") == f"f(\n{folded}{end}\n)\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"x = = f({LONG}, {LONG})\n",
+        f'x = """\nf({LONG}, {LONG})\n"""\n',
+        f'x = """\nf({LONG}, {LONG})\n""", 1\n',
+    ],
+)
+def test_what_folding_would_change_stays(text):
+    assert fold_python(text) == text
+
+
+def test_python_that_just_fits_is_not_folded():
+    for letters, inside in ((88, "f({})"), (89, "f(\n        {}\n    )")):
+        name = "b" * letters
+        folded = f"g(\n    {LONG}\n    or {inside.format(name)},\n)\n"
+        assert fold_python(f"g(\n    {LONG} or f({name}),\n)\n") == folded
+    for letters, inside in ((95, "(\n    {}\n)"), (96, "{}  # noqa: E501")):
+        name = "b" * letters
+        assert fold_python(f"value = {name}\n") == f"value = {inside.format(name)}\n"
+    text = f'x: A[{LONG}] = [\n    """{LONG}""",\n]\n'
+    assert fold_python(text.replace("x", LONG)) == text.replace("x", LONG).replace(
+        f"A[{LONG}]", f"A[\n    {LONG}\n]"
+    )
 
 
 def test_only_python_without_a_frame_is_folded():

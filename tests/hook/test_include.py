@@ -2,6 +2,7 @@
 
 import pytest
 
+from hooks.dictionary import load
 from hooks.faults import SpecError
 from hooks.model import Model
 
@@ -77,9 +78,22 @@ def test_mappings_and_lists_are_added_to(model):
     assert list(part.interfaces) == ["port", "hole"]
     assert part.interfaces["port"].attributes["at"].reserved == ["nowhere"]
     assert dictionary.skeleton == ["port"]
+    assert dictionary.naming == "title"
     (pin,) = dictionary.scopes
     assert pin.reserved == ["gnd", "vcc"]
     assert pin.made_by == {"port": ["{at}", "{at}_one", "{at}_two"]}
+
+
+def test_of_a_list_and_a_mapping_the_own_one_counts(tmp_path):
+    (tmp_path / "base.yaml").write_text("a_interface: {b: [x], c: {attributes: [x], doc: d}}\n")
+    own = tmp_path / "dictionary.yaml"
+    own.write_text("include: base.yaml\na_interface: {b: {attributes: [y]}, c: [y]}\n")
+    kinds = load(own, tmp_path).components["a"].interfaces
+    assert {kind: list(each.attributes) for kind, each in kinds.items()} == {
+        "b": ["y"],
+        "c": ["y"],
+    }
+    assert kinds["c"].doc == ""
 
 
 def test_functions_come_along(model):

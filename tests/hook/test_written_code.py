@@ -12,7 +12,15 @@ from extensions.python import (
     refused_values,
     sort_imports,
 )
-from extensions.qos import qos_words, rclcpp_qos, rclpy_qos, rclpy_qos_names
+from extensions.qos import (
+    offering,
+    offers_times,
+    qos_words,
+    queue_size,
+    rclcpp_qos,
+    rclpy_qos,
+    rclpy_qos_names,
+)
 
 LENGTHS = {"fifty": 50, "forty": 40, "thirty": 30}
 """What stands for names of so many letters."""
@@ -31,6 +39,7 @@ class Node:
 
     # A comment fifty forty thirty.
     # fiftyfiftyfifty
+    # A fifty word fifty-forty
     fifty_fifty = 1
     empty = [
     ]
@@ -45,6 +54,11 @@ class Node:
         86,
     )
 
+    forty: Sequence[int] = [fifty, thirty]
+
+    def thirty(self, forty: x[int], thirty: y[int]) -> None:
+        pass
+
     def fifty(self, forty: int, thirty) -> None:
         """Do it."""
         self.fifty = fifty.thirty
@@ -54,7 +68,15 @@ class Node:
         forty += fifty.call(thirty)
         first(fifty, second(fifty), {'key': 'thirty'})
         fifty == call(forty, [1], thirty, x)
+        fifty.thirty = ['thirty', 1]
+        fifty(forty, thirty).call()
+        forty = thirty.forty.thirty(
+            forty,
+        )
         nested(
+            thirty + call(x=forty) + forty,
+            fifty and forty and thirty,
+            not fifty or forty and thirty,
             name=fifty.fifty,
             thirty=fifty.thirty,
             other=call(fifty + forty + thirty),
@@ -64,6 +86,10 @@ class Node:
             forty,
         )
         keyword(name=fifty, other=forty, more={})
+        named(
+            name=fifty + fifty,
+            other={'fifty': forty + forty},
+        )
         named(
             name=tuple(
                 self.get(fifty, thirty).value or ()
@@ -91,6 +117,8 @@ class Node:
     # A comment fifty
     # forty thirty.
     # fiftyfiftyfifty
+    # A fifty word
+    # fifty-forty
     fifty_fifty = 1  # noqa: E501
     empty = []
     fiftyfortyfifty: Sequence[  # noqa: E501
@@ -105,6 +133,18 @@ class Node:
     forty: Sequence[int] = (
         86,
     )
+
+    forty: Sequence[int] = [
+        fifty,
+        thirty,
+    ]
+
+    def thirty(
+        self,
+        forty: x[int],
+        thirty: y[int],
+    ) -> None:
+        pass
 
     def fifty(
         self, forty: int, thirty
@@ -135,7 +175,25 @@ class Node:
         fifty == call(
             forty, [1], thirty, x
         )
+        fifty.thirty = [
+            'thirty',
+            1,
+        ]
+        fifty(
+            forty, thirty
+        ).call()
+        forty = thirty.forty.thirty(  # noqa: E501
+            forty,
+        )
         nested(
+            thirty
+            + call(x=forty)
+            + forty,
+            fifty
+            and forty
+            and thirty,
+            not fifty
+            or forty and thirty,
             name=fifty.fifty,  # noqa: E501
             thirty=(
                 fifty.thirty
@@ -154,6 +212,12 @@ class Node:
             name=fifty,
             other=forty,
             more={},
+        )
+        named(
+            name=fifty + fifty,  # noqa: E501
+            other={
+                'fifty': forty + forty,  # noqa: E501
+            },
         )
         named(
             name=tuple(
@@ -196,6 +260,17 @@ void thirtyImpl::fiftyabcdefghi()
 void thirtyImpl::fiftyabcdefghij()
 void fiftyabcdeImpl::thirtyabc()
 struct fortyData : fiftyData, thirtyData, fortyOther
+  using fiftyfifty = thirty::x;
+  const fiftyforty & thirty;
+  const fiftyfortyab & thirty;
+  const fiftyfortyabc & thirty;
+  fifty("forty \\" (, ", thirty_x);
+  fifty().forty_name_x(thirty_x);
+  fifty(thirty, {forty, thirty}, [](int a) {x;});
+  std::map<std::vector<fifty>, forty> call(thirty);
+  double fifty(int forty, thirty) const {return 1;}
+  // A fifty fifty-forty
+  x = fifty::forty::thirty;
 """
 FOLDED_CPP = """\
 // *INDENT-OFF*
@@ -283,6 +358,40 @@ thirtyabc()
 struct fortyData
   : fiftyData,
   thirtyData, fortyOther
+  using
+  fiftyfifty  // NOLINT(whitespace/line_length)
+    =
+    thirty::x;
+  const fiftyforty &
+  thirty;
+  const fiftyfortyab
+  & thirty;
+  const
+  fiftyfortyabc
+  & thirty;
+  fifty(
+    "forty \\" (, ",
+    thirty_x);
+  fifty().forty_name_x(  // NOLINT(whitespace/line_length)
+    thirty_x);
+  fifty(
+    thirty,
+    {forty, thirty},
+    [](int a) {x;});
+  std::map<std::vector<
+    fifty>, forty> call(  // NOLINT(whitespace/line_length)
+    thirty);
+  double fifty(
+    int forty,
+    thirty) const
+  {
+    return 1;
+  }
+  // A fifty
+  // fifty-forty
+  x =
+    fifty::forty::
+    thirty;
 """
 
 
@@ -312,6 +421,7 @@ def test_comments_of_cpp():
     [
         ('it\'s "a"', 0, 0, "'it\\'s \"a\"'"),
         ("it's", 0, 0, '"it\'s"'),
+        ("\\'", 0, 0, '"\\\\\'"'),
         ("x" * 91, 4, 2, f"'{'x' * 91}'"),
         ("x" * 92, 4, 2, f"(\n        '{'x' * 89}'\n        'xxx'\n    )"),
         ("日" * 50, 4, 0, f"(\n        '{'日' * 44}'\n        '{'日' * 6}'\n    )"),
@@ -344,7 +454,7 @@ def test_literal_of_a_cfg_file():
         (("bool", True), [False]),
         (("string", "a", None, None, ["a", "b", "c"]), ["b", "c"]),
         (("string",), ["other", "another"]),
-        (("int[]", [1]), [[0]]),
+        (("int[]", [1, 5]), [[0]]),
         (("int[]",), [[1]]),
         (("int", 2**62), [0, 1]),
         (("int", 10**18), [0, 1]),
@@ -445,15 +555,85 @@ def test_qos(topic, said, latched, queue, python, cpp):
     assert (rclpy_qos(topic, 4), rclcpp_qos(topic, 4)) == (python, cpp)
 
 
+@pytest.mark.parametrize(
+    ("topic", "cpp"),
+    [
+        (
+            {"qos": "best_available"},
+            "rclcpp::QoS(10).reliability_best_available().durability_best_available()",
+        ),
+        (
+            {"qos": "system_default", "reliability": "reliable", "durability": "volatile"},
+            "rclcpp::SystemDefaultsQoS().reliable().durability_volatile()",
+        ),
+        (
+            {"qos": "system_default", "depth": 3},
+            "rclcpp::QoS(3).reliability(rclcpp::ReliabilityPolicy::SystemDefault)"
+            ".durability(rclcpp::DurabilityPolicy::SystemDefault)"
+            ".history(rclcpp::HistoryPolicy::SystemDefault)",
+        ),
+        (
+            {"qos": "system_default", "history": "keep_last"},
+            "rclcpp::QoS(10).reliability(rclcpp::ReliabilityPolicy::SystemDefault)"
+            ".durability(rclcpp::DurabilityPolicy::SystemDefault)",
+        ),
+        ({"qos": "sensor_data", "reliability": "reliable"}, "rclcpp::QoS(5)"),
+        ({"history": "keep_all", "depth": 3}, "rclcpp::QoS(rclcpp::KeepAll())"),
+    ],
+)
+def test_qos_of_cpp(topic, cpp):
+    assert "".join(rclcpp_qos(topic, 4).split()) == cpp
+
+
 def test_qos_that_is_too_long_for_its_line():
     assert rclcpp_qos(LATCHED, 52).count("\n") == 0
-    assert rclcpp_qos(LATCHED, 54) == (
+    assert rclcpp_qos(LATCHED, 53) == (
         "rclcpp::QoS(1)"
-        + "".join(f"\n{' ' * 54}.{c}()" for c in ("best_effort", "transient_local"))
+        + "".join(f"\n{' ' * 53}.{c}()" for c in ("best_effort", "transient_local"))
     )
+    line = rclpy_qos({"depth": 1}, 0)
+    assert line == "QoSProfile(depth=1)"
+    assert rclpy_qos({"depth": 1}, 98 - len(line)) == line
+    assert rclpy_qos({"depth": 1}, 99 - len(line)).count("\n") == 2
     assert sorted(rclpy_qos_names([{}, LATCHED])) == [
         "DurabilityPolicy",
         "QoSProfile",
         "ReliabilityPolicy",
     ]
     assert rclpy_qos_names([{}]) == []
+
+
+LIVELINESS = {"liveliness": "manual_by_topic"}
+OFFERED = {"deadline": 0.5, "lifespan": 2.0, **LIVELINESS, "liveliness_lease_duration": 3.0}
+
+
+def test_what_a_publisher_offers_besides():
+    assert qos_words(OFFERED) == "deadline 0.5 s, lifespan 2 s, manual_by_topic, lease 3 s"
+    assert qos_words(OFFERED, ros=1) == rclpy_qos(OFFERED, 4) == rclcpp_qos(OFFERED, 4) == ""
+    for ros in (1, 2):  # the subscriber's node watches it
+        words = qos_words(OFFERED | {"depth": 1}, ros, publishes=False)
+        assert words == f"{'queue' if ros == 1 else 'depth'} 1, deadline 0.5 s"
+    assert rclpy_qos(OFFERED, 0, publishes=True) == (
+        "QoSProfile(\n    depth=10,\n    deadline=Duration(seconds=0.5),\n"
+        "    lifespan=Duration(seconds=2),\n"
+        "    liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,\n"
+        "    liveliness_lease_duration=Duration(seconds=3),\n)"
+    )
+    assert rclcpp_qos(OFFERED, 0, publishes=True).split("\n") == [
+        "rclcpp::QoS(10)",
+        ".deadline(rclcpp::Duration::from_seconds(0.5))",
+        ".lifespan(rclcpp::Duration::from_seconds(2))",
+        ".liveliness(rclcpp::LivelinessPolicy::ManualByTopic)",
+        ".liveliness_lease_duration(rclcpp::Duration::from_seconds(3))",
+    ]
+    assert offering([{}, OFFERED, {"liveliness": "automatic"}]) == [OFFERED]
+    assert [offers_times([each]) for each in ({}, LIVELINESS, OFFERED)] == [False, False, True]
+    assert sorted(rclpy_qos_names([], [LIVELINESS])) == ["LivelinessPolicy", "QoSProfile"]
+    assert rclpy_qos_names([{}], [{"deadline": 0.5}]) == ["QoSProfile"]
+    assert rclpy_qos_names([{"depth": 1}]) == ["QoSProfile"]
+
+
+def test_queue_of_ros1():
+    sizes = {"keep_all": 0, "system_default": 10, "keep_last": 10}
+    assert {word: queue_size({"history": word}) for word in sizes} == sizes
+    assert queue_size({"qos": "system_default"}) == 10

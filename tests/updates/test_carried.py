@@ -237,6 +237,11 @@ target_link_libraries(reach
     ${std_msgs_TARGETS}
 )
 
+target_link_libraries(${PROJECT_NAME}_interface
+  PUBLIC
+    ${std_msgs_TARGETS}
+)
+
 install(DIRECTORY config DESTINATION share/${PROJECT_NAME})
 
 if(BUILD_TESTING)
@@ -305,6 +310,9 @@ BUILT_1_TO_2 = """\
  )
    PUBLIC
 +    fmt
+     ${std_msgs_TARGETS}
+   PUBLIC
++    ${tf2_ros_TARGETS}
      ${std_msgs_TARGETS}
  install(DIRECTORY config DESTINATION share/${PROJECT_NAME})
 +target_compile_options(reach PRIVATE -O3)
@@ -381,7 +389,7 @@ BUILT_2_TO_1 = """\
 +  DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 
 """
-NUMBERS_2_TO_1 = [6, 7, 11, 13, 19, 24, 25, 28, 29, 31, 32, 33, 44]
+NUMBERS_2_TO_1 = [6, 7, 11, 13, 19, 24, 25, 28, 29, 31, 32, 33, 49]
 SETUP = """\
 from glob import glob
 from setuptools import setup
@@ -395,6 +403,8 @@ def installed(folder):
 
 setup(
     name=package_name,
+    classifiers=[
+    ],
     data_files=[
         ('share/' + package_name, ['package.xml']),
         *installed('config'),
@@ -405,7 +415,9 @@ PYTHON_CMAKE = """\
 cmake_minimum_required(VERSION 3.10)
 project(arm)
 
-find_package(catkin REQUIRED)
+find_package(catkin REQUIRED
+  COMPONENTS
+)
 
 catkin_python_setup()
 catkin_package()
@@ -416,19 +428,28 @@ install(DIRECTORY
 )
 """
 PYTHON_1_TO_2 = """\
+   COMPONENTS
++  tf2_ros
+ )
      config
 +    urdf
++    PATTERN
++    "*.in" EXCLUDE
    DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}
  )
-+install(FILES plugin.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
++install(FILES plugin.xml a.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
++install(FILES ${files} DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
++install(FILES elsewhere DESTINATION etc)
 +install(PROGRAMS scripts/tool DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-+install(DIRECTORY meshes DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
++install(DIRECTORY tools DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
++install(DIRECTORY meshes/ DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
++install(DIRECTORY two folders DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 +add_library(x x.cpp)
 """
 SET_UP_1_TO_2 = """\
          *installed('config'),
 +        *installed('urdf'),
-+        ('share/' + package_name, ['plugin.xml']),
++        ('share/' + package_name, ['plugin.xml', 'a.xml']),
 +        ('lib/' + package_name, ['scripts/tool']),
 +        *installed('meshes'),
      ],
@@ -438,7 +459,9 @@ PYTHON_2_TO_1 = """\
 +        *installed('urdf'),
 +        ('lib/' + package_name, ['scripts/tool']),
 +        ('share/' + package_name + '/meshes', glob('meshes/*')),
-+        ('share/' + package_name, ['plugin.xml']),
++        ('share/' + package_name + '/one', ['one/file']),
++        ('lib/' + package_name + '/tools', glob('tools/*')),
++        ('share/' + package_name, ['plugin.xml', 'a.xml']),
 +        mine(),
      ],
 """
@@ -449,7 +472,7 @@ SET_UP_2_TO_1 = """\
    DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}
  )
 +
-+install(FILES plugin.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
++install(FILES plugin.xml a.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 +
 +install(PROGRAMS scripts/tool DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 """
@@ -470,6 +493,173 @@ def test_launch_files(ros):
     carried = carry(XML.blocks(mine), XML.blocks(old), new, ros)
     assert changes(new, carried.text) == expected
     assert sorted(carried.lines) == lines
+    assert carried.back == back
+
+
+ARG = '  <arg name="a"/>\n'
+NODE = '  <node pkg="p" name="a" output="log"/>\n'
+OTHER = NODE.replace('"a"', '"b"')
+OWN = '  <node name="own"/>\n'
+WITHIN = '  <node name="a">\n    <param name="p"/>\n  </node>\n'
+COMPOSABLE = WITHIN.replace("node", "composable_node").replace('a">', 'a" namespace="">')
+EMPTY = "  <group/>\n"
+TURN = '    <remap from="b" to="c"/>\n'
+TURNED = COMPOSABLE.replace("  </", f"{TURN}  </")
+WITHIN_TURNED = WITHIN.replace("  </", f"{TURN}  </")
+WHERE = '  <node name="a" if="1"/>\n'
+DEFAULT = ARG.replace("/>", ' default="1"/>')
+GROUP = f'  <group if="x">\n  {NODE}  </group>\n'
+GROUP_WITH_OWN = GROUP.replace("  </", f"  {OWN}  </")
+IN_LINE = '  <node name="a"><param name="p"/></node>\n'
+REQUIRED = '  <node name="own" required="1"/>\n'
+SAID = "<!-- <b> -->"
+INCLUDE = """  <include file="$(find a)/a.launch">
+    <arg name="x" value="y"/>
+  </include>
+"""
+PASSES = INCLUDE.replace("  </", '    <arg name="a" value="$(arg a)"/>\n  </')
+AGAIN = '  <include file="$(find a)/a.launch" if="1"/>\n'
+ALSO = '  <include file="$(find-pkg-share a)/a.launch.xml" if="1"/>\n'
+PASSED = '<arg name="a" value="$(var a)"/>'
+
+
+@pytest.mark.parametrize(
+    ("ros", "old", "mine", "new", "wanted", "lines", "back"),
+    [
+        # Where an element belongs: arguments above all, others below what they stood below
+        (2, "", ARG, OTHER, f"{ARG}{OTHER}", {2: ARG}, []),
+        (2, NODE, f"  <x/>\n{NODE}{OWN}", f"{NODE}{OTHER}", f"{NODE}{OWN}{OTHER}", {4: OWN}, []),
+        (2, NODE, f"{OWN}{NODE}", f"{NODE}{OTHER}", f"{NODE}{OTHER}{OWN}", {2: OWN}, []),
+        # In a group or an include that is not there, around what is generated, with its own
+        (2, GROUP, GROUP.replace("  <node", f"{OWN}  <node"), NODE, f"{NODE}{OWN}", {3: OWN}, []),
+        (1, GROUP, GROUP_WITH_OWN, GROUP, GROUP_WITH_OWN, {4: OWN}, []),
+        (2, NODE, f"  <group>\n{NODE}{OWN}  </group>\n", NODE, f"{NODE}{OWN}", {4: OWN}, []),
+        (
+            2,
+            "",
+            f"  <group>\n{OWN}  </group>\n",
+            NODE,
+            f"{NODE}  <group>\n{OWN}  </group>\n",
+            {2: "<group>", 3: OWN, 4: "</group>"},
+            [],
+        ),
+        (2, INCLUDE, INCLUDE.replace("    <", OWN + "    <"), NODE, NODE, {}, []),
+        (
+            2,
+            INCLUDE,
+            INCLUDE.replace("  </", '    <arg name="z"/>\n  </'),
+            INCLUDE,
+            INCLUDE.replace("  </", '    <arg name="z"/>\n  </'),
+            {4: '<arg name="z"/>'},
+            [],
+        ),
+        # In a node that has another tag there, which takes less
+        (
+            2,
+            WITHIN,
+            WITHIN.replace('a">', 'a" output="log" ns="x">').replace(
+                "  </", '    <remap from="b" to="c"/>\n    <env name="d" value="e"/>\n  </'
+            ),
+            COMPOSABLE,
+            COMPOSABLE.replace('""', '"x"').replace("  </", '    <remap from="b" to="c"/>\n  </'),
+            {2: 'output="log" namespace="x"', 4: '<remap from="b" to="c"/>'},
+            [],
+        ),
+        (1, COMPOSABLE, TURNED, WITHIN, WITHIN_TURNED, {4: TURN}, []),
+        # What has the name and is another thing
+        (
+            2,
+            WHERE,
+            WHERE.replace("1", "2"),
+            f"{WHERE.replace('node', 'arg')}{WHERE}",
+            f"{WHERE.replace('node', 'arg')}{WHERE.replace('1', '2')}",
+            {2: 'if="2"'},
+            [],
+        ),
+        (
+            2,
+            ARG,
+            DEFAULT,
+            f"{ARG}{PASSES}",
+            f"{DEFAULT}{PASSES}",
+            {2: 'default="1"'},
+            [],
+        ),
+        # What is there already, or only seems to be
+        (2, INCLUDE, f"{AGAIN}{INCLUDE}", INCLUDE, f"{INCLUDE}{ALSO}", {2: ALSO}, []),
+        (2, OTHER, f"{OTHER}{NODE}", f"{NODE}{OTHER}", f"{NODE}{OTHER}", {3: NODE}, []),
+        # Of what is in the line of another element, and in one without an inside: nothing
+        (
+            2,
+            IN_LINE,
+            IN_LINE.replace('"a">', '"a" output="x">').replace("</", '<param name="q"/></'),
+            IN_LINE,
+            IN_LINE.replace('"a">', '"a" output="x">'),
+            {2: 'output="x"'},
+            [],
+        ),
+        (2, WITHIN, WITHIN.replace("  </", f"  {OWN}  </"), NODE, NODE, {}, []),
+        # Arguments for an include that it gets already
+        (2, INCLUDE, PASSES, INCLUDE, PASSES.replace("$(arg", "$(var"), {4: PASSED}, []),
+        (2, INCLUDE, PASSES, f"{ARG}{INCLUDE}", f"{ARG}{INCLUDE}", {4: PASSED}, []),
+        # Attributes, in any quotes; not where the developer took some away
+        (
+            1,
+            NODE,
+            """\
+  <!-- output='x' -->
+  <node pkg='q'
+    name="a" output='z' respawn = "$(var b)" />
+""",
+            NODE,
+            """  <node pkg='q' name="a" output='z' respawn="$(arg b)"/>\n""",
+            {3: "pkg='q'", 4: "output='z' respawn=\"$(arg b)\""},
+            [],
+        ),
+        (1, NODE, '  <node pkg="q" name="a"/>\n', NODE, NODE, {}, []),
+        (2, NODE, NODE.replace("output", 'required="1" output'), NODE, NODE, {}, []),
+        (2, NODE, f"{NODE}{REQUIRED}", NODE, NODE, {}, []),
+        (
+            2,
+            NODE,
+            NODE.replace("log", "x"),
+            NODE.replace('output="log"', 'args="a > b"'),
+            NODE.replace('output="log"', 'args="a > b" output="x"'),
+            {2: 'output="x"'},
+            [],
+        ),
+        (
+            2,
+            NODE,
+            NODE.replace("log", "x"),
+            f"  <!-- output='y' -->\n{NODE}",
+            f"  <!-- output='y' -->\n{NODE.replace('log', 'x')}",
+            {2: 'output="x"'},
+            [],
+        ),
+        # Comments, whatever is in them, but for those of generated elements
+        (2, "", f"  {SAID}\n{OWN}", NODE, f"{NODE}  {SAID}\n{OWN}", {2: SAID, 3: OWN}, []),
+        (
+            2,
+            f"  <!-- One -->\n{NODE}",
+            f"  <!-- One -->\n{OWN}{NODE}",
+            OTHER,
+            f"{OTHER}{OWN}",
+            {3: OWN},
+            [],
+        ),
+        # What the developer deleted, by its name, as far as it is there
+        (2, OTHER + NODE, "", NODE + OTHER, NODE + OTHER, {}, ["node a", "node b"]),
+        (2, f"{NODE}{OTHER}{EMPTY}", "", f"{NODE}{EMPTY}", f"{NODE}{EMPTY}", {}, ["node a"]),
+    ],
+)
+def test_element_of_launch_files(ros, old, mine, new, wanted, lines, back):
+    old, mine, new, wanted = (f"<launch>\n{text}</launch>\n" for text in (old, mine, new, wanted))
+    carried = carry(XML.blocks(mine), XML.blocks(old), new, ros)
+    assert carried.text == wanted
+    assert {number: " ".join(words) for number, words in carried.lines.items()} == {
+        number: line.strip() for number, line in lines.items()
+    }
     assert carried.back == back
 
 
@@ -496,6 +686,120 @@ def test_cmake(ros, end):
     assert sorted(result.carried[path][1]) == numbers
 
 
+PACKAGES = {1: "find_package(catkin COMPONENTS\n  tf2_ros\n)\n", 2: "find_package(ament_cmake)\n"}
+PROPERTIES = "set_target_properties(a\n  PROPERTIES\n  PREFIX x\n)\n"
+NESTED = "if(UNIX)\n  set(x\n    1\n  )\nendif()\n"
+MESSAGES = {
+    1: "add_message_files(FILES\n  A.msg\n)\n",
+    2: "rosidl_generate_interfaces(${PROJECT_NAME}\n  msg/A.msg\n)\n",
+}
+USERS = "catkin_package(\n  CATKIN_DEPENDS\n    tf2\n)\n"
+
+
+@pytest.mark.parametrize(
+    ("ros", "old", "mine", "new", "wanted", "lines"),
+    [
+        # Of a library what catkin has not linked already
+        (
+            1,
+            "target_link_libraries(a\n)\n",
+            "target_link_libraries(a\n  PRIVATE\n  tf2_ros::tf2_ros\n  fmt::fmt\n  rclcpp\n)\n",
+            "target_link_libraries(a\n)\n",
+            "target_link_libraries(a\n  fmt::fmt\n)\n",
+            {4: "tf2_ros", 5: "fmt::fmt"},
+        ),
+        # An item of a command that both have: where the same stands in it, or above it
+        (2, PROPERTIES, ("x", "y"), PROPERTIES, "mine", {6: "PREFIX y"}),
+        (2, PROPERTIES, ("x", "y"), "", "", {}),
+        (2, PROPERTIES, ("x", "y"), PROPERTIES.replace("x", "z"), "new", {}),
+        (2, PROPERTIES, ("  PREFIX", "  Y y\n  PREFIX"), PROPERTIES, "mine", {6: "Y y"}),
+        (2, PROPERTIES, ("(a\n", "(a\n  Y y\n"), PROPERTIES.replace("(a\n", "(a"), "new", {}),
+        (2, PROPERTIES, ("(a\n", "(a\n  Y y\n"), PROPERTIES.replace("(a", "(b"), "new", {}),
+        (2, PROPERTIES, ("x\n", "x\n  ${CATKIN_X} y\n"), PROPERTIES, "new", {}),
+        (2, PROPERTIES, ("x\n", "x\n\n"), PROPERTIES, "new", {}),
+        (2, NESTED, ("1\n", "1\n    2\n"), NESTED, "mine", {7: "2"}),
+        (2, NESTED, ("  set", "  find_package(x)\n  set"), NESTED, "new", {}),
+        # Commands above what ends a file
+        (2, "", "# Of x\nset(x 1)", "", "# Of x\nset(x 1)\n", {4: "# Of x", 5: "set(x 1)"}),
+        (2, "", "run(x)", "ament_package()\n", "run(x)\nament_package()\n", {4: "run(x)"}),
+        # Messages, where some are generated
+        (
+            1,
+            MESSAGES[2],
+            (")", "  DEPENDENCIES\n    b_msgs\n)"),
+            "generate_messages(\n)\n",
+            "generate_messages(\n  DEPENDENCIES\n    b_msgs\n)\n",
+            {4: "DEPENDENCIES", 5: "b_msgs"},
+        ),
+        (
+            1,
+            MESSAGES[2],
+            ("A.msg\n", "A.msg\n  msg/B.msg\n"),
+            "add_message_files(FILES\n)\n",
+            "add_message_files(FILES\n  B.msg\n)\n",
+            {4: "B.msg"},
+        ),
+        (1, "", MESSAGES[2], "", "", {}),
+        (2, "", MESSAGES[1], "", "", {}),
+        # What users of the package need
+        (
+            2,
+            "",
+            USERS,
+            "ament_export_dependencies(\n  x\n)\n",
+            "ament_export_dependencies(\n  tf2\n  x\n)\n",
+            {4: "(", 5: "ament_export_dependencies", 6: "tf2", 7: "("},
+        ),
+        (
+            2,
+            USERS,
+            ("tf2\n", "tf2\n    y\n    ${x}\n"),
+            "ament_export_dependencies(\n  y\n)\n",
+            "ament_export_dependencies(\n  y\n)\n",
+            {7: "y"},
+        ),
+        (2, "", USERS, "", "", {}),
+    ],
+)
+def test_item_of_cmake(ros, old, mine, new, wanted, lines):
+    """Each after the packages; `mine` may be the change of `old`."""
+    path = "CMakeLists.txt"
+    mine = old.replace(*mine) if isinstance(mine, tuple) else mine
+    wanted = {"mine": mine, "new": new}.get(wanted, wanted)
+    before, after = PACKAGES[3 - ros], PACKAGES[ros]
+    result = built({path: before + mine}, {path: before + old}, {path: after + new}, ros)
+    assert result.tree[path].text == after + wanted
+    assert {number: " ".join(words) for number, words in result.carried[path][1].items()} == lines
+
+
+def test_what_the_developer_deleted_of_cmake_is_said():
+    path, other = "CMakeLists.txt", "install(DIRECTORY x DESTINATION include)\n"
+    old = PACKAGES[1] + NESTED + "add_executable(reach x.cpp)\ninclude_directories()\n" + other
+    new = PACKAGES[2] + "add_executable(reach y.cpp)\ninclude_directories()\n" + other
+    result = built({path: PACKAGES[1] + other}, {path: old}, {path: new}, 2)
+    assert result.back == {path: ["add_executable reach"]}
+
+
+def test_cmake_of_which_one_parenthesis_would_come_is_left_to_the_merge():
+    path, mine = "CMakeLists.txt", PROPERTIES.replace("x\n", "x\n  Y (a\n    catkin b)\n")
+    old, new = {path: PACKAGES[1] + PROPERTIES}, {path: PACKAGES[2] + PROPERTIES}
+    result = built({path: PACKAGES[1] + mine}, old, new, 2)
+    assert (result.tree, result.carried) == ({}, {})
+
+
+def test_what_the_merge_said_of_files_that_are_carried():
+    """That they conflict, say; and whose they are: their links and their own files stay."""
+    path, other, link = "setup.py", "CMakeLists.txt", File(b"elsewhere", "120000")
+    result = Result(missing={path: [], other: []}, conflicts={path: [], other: []})
+    mine = {path: File(encode(SETUP + "mine()\n")), other: link}
+    old = {path: File(encode(SETUP)), other: File(encode(CMAKE_1))}
+    new = {path: File(encode(SETUP), "100755"), other: File(encode(CMAKE_2))}
+    carry_build_files(mine, old, new, Renaming(), result, 2)
+    assert (list(result.tree), result.tree[path].mode) == ([path], "100755")
+    assert (list(result.missing), list(result.conflicts)) == ([other], [other])
+    assert list(result.carried) == [path]
+
+
 def test_cmake_that_nobody_changed_is_the_new_one():
     files = {"CMakeLists.txt": CMAKE_1}
     result = built(files, files, {"CMakeLists.txt": CMAKE_2}, 2)
@@ -508,9 +812,27 @@ def test_what_python_installs():
     mine = patched(PYTHON_CMAKE, PYTHON_1_TO_2)
     result = built({cmake: mine}, {cmake: PYTHON_CMAKE}, {setup: SETUP}, 2)
     assert changes(SETUP, result.tree[setup].text) == SET_UP_1_TO_2
+    assert result.carried == {
+        cmake: (
+            [cmake, setup],
+            {
+                14: ("*installed('urdf'),",),
+                19: ("('share/' + package_name, ['plugin.xml', 'a.xml']),",),
+                22: ("('lib/' + package_name, ['scripts/tool']),",),
+                24: ("*installed('meshes'),",),
+            },
+        )
+    }
     mine = patched(SETUP, PYTHON_2_TO_1)
     result = built({setup: mine}, {setup: SETUP}, {cmake: PYTHON_CMAKE}, 1)
     assert changes(PYTHON_CMAKE, result.tree[cmake].text) == SET_UP_2_TO_1
+    programs = "install(PROGRAMS scripts/tool DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})"
+    files = "install(FILES plugin.xml a.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})"
+    noted = {18: ("urdf",), 19: (programs,), 20: ("meshes",), 23: (files,)}
+    assert result.carried[setup][1] == noted
+    without = f"find_package(catkin)\n{programs}\n"
+    result = built({setup: mine}, {setup: SETUP}, {cmake: without}, 1)
+    assert (result.tree[cmake].text, result.carried[setup][1]) == (without, {})
 
 
 def launched(**sides):
@@ -539,6 +861,24 @@ def test_files_that_are_carried():
         f"launch/{arm}": ["launch/arm.launch"]
     }
     assert result.back == {"launch/arm.launch": BACK_2_TO_1}
+
+
+def test_launch_file_that_the_developer_has_already_stays():
+    old, mine = File(encode(LAUNCH_2)), File(encode(patched(LAUNCH_2, LAUNCH_2_TO_1)))
+    path, target = "arm.launch.xml", "arm.launch"
+    result = Result(tree={target: mine}, left=[path])
+    new = {target: File(encode(LAUNCH_1))}
+    carry_launch_files({path: mine}, {path: old}, new, Renaming(), result, 1)
+    assert (result.tree, result.carried) == ({target: mine}, {})
+
+
+def test_launch_file_that_is_a_link_now_has_nothing_to_carry():
+    path, target = "arm.launch.xml", "arm.launch"
+    new = {target: File(encode(LAUNCH_1))}
+    result = Result(tree=dict(new), left=[path])
+    mine, old = File(b"elsewhere", "120000"), File(encode(LAUNCH_2))
+    carry_launch_files({path: mine}, {path: old}, new, Renaming(), result, 1)
+    assert (result.tree, result.carried) == (new, {})
 
 
 def test_launch_file_that_is_no_xml_stays_behind():
