@@ -25,7 +25,9 @@ arm_attributes:
   - note: {format: text, pattern: "[a-z ]*", reserved: [none], optional: true}
 arm_interface:
   joint:
-    attributes: [{name: {format: identifier, unique: true}}, {side: {choices: [left, right]}}]
+    attributes:
+      - name: {format: identifier, unique: true}
+      - side: {choices: [left, right], elsewhere: [hand]}
     elsewhere: [hinge]
     most: 2
     interface:
@@ -378,6 +380,21 @@ def test_fault_of_a_package(said, spec, says):
             "<arm name='a'><use name='h'/></arm>",
             '2: <use name="h">: name: "h" is no <group> of this <package>; none is allowed '
             "[unknown-reference]",
+        ),
+        (
+            "<arm name='a'><joint nmae='a' side='left'/></arm>",
+            '2: <joint nmae="a">: unknown attribute "nmae"; did you mean "name"? allowed: '
+            "name, side, was [unknown-attribute]",
+        ),
+        (
+            "<arm name='a'><joint name='a' hand='left'/></arm>",
+            '2: <joint name="a">: unknown attribute "hand"; did you mean side="..."? '
+            "[unknown-attribute]",
+        ),
+        (
+            "<arm name='a' rate='x'><servo name='s'/></arm>",
+            '2: <arm name="a">: rate: "x" is not a number; allowed: a finite number without '
+            "a unit, such as 12.5 [invalid-value]",
         ),
         (
             "<arm name='a' moves='no'><dynText name='x'/></arm>",
