@@ -8,8 +8,8 @@ from hooks.model import Model
 DICTIONARY = """\
 package_attributes:
   - name: {format: package_name}
-  - mail: {format: email, optional: true}
   - template: {ignored: true}
+  - mail: {format: email, optional: true}
 aliases: {limb: arm}
 arm_attributes:
   - name: {doc: its name, format: component_name, unique: true}
@@ -411,6 +411,11 @@ def test_fault_of_a_package(said, spec, says):
             "<group name='g'><sees name='x' type='B'/></group>",
             '4: <sees name="x"> (used at line 3): type: "B" is not declared in this package; '
             "allowed: A [undeclared-type]",
+        ),
+        (
+            "<message name='A_b'/>",
+            '2: <message name="A_b">: name: "A_b" is not a name of a type; allowed: letters '
+            "and digits, a capital first [invalid-name]",
         ),
         (
             "<arm name='a' moves='no'><dynText name='x'/></arm>",
