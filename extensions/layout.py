@@ -171,7 +171,7 @@ def _in_parentheses(code: str, indent: int, rest: deque[str]) -> list[str]:
             break
     margin = " " * indent
     begin = f"{margin}{target}{sign}("
-    if len(begin) > _WIDTH or not sign or any(line.endswith(_NO_LIMIT) for line in _code(inside)):
+    if len(begin) > _WIDTH or any(line.endswith(_NO_LIMIT) for line in _code(inside)):
         return []
     for _ in inside[1:]:
         rest.popleft()

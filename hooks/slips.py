@@ -45,7 +45,7 @@ def _in_text(text: str, before: str, after: str) -> str | None:
         return "write & as &amp;"
     if found := re.match(rf"[^&]*{_ENTITY}(\w+);", after):
         return f"&{found[1]}; is no word of XML; write the character itself"
-    if before.endswith("<") and after.startswith("/") and _is_closed(before[:-1]):
+    if after.startswith("/") and _is_closed(before[:-1]):
         return _OTHERS[expat.errors.XML_ERROR_JUNK_AFTER_DOC_ELEMENT]
     if re.search(r"<!-?$", before):
         return "a comment begins with <!-- and ends with -->"

@@ -280,7 +280,7 @@ class _Carrier:
             self.new.insert(at, Block(key, [f"\n{start}\n", f"    {name}\n", ")\n"]))
             return True
         last = [i for i, line in enumerate(command.lines) if line.strip().endswith(suffix)]
-        at = last[-1] if last else _index_of(command.lines, key.split()[0])
+        at = last[-1] if last else _index_of(command.lines, key.split()[-1])
         margin = re.match(r" *", command.lines[at])[0] if last else "  "  # type: ignore[index]
         command.lines.insert(at + 1, f"{margin}{name}\n")
         return True

@@ -135,8 +135,7 @@ class _Carrier:
         for level, at in places:
             beside = level[max(at - 1, 0)] if level else block
             if not any(same.key == block.key for same in level):
-                lines = split(text if text.endswith("\n") else text + "\n")
-                level.insert(at, set_beside(Block(block.key, lines), beside))
+                level.insert(at, set_beside(Block(block.key, split(text)), beside))
         self._note(number, text)
 
     def _note(self, number: int, text: str) -> None:

@@ -8,8 +8,8 @@ from hooks.model import Model
 DICTIONARY = """\
 package_attributes:
   - name: {format: package_name}
-  - mail: {format: email, optional: true}
   - template: {ignored: true}
+  - mail: {format: email, optional: true}
 aliases: {limb: arm}
 arm_attributes:
   - name: {doc: its name, format: component_name, unique: true}
@@ -25,7 +25,9 @@ arm_attributes:
   - note: {format: text, pattern: "[a-z ]*", reserved: [none], optional: true}
 arm_interface:
   joint:
-    attributes: [{name: {format: identifier, unique: true}}, {side: {choices: [left, right]}}]
+    attributes:
+      - name: {format: identifier, unique: true}
+      - side: {choices: [left, right], elsewhere: [hand]}
     elsewhere: [hinge]
     most: 2
     interface:
@@ -41,6 +43,7 @@ arm_interface:
       - type: {choices: [int, string]}
       - list: {format: literal, of: type, several: true, optional: true}
       - value: {format: literal, of: type, among: list, maximum: 9}
+  sees: {attributes: [name, {type: {format: field_type}}]}
   use: {takes: true, attributes: [name: {refers_to: group}]}
   link: {attributes: [name, {to: {refers_to: joint, whose: {side: [left]}}}]}
 pair_attributes: [name]
@@ -321,12 +324,13 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a'><hinge name='x'/></arm>",
             '2: <hinge name="x">: <hinge> is not known here; did you mean "joint"? allowed: '
-            "joint, tool, servo, directServo, dynText, text, value, use, link [unknown-tag]",
+            "joint, tool, servo, directServo, dynText, text, value, sees, use, link "
+            "[unknown-tag]",
         ),
         (
             "<arm name='a'><bolt name='x'/></arm>",
             '2: <bolt name="x">: <bolt> is not known here; it belongs inside <joint>; '
-            "allowed: joint, tool, servo, directServo, dynText, text, value, use, link "
+            "allowed: joint, tool, servo, directServo, dynText, text, value, sees, use, link "
             "[unknown-tag]",
         ),
         (
@@ -340,7 +344,8 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a'><toll kind='x'/></arm>",
             '2: <toll kind="x">: <toll> is not known here; did you mean "tool"? allowed: '
-            "joint, tool, servo, directServo, dynText, text, value, use, link [unknown-tag]",
+            "joint, tool, servo, directServo, dynText, text, value, sees, use, link "
+            "[unknown-tag]",
         ),
         (
             "<arm name='a'><joint name='for' side='left'/></arm>",
@@ -367,7 +372,7 @@ def test_fault_of_a_package(said, spec, says):
             '2: <joint name="a">: unknown attribute "y"; allowed: name, side, was '
             "[unknown-attribute]\n"
             "3: <x>: <x> is not known here; allowed: joint, tool, servo, directServo, "
-            "dynText, text, value, use, link [unknown-tag]",
+            "dynText, text, value, sees, use, link [unknown-tag]",
         ),
         (
             "<arm name='a'><use name='g' was='x'/></arm>\n<group name='g'><tool/></group>",
@@ -378,6 +383,39 @@ def test_fault_of_a_package(said, spec, says):
             "<arm name='a'><use name='h'/></arm>",
             '2: <use name="h">: name: "h" is no <group> of this <package>; none is allowed '
             "[unknown-reference]",
+        ),
+        (
+            "<arm name='a'><joint nmae='a' side='left'/></arm>",
+            '2: <joint nmae="a">: unknown attribute "nmae"; did you mean "name"? allowed: '
+            "name, side, was [unknown-attribute]",
+        ),
+        (
+            "<arm name='a'><joint name='a' hand='left'/></arm>",
+            '2: <joint name="a">: unknown attribute "hand"; did you mean side="..."? '
+            "[unknown-attribute]",
+        ),
+        (
+            "<arm name='a' rate='x'><servo name='s'/></arm>",
+            '2: <arm name="a">: rate: "x" is not a number; allowed: a finite number without '
+            "a unit, such as 12.5 [invalid-value]",
+        ),
+        (
+            "<arm name='a'><joint name='a'>up</joint></arm>",
+            '2: <joint name="a">: text is not allowed here: "up"; it takes attributes: name, '
+            "side; elements: bolt [text-not-allowed]\n"
+            '2: <joint name="a">: attribute "side" is missing [missing-attribute]',
+        ),
+        (
+            "<message name='A'/><arm name='a'>\n"
+            "<use name='g'/></arm>\n"
+            "<group name='g'><sees name='x' type='B'/></group>",
+            '4: <sees name="x"> (used at line 3): type: "B" is not declared in this package; '
+            "allowed: A [undeclared-type]",
+        ),
+        (
+            "<message name='A_b'/>",
+            '2: <message name="A_b">: name: "A_b" is not a name of a type; allowed: letters '
+            "and digits, a capital first [invalid-name]",
         ),
         (
             "<arm name='a' moves='no'><dynText name='x'/></arm>",
@@ -392,7 +430,7 @@ def test_fault_of_a_package(said, spec, says):
         (
             "<arm name='a'><tooo/><tool/></arm>",
             '2: <tooo>: <tooo> is not known here; did you mean "tool"? allowed: joint, tool, '
-            "servo, directServo, dynText, text, value, use, link [unknown-tag]\n"
+            "servo, directServo, dynText, text, value, sees, use, link [unknown-tag]\n"
             '2: <tool>: attribute "kind" is missing [missing-attribute]',
         ),
         (
@@ -495,3 +533,9 @@ def test_right_spec(values):
     )
     assert (other["gear"], other["moves"], other["tool"]) == (3, True, None)
     assert (found["folders"], found["pairs"]) == ([{"name": "f"}], [])
+
+
+def test_type_that_another_element_declares_is_no_part_of_itself(values):
+    spec = "<message name='A'/><arm name='a'><sees name='x' type='A'/></arm>"
+    (arm,) = values(f"<package name='pp'>{spec}</package>")["arms"]
+    assert arm["seess"] == [{"name": "x", "type": "A"}]

@@ -324,6 +324,10 @@ def test_mistake_in_a_function(tmp_path, right, wrong, message):
             '1: a: the context needs the key "class_name"; rename it [reserved-name]',
         ),
         (
+            "names:\n  x: {reserved: y}\n",
+            "2: names: x: must be a mapping with lists of names, or in and a tag [wrong-shape]",
+        ),
+        (
             "a_interface: {b: [name]}\na_attributes: [name, bs]\n",
             '1: a: the context needs the key "bs"; rename it [reserved-name]',
         ),

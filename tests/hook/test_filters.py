@@ -126,6 +126,8 @@ def test_python_that_just_fits_is_not_folded():
     for letters, inside in ((95, "(\n    {}\n)"), (96, "{}  # noqa: E501")):
         name = "b" * letters
         assert fold_python(f"value = {name}\n") == f"value = {inside.format(name)}\n"
+    fits = f"{'a' * 50} = {'b' * 45}(\n    1,\n)\n"
+    assert fold_python(f"{fits}{LONG}({LONG})\n") == f"{fits}{LONG}(\n    {LONG}\n)\n"
     text = f'x: A[{LONG}] = [\n    """{LONG}""",\n]\n'
     assert fold_python(text.replace("x", LONG)) == text.replace("x", LONG).replace(
         f"A[{LONG}]", f"A[\n    {LONG}\n]"

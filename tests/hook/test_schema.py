@@ -79,6 +79,7 @@ def test_dictionary_of_another(tmp_path, is_valid):
     model = model_of(tmp_path, DICTIONARY)
     assert is_accepted(model, SPEC)
     assert is_valid(model, SPEC)
+    assert ">the name before, so that the code of a renamed one is kept; " in model.schema()
 
 
 @pytest.mark.parametrize(

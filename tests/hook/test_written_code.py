@@ -261,6 +261,7 @@ void thirtyImpl::fiftyabcdefghij()
 void fiftyabcdeImpl::thirtyabc()
 struct fortyData : fiftyData, thirtyData, fortyOther
   using fiftyfifty = thirty::x;
+  fifty::forty thirty = true;
   const fiftyforty & thirty;
   const fiftyfortyab & thirty;
   const fiftyfortyabc & thirty;
@@ -362,6 +363,8 @@ struct fortyData
   fiftyfifty  // NOLINT(whitespace/line_length)
     =
     thirty::x;
+  fifty::forty
+    thirty = true;
   const fiftyforty &
   thirty;
   const fiftyfortyab
