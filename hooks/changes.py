@@ -204,7 +204,8 @@ def as_parted(
                 continue
             items = [memos[0][id(before)]] if number == 0 else []
             name = _name(before, pair.naming)
-            if after and pair.name == name and before.get(WAS) == after.get(WAS):
+            has = (after or {}).get(WAS)
+            if has == name or (pair.name == name and has == before.get(WAS)):
                 items.append(memos[1].get(id(after), {}))
             for item in items:
                 if item.get(WAS) is not None or first != name:
@@ -223,7 +224,7 @@ def _first_names(history: Sequence[Values], dictionary: Dictionary) -> dict[int,
             [p for p in _pairs(before, new, dictionary) if p.before and p.after]
             for before in (history[0], old)
         )
-        found = {id(pair.after): _name(pair.before or {}, pair.naming) for pair in begun}
+        found = {id(p.after): _name(p.before, p.naming) for p in begun if p.before}
         found |= {id(p.after): names[id(p.before)] for p in gone_on if id(p.before) in names}
         names = found
     return names
