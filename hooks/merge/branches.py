@@ -158,7 +158,7 @@ class Joiner:
         return [context for context in found if isinstance(context, Mapping)]
 
     def contexts(self, commit: str) -> Contexts:
-        """Return that of a commit and the new one, with names as the branches began with them."""
+        """Return that of a commit and the new one, named as both began (decision 121)."""
         spec = self.answers["spec"]
         own = self.histories.get(commit)
         if not own:
