@@ -17,6 +17,7 @@ import getpass
 import io
 import json
 import math
+import os
 import re
 import socket
 import sys
@@ -49,13 +50,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Print a spec of nodes that run.")
     parser.add_argument("nodes", nargs="+", metavar="NODE", help="the full name: /arm/driver")
     names = ["/" + name.strip("/") for name in parser.parse_args().nodes]
+    printed = os.dup(1)
+    os.dup2(2, 1)  # Fast DDS 3.2 logs its errors to standard output, where the spec goes
     try:
         import rclpy  # type: ignore[import-not-found]  # noqa: F401
     except ImportError:
         found = {name: list(items) for name, items in Ros1().describe(names)}
     else:
         found = {name: list(items) for name, items in Ros2().describe(names)}
-    sys.stdout.buffer.write("\n".join([*spec(found), ""]).encode())
+    with open(printed, "wb") as file:
+        file.write("\n".join([*spec(found), ""]).encode())
 
 
 def spec(nodes: dict[str, list[Item]]) -> Iterator[str]:

@@ -23,7 +23,7 @@ STATIC += " --x 1 --frame-id map --child-frame-id base --ros-args"
 
 
 def describe(ros_, folder, *nodes):
-    command = f"{ros_.python} {SCRIPT} {' '.join(nodes)}"
+    command = f"{ros_.python} {SCRIPT} {' '.join(nodes)} 2>/dev/null"
     return ros_.run(command, folder, folder, check=False).stdout
 
 
@@ -113,6 +113,22 @@ def test_nodes_of_ros1(ros1, render, tmp_path, model):
         ros1.run("rosparam delete /plain", tmp_path)  # which outlive their node
         with ros1.running("roslaunch plain plain.launch", tmp_path):
             wait_for(said, ros1, tmp_path, *nodes)
+
+
+TALKATIVE = """
+import os, rclpy, runpy, sys
+init, sys.argv = rclpy.init, sys.argv[1:]
+rclpy.init = lambda *args, **more: (os.write(1, b"[RTPS Error] said"), init(*args, **more))
+runpy.run_path(sys.argv[0], run_name="__main__")
+"""
+
+
+def test_what_the_middleware_says_is_not_in_the_spec(ros2, tmp_path):
+    (tmp_path / "talkative.py").write_text(TALKATIVE)
+    with ros2.running(f"{ros2.python} {PEERS}/plain_ros2.py"):
+        command = f"{ros2.python} talkative.py {SCRIPT} plain 2>/dev/null"
+        done = ros2.run(command, tmp_path, tmp_path)
+    assert done.stdout.startswith("<?xml ")
 
 
 @pytest.mark.parametrize("model", MODELS)
