@@ -99,13 +99,7 @@ class Update:
         still = self._still(contexts, joiner, made, found)
         return report(self.package, self.snapshot.files, found, result, said, still, proof)
 
-    def _still(
-        self,
-        contexts: Contexts,
-        joiner: Joiner,
-        made: Versions,
-        found: Tree,
-    ) -> list[str]:
+    def _still(self, contexts: Contexts, joiner: Joiner, made: Versions, found: Tree) -> list[str]:
         """Return the uses of what was renamed, or left."""
         still = [*uses(made.mine, made.old, made.new, found, made.renaming)]
         gone = left(*contexts, joiner.dictionary)

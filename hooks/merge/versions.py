@@ -94,13 +94,12 @@ def versions(
 
     `contexts`, by default those of the answers, say what was renamed.
     """
-    spec = new_answers["spec"]
     old, new = renderer.recorded(answers), renderer.fresh(new_answers)
-    before, after = contexts or (answers.get("spec") or {}, spec)
+    before, after = contexts or (answers.get("spec") or {}, new_answers["spec"])
     named = {**answers, "spec": before}
     renaming = plan_renames(named, after, dictionary, old.tree, mine, renderer)
     renaming.follow(moved, old.tree, new.tree)
     renaming.move(old.tree, new.tree)
-    ros = [context.get("ros") for context in (answers.get("spec") or {}, spec)]
+    ros = [context.get("ros") for context in (before, after)]
     to_ros = int(ros[1] or 0) if ros[0] != ros[1] else None
     return Versions(mine, old.tree, new.tree, renaming, new.is_kept, to_ros)
