@@ -25,7 +25,9 @@ PACKAGE = "package"
 DEPEND = "depend"
 DEPEND_KIND = "kind"
 WAS = "was"
-RESERVED_KEYS = frozenset({"ros", "kinds", "declared", "depends", "other_depends", "notes"})
+RESERVED_KEYS = frozenset(
+    {"ros", "kinds", "declared", "depends", "other_depends", "notes", "schema"}
+)
 """The keys of the context that the hook itself adds to the attributes of the package."""
 COMPONENT_KEYS = frozenset({"tag", "class_name"})
 """The keys that the hook itself adds to the attributes of a component (decision 7)."""

@@ -18,7 +18,7 @@ from .complete import Functions, complete
 from .dictionary import Dictionary, load
 from .faults import SpecError
 from .parse import Element, parse
-from .schema import schema
+from .schema import names_schema, schema
 from .skeleton import skeleton
 from .trees import READER, Tree, is_yaml, read_yaml, tree
 
@@ -53,7 +53,7 @@ class Model:
         checked = self._checked(root or parse(xml, file), file, distro)
         context = complete(checked, self.functions, distro)
         context["notes"] += contradictions(context, self.dictionary)
-        return context
+        return {**context, "schema": names_schema(xml)}
 
     def places(self, xml: bytes, file: str) -> dict[str, str]:
         """Return where the elements of a spec are, by the labels of `hooks.changes`."""

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from xml.parsers import expat
 from xml.sax.saxutils import escape, quoteattr
 
 from .dictionary import DEPEND, NAME_BEFORE, PACKAGE, Attribute, Component, Dictionary, Interface
 from .formats import BOOLEANS
 from .literals import spelled
-from .skeleton import KIND_OF_DEPENDENCY, XSD, meaning
+from .skeleton import KIND_OF_DEPENDENCY, SCHEMA, XSD, meaning
 
 _HEAD = """\
 <?xml version="1.0" encoding="UTF-8"?>
@@ -42,6 +43,21 @@ _SIMPLE_TYPES = {
 </xs:simpleType>
 """,
 }
+
+
+def names_schema(xml: bytes) -> bool:
+    """Tell whether a spec, which is well-formed, names the schema beside it for editors."""
+    names = re.compile(rf"""\bhref\s*=\s*["'](\./)?{re.escape(SCHEMA)}["']""")
+    found = False
+
+    def instruction(target: str, data: str) -> None:
+        nonlocal found
+        found |= target == "xml-model" and bool(names.search(data))
+
+    parser = expat.ParserCreate()
+    parser.ProcessingInstructionHandler = instruction
+    parser.Parse(xml, True)
+    return found
 
 
 def schema(dictionary: Dictionary) -> str:

@@ -74,6 +74,31 @@ def is_accepted(model, spec):
     return True
 
 
+HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n'
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        (
+            '<?xml-model href="ros_package.xsd" schematypens="http://www.w3.org/2001/XMLSchema"?>',
+            True,
+        ),
+        ("<?xml-model schematypens='x' href = './ros_package.xsd'?>", True),
+        ('<?xml-model href="other.xsd"?>', False),
+        ('<?xml-model xhref="ros_package.xsd"?>', False),
+        ('<?xml-stylesheet href="ros_package.xsd"?>', False),
+        ('<!-- <?xml-model href="ros_package.xsd"?> -->', False),
+        ("", False),
+    ],
+)
+def test_spec_that_names_its_schema(tmp_path, line, expected):
+    """Where it does, anywhere in the file, the package has the schema."""
+    model = model_of(tmp_path, DICTIONARY)
+    for spec in (HEAD + line + SPEC, "\ufeff" + HEAD + SPEC + line):
+        assert model.context(spec.encode(), "spec", "kilted")["schema"] is expected
+
+
 def test_dictionary_of_another(tmp_path, is_valid):
     """Kinds of one name that differ, at any depth; aliases; names that the schema uses itself."""
     model = model_of(tmp_path, DICTIONARY)

@@ -52,6 +52,9 @@ SPEC = """<package title="arm">
 """
 
 
+NAMING = '<?xml-model href="ros_package.xsd"?>\n'
+
+
 @pytest.fixture
 def model(tmp_path):
     """Make a repository of the model, with hooks and extensions inside, and return its folder."""
@@ -114,7 +117,7 @@ def test_starter_spec_of_another_dictionary(make):
 
 def test_schema_comes_to_older_packages(model, make, update):
     """And a newer dictionary makes a newer one; the spec is the developer's and stays."""
-    package = make(SPEC)
+    package = make(NAMING + SPEC)
     schema = package / "ros_package.xsd"
     assert not schema.exists()
     (model / "template/ros_package.xsd.jinja").write_text("{{ spec_schema() }}")
@@ -127,7 +130,14 @@ def test_schema_comes_to_older_packages(model, make, update):
     commit(model, tag="3.0.0")
     update(package)
     assert "a joint that moves" in schema.read_text()
-    assert (package / "arm.ros_package").read_text() == SPEC
+    spec = package / "arm.ros_package"
+    assert spec.read_text() == NAMING + SPEC
+    commit(package)
+    for text in (SPEC, NAMING + SPEC):  # which is all that this update brings
+        spec.write_text(text)
+        commit(package)
+        update(package)
+        assert schema.exists() == (NAMING in text)
 
 
 @pytest.mark.parametrize(

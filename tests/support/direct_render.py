@@ -26,8 +26,9 @@ class Renderer:
         self.model = model
         self.folder = source / model / "template"
         self.env = environment(source, model)
-        settings = (source / "copier.yml").read_text().rpartition("\n---\n")[2]
-        self.excluded = "\n".join(yaml.safe_load(settings)["_exclude"])
+        settings = [(source / path).read_text() for path in ("hooks/copier.yml", "copier.yml")]
+        lasts = (yaml.safe_load(text.rpartition("\n---\n")[2]) for text in settings)
+        self.excluded = [rule for last in lasts for rule in last["_exclude"]]
         found = sorted(path for path in self.folder.rglob("*") if path.is_file())
         self.paths = [str(path.relative_to(self.folder)) for path in found]
         self.made = {}
@@ -63,8 +64,8 @@ class Renderer:
             "_copier_answers": {},
             "_copier_conf": {"answers_file": ANSWERS, "dst_path": "", "data": {"spec": spec}},
         }
-        excluded = self.string(self.excluded).render(values)
-        is_excluded = pathspec.GitIgnoreSpec.from_lines(excluded.splitlines())
+        rules = [self.string(rule).render(values) for rule in self.excluded]
+        is_excluded = pathspec.GitIgnoreSpec.from_lines("\n".join(rules).splitlines())
         files = {}
         for source in self.paths:
             for name, more in self.names(source, values):
