@@ -315,18 +315,36 @@ class _Checker:
                     if tag in [each.kind for each in nested(kind.interfaces)]
                 ]
                 home = [package, *holders][-1]
-                names = [
-                    str(each.values[str(self.kinds(each)[-1].naming)])
+                meant = {
+                    str(each.values[str(self.kinds(each)[-1].naming)]): each
                     for each in self.spec.elements
                     if each.tag == tag and any(owner is home for owner in each.owners.values())
                     if all(each.values.get(key) in words for key, words in attribute.whose.items())
-                ]
-                if value not in names:
+                }
+                names = list(meant)
+                if value in meant:
+                    for key, format_ in attribute.gives.items():
+                        self.check_given(
+                            meant[value], key, format_, f"{name} of {item.element.label}"
+                        )
+                else:
                     fault = f"{quoted(str(value))} is no <{tag}> of this <{home.tag}>"
                     for key, words in attribute.whose.items():
                         fault += f" whose {key} is {' or '.join(words)}"
                     what = f"{name}: {fault}; {allowed(str(value), names)}"
                     self.fault(item.element, what, "unknown-reference")
+
+    def check_given(self, item: Checked, name: str, format_: str, use: str) -> None:
+        """Insist that a value, or each of a list of them, is what the use of it needs."""
+        value = item.values.get(name)
+        given = value if isinstance(value, list) else [] if value is None else [value]
+        try:
+            for each in given:
+                self.formats[format_](each)
+                if given.count(each) > 1:
+                    raise SpecError(f"{quoted(each)} is there twice; drop one", "already-taken")
+        except SpecError as error:
+            self.fault(item.element, f"{name}, which is {use}: {error.text}", error.id)
 
     def kinds(self, item: Checked) -> list[Component | Interface]:
         """Return what the dictionary says of an element, after what it stands in."""

@@ -56,6 +56,8 @@ class Attribute:
     """The tag of the elements one of which it names."""
     whose: Mapping[str, list[str]] = field(default_factory=dict)
     """What these must say in other attributes."""
+    gives: Mapping[str, str] = field(default_factory=dict)
+    """The formats of what these say in other attributes, or in each value of a list."""
     as_written: bool = False
     choices: Mapping[str, list[str]] = field(default_factory=dict)
     pattern: str | None = None
@@ -318,8 +320,15 @@ class _Reader:
         tags = list(dict.fromkeys(tag for tag, kind in kinds if kind.naming))
         for owner, known in [(PACKAGE, package), *((tag, kind.attributes) for tag, kind in kinds)]:
             for name, attribute in known.items():
-                if tag := attribute.refers_to:
-                    self.check_word("", f"{owner} {name}", "tag to refer to", tags, tag)
+                if not (tag := attribute.refers_to):
+                    continue
+                label = f"{owner} {name}"
+                self.check_word("", label, "tag to refer to", tags, tag)
+                meant = [each for other, kind in kinds if other == tag for each in kind.attributes]
+                for key in (*attribute.whose, *attribute.gives):
+                    self.check_word("", label, f"attribute of <{tag}>", meant, key)
+                for format_ in attribute.gives.values():
+                    self.check_word("", label, "format", FORMATS, format_)
 
     def shared(self, components: dict[str, Component]) -> dict[str, Component]:
         """Return the components; those that others take may hold what these may hold."""

@@ -150,6 +150,12 @@ def ros_name(value: str) -> str:
     return ("~/" if prefix.startswith("~") else prefix) + name
 
 
+def _topic(pattern: str) -> Callable[[str], str]:
+    """A name that a node takes for that of a topic: another than one of the spec."""
+    complaint = "not the name of a topic; allowed: what the ROS graph has, such as /scan"
+    return _matching(pattern, complaint, "invalid-name")
+
+
 def with_capital(type_: str) -> str:
     """Return what a type that begins with a small letter is for: `std_msgs/uint8`, for `UInt8`.
 
@@ -373,6 +379,7 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "package_name": _as_file(package_name),
     "dependency": dependency,
     "ros_name": ros_name,
+    "topic_name": _topic(r"[~/A-Za-z][\w/]*"),
     "message_type": _type("msg", "std_msgs/String"),
     "stamped_type": stamped_type,
     "service_type": _type("srv", "std_srvs/Trigger"),
@@ -393,8 +400,10 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "file_name": _as_file(file_name),
 }
 """The names a dictionary may write after `format:`."""
+_TOKEN = r"([A-Za-z_]|\{[A-Za-z_]\w*\})(\w|\{[A-Za-z_]\w*\})*"
 FORMATS_OF_ROS: dict[int, dict[str, Callable[[str], Any]]] = {
     2: {
+        "topic_name": _topic(rf"~|(~?/)?{_TOKEN}(/{_TOKEN})*"),
         "interface_name": _as_file(_interface_name),
         "field_name": _name(
             "[a-z][a-z0-9]*(_[a-z0-9]+)*",

@@ -147,7 +147,7 @@ def _deleted(mine: Sequence[Block], old: Sequence[Block], new: Sequence[Block]) 
 
 
 _LOOSE = re.compile(
-    r"then$|comment |header|docstring|empty|text|start|#|from |import |using |.* =$"
+    r"then$|comment |header|docstring|empty|text|start|#(?!#* )|from |import |using |.* =$"
 )
 """Blocks that are known by what they say, or that nobody misses."""
 

@@ -91,6 +91,10 @@ _COMMAND = re.compile(
 _CMAKE_COMMENTS = re.compile(r"#\[(=*)\[.*?\]\1\]|#[^\n]*", re.DOTALL)
 
 
+_LISTS = "catkin_package|generate_messages|generate_dynamic_reconfigure_options|ament_export_\\w+"
+"""Commands that a file has once: their first argument, which a formatter moves, is an item."""
+
+
 def cmake_blocks(text: str) -> list[Block]:
     """Return the commands of a file, each known by its name and its first argument.
 
@@ -109,8 +113,10 @@ def cmake_blocks(text: str) -> list[Block]:
             raise ValueError("a parenthesis that nothing opens")
         if match["sign"] == ")" and not depth:
             command = text[start : match.end()]
-            first = re.match(r"\w+\s*\((?:(?:\s*\n)?\s*([A-Z_]+\b)|[ \t]*([^\s)]*))", command)
-            key = " ".join(filter(None, (name.lower(), *(first.groups() if first else ()))))
+            key = name.lower()
+            if not re.fullmatch(_LISTS, key):
+                first = re.match(r"\w+\s*\((?:(?:\s*\n)?\s*([A-Z_]+\b)|[ \t]*([^\s)]*))", command)
+                key = " ".join(filter(None, (key, *(first.groups() if first else ()))))
             if name.lower() in ("if", "elseif"):
                 key = squeezed(command)
             ends = text.count("\n", 0, match.end()) + 1
@@ -228,7 +234,12 @@ _CMAKE_EXACT = re.compile(
 
 def same_cmake(one: str, other: str) -> bool:
     """Say whether two texts differ in blanks alone, but for those of an argument."""
-    return squeezed(one, _CMAKE_EXACT) == squeezed(other, _CMAKE_EXACT)
+    texts = (_BESIDE.sub(lambda match: match["sign"] or match[0], text) for text in (one, other))
+    return len({squeezed(text, _CMAKE_EXACT) for text in texts}) == 1
+
+
+_BESIDE = re.compile(rf"{_CMAKE_EXACT.pattern}|\s*(?P<sign>[()])\s*", _CMAKE_EXACT.flags)
+"""A parenthesis of a command, with the blanks beside it."""
 
 
 _CODE = re.compile(

@@ -109,7 +109,7 @@ def _prove_file(
         return
     text = _my_side(plain(found.text or "")) if found else ""
     there = _blocks(known, text, "", Renaming())
-    if known is XML and target in result.conflicts:
+    if target in result.conflicts:
         rename(there, there, renaming.keys.get(origin, {}))  # whose text has the names of before
     there = identify(there, before, after)
     removed = result.removed.get(path, [])

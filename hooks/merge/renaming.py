@@ -145,7 +145,8 @@ class Renaming:
             return word.text
 
         lines = zip(split(text), split(exchange(known, text, by)), strict=True)
-        return "".join(_as_made(known, *pair, generated) for pair in lines)
+        heads = _heads(generated)
+        return "".join(_as_made(known, *pair, heads) for pair in lines)
 
     def uses_of_taken(self, path: str, text: str) -> Iterator[tuple[int, str]]:
         """Yield the line number, from 0, and the identifier of each use of what `taken` has."""
@@ -179,13 +180,29 @@ class Renaming:
 _COMMENT = {PYTHON.name: "#", CPP.name: "//", CMAKE.name: "#"}
 
 
-def _as_made(known: Language, before: str, after: str, generated: Mapping[str, str]) -> str:
-    """Return a line whose words are exchanged; of a generated one, those of its comment, too."""
-    made = generated.get(before.strip())
+def _heads(generated: Mapping[str, str]) -> dict[str, str]:
+    """Return how lines begin, and will, that may end otherwise: in a comment, in another value."""
+    found = {**generated}
+    for before, after in generated.items():
+        head, _, value = before.partition(" = ")
+        made = after.partition(" = ")[0]
+        if value and " " in head:
+            found[head] = made if found.get(head, made) == made else ""
+    return found
+
+
+def _as_made(known: Language, before: str, after: str, heads: Mapping[str, str]) -> str:
+    """Return a line whose words are exchanged; one that begins as a generated one as that does."""
+    line, changed = before.strip(), after.strip()
     sign = _COMMENT.get(known.name)
-    if not made or not sign or made.partition(sign)[0] != after.strip().partition(sign)[0]:
-        return after
-    return after.replace(after.strip(), made)
+    ends = re.compile(rf"\s+(?:{sign}|= )|$") if heads and sign else _NOWHERE
+    for one, other in zip(ends.finditer(line), ends.finditer(changed), strict=False):
+        if made := heads.get(line[: one.start()]):
+            return after.replace(changed, made + changed[other.start() :])
+    return after
+
+
+_NOWHERE = re.compile("(?!)")
 
 
 def plan_renames(

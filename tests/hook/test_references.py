@@ -100,6 +100,16 @@ def test_values_that_name_nothing(model, right, wrong, message):
             "refers_to: package",
             'arrow to: unknown tag to refer to "package"; allowed:',
         ),
+        (
+            "refers_to: state",
+            "refers_to: state, whose: {lable: [a]}",
+            'arrow to: unknown attribute of <state> "lable"; did you mean "label"?',
+        ),
+        (
+            "refers_to: state",
+            "refers_to: state, gives: {label: topic}",
+            'arrow to: unknown format "topic"; did you mean',
+        ),
     ],
 )
 def test_dictionary_that_names_no_tag(tmp_path, right, wrong, message):
@@ -108,6 +118,55 @@ def test_dictionary_that_names_no_tag(tmp_path, right, wrong, message):
         Model(tmp_path, tmp_path)
     assert str(error.value).startswith(f"{tmp_path}/dictionary.yaml:15: arrow to: ")
     assert message in str(error.value)
+
+
+GIVEN = """
+package_attributes: [name]
+node_attributes: [name]
+node_interface:
+  value:
+    - name
+    - type: {choices: [string, "string[]"]}
+    - text: {format: literal, of: type, optional: true}
+  topic: [name, from: {refers_to: value, gives: {text: topic_name}, optional: true}]
+skeleton: [topic]
+"""
+NAMES = """<package name="pkg"><node name="a">
+  <value name="x" type="string" text="/scan"/>
+  <topic name="scan" from="x"/>
+</node></package>"""
+TOPIC = 'text, which is from of <topic name="scan">: '
+
+
+@pytest.mark.parametrize(
+    ("given", "distro", "message"),
+    [
+        ('"string" text="/scan"', "kilted", ""),
+        ('"string" text="~/a/b_1"', "noetic", ""),
+        ('"string" text="{node}/scan"', "kilted", ""),
+        ('"string" text="{node}/scan"', "noetic", '"{node}/scan" is not the name of a topic'),
+        ('"string" text="/camera/0"', "noetic", ""),
+        ('"string" text="/camera/0"', "kilted", '"/camera/0" is not the name of a topic'),
+        ('"string" text="a b"', "kilted", '"a b" is not the name of a topic; allowed: what'),
+        ('"string" text=""', "noetic", '"" is not the name of a topic'),
+        ('"string" text="a//b"', "kilted", '"a//b" is not the name of a topic'),
+        ('"string"', "kilted", ""),
+        ('"string[]" text="[a, b]"', "kilted", ""),
+        ('"string[]" text="[a, \'b c\']"', "kilted", '"b c" is not the name of a topic'),
+        ('"string[]" text="[a, a]"', "kilted", '"a" is there twice; drop one [already-taken]'),
+    ],
+)
+def test_what_a_named_element_gives(tmp_path, given, distro, message):
+    """A default that the node would refuse is refused where it is written."""
+    (tmp_path / "dictionary.yaml").write_text(GIVEN)
+    spec = NAMES.replace('"string" text="/scan"', given)
+    try:
+        Model(tmp_path, tmp_path).context(spec.encode(), "spec", distro)
+        said = ""
+    except SpecError as error:
+        said = str(error)
+    assert said.startswith(message and f'spec:2: <value name="x">: {TOPIC}{message}')
+    assert bool(said) == bool(message)
 
 
 def test_skeleton_and_schema_say_what_is_named(model):

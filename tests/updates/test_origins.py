@@ -183,6 +183,53 @@ def test_what_a_developer_makes_of_a_comment_with_the_name_is_no_conflict(pairs,
     assert result.tree[pair.renaming.path(path)].text == wanted
 
 
+OF_A_PARAMETER = [
+    ("python_model", "lab/reach_interface.py", "    gain: ", "  # tuned"),
+    ("python_model", "lab/reach_ros.py", "            gain=", "  # tuned"),
+    ("cpp_model", "include/lab/reach_interface.hpp", "  std::int64_t gain ", "  // tuned"),
+    ("cpp_model", "src/reach_ros.cpp", '    get_parameter("gain"', "  // tuned"),
+]
+
+
+@pytest.mark.parametrize(("model", "path", "start", "comment"), OF_A_PARAMETER)
+def test_comment_behind_a_line_with_the_name_is_no_conflict(pairs, model, path, start, comment):
+    wanted = line_of(pairs[model].new, path, start.replace("gain", "factor")) + comment
+    text = line_of(pairs[model].old, path, start) + comment
+    assert joined(pairs[model], path, start, text) == (wanted, [], False)
+
+
+@pytest.mark.parametrize(
+    ("model", "path", "start"), [each[:3] for each in OF_A_PARAMETER if "_interface" in each[1]]
+)
+def test_other_default_of_a_parameter_that_is_renamed(pairs, model, path, start):
+    """With another type it is a conflict, of which the proof does not say that it is lost."""
+    line = line_of(pairs[model].old, path, start)
+    text, other = line.replace("= 1", "= 7"), line.replace("int", "Count")
+    assert text != line != other
+    assert joined(pairs[model], path, start, text) == (text.replace("gain", "factor"), [], False)
+    _, doubts, is_conflict = joined(pairs[model], path, start, other)
+    assert (doubts, is_conflict) == ([], True)
+
+
+def line_of(files, path, start):
+    """Return the line of a file that begins so."""
+    text = files[path if path in files else path.replace("reach", "grasp")]
+    (line,) = (line for line in text.splitlines() if line.startswith(start))
+    return line
+
+
+def joined(pair, path, start, line):
+    """Write a line in the place of one; say what it is after the update, doubts and conflict."""
+    files = {**pair.old, path: pair.old[path].replace(line_of(pair.old, path, start), line)}
+    mine, old, new = map(tree_of, (files, pair.old, pair.new))
+    result, doubts = Versions(mine, old, new, pair.renaming, pair.is_kept).merged()
+    target = pair.renaming.path(path)
+    texts = {target: result.tree[target].text}
+    is_conflict = bool(result.conflicts)
+    found = "" if is_conflict else line_of(texts, target, start.replace("gain", "factor"))
+    return found, doubts, is_conflict
+
+
 def test_foreign_look_alikes_are_listed_and_ours_renamed(render, copier_command):
     """The whole of an update: a node, its interface and the package have other names."""
     package = render(SPEC, name="arm")

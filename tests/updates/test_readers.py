@@ -13,6 +13,7 @@ from hooks.merge.proof import prove
 from hooks.merge.recount import recount
 from hooks.merge.renaming import Renaming
 from hooks.merge.tree import File, encode
+from hooks.merge.versions import Versions
 
 
 def merge(path, mine, old, new):
@@ -523,6 +524,63 @@ def test_brackets_of_cmake_are_read(own):
     merges, found, _ = merge("CMakeLists.txt", mine, old, new)
     assert merges
     assert found == changed(mine, (item, item + other))
+
+
+LISTS = {
+    "one line": ("ament_export_dependencies(\n  a\n  b\n)", "ament_export_dependencies(a b)"),
+    "two lines": ("ament_export_dependencies(\n  a\n  b\n)", "ament_export_dependencies( a\n b )"),
+    "options": ("  cfg/A.cfg\n)", "cfg/A.cfg)"),
+}
+PACKAGE = """project(arm)
+generate_dynamic_reconfigure_options(
+  cfg/A.cfg
+)
+catkin_package(
+  INCLUDE_DIRS include
+  CATKIN_DEPENDS
+    a
+)
+ament_export_dependencies(
+  a
+  b
+)
+"""
+
+
+@pytest.mark.parametrize("edit", LISTS.values(), ids=LISTS)
+def test_list_of_cmake_that_was_laid_out_anew_gets_what_is_new(edit):
+    changes = (("  a\n  b\n)", "  a\n  b\n  c\n)"), ("A.cfg\n", "A.cfg\n  cfg/B.cfg\n"))
+    new = changed(PACKAGE, *changes)
+    merges, found, result = merge("CMakeLists.txt", changed(PACKAGE, edit), PACKAGE, new)
+    assert (merges, found, result.missing) == (True, new, {})
+
+
+@pytest.mark.parametrize("own", ["CFG_EXTRAS arm.cmake", "LIBRARIES arm", "include_dirs mine"])
+def test_keyword_that_the_developer_puts_first_hides_no_other(own):
+    edit = ("catkin_package(\n", f"catkin_package(\n  {own}\n")
+    new = changed(PACKAGE, ("    a\n", "    a\n    c\n"))
+    merges, found, result = merge("CMakeLists.txt", changed(PACKAGE, edit), PACKAGE, new)
+    assert (merges, found, result.missing) == (True, changed(new, edit), {})
+
+
+@pytest.mark.parametrize("quoted", ['"a (b)"', "[[ (a) ]]"])
+def test_blanks_in_an_argument_of_cmake_are_no_form(quoted):
+    texts = (f"project(arm)\nmessage({text})\n" for text in (quoted, quoted.replace(" (", "(")))
+    old, mine = (changed(PACKAGE, ("project(arm)\n", text)) for text in texts)
+    new = changed(old, ("A.cfg\n", "A.cfg\n  cfg/B.cfg\n"))
+    merges, found, _ = merge("CMakeLists.txt", mine, old, new)
+    assert merges
+    assert found == changed(mine, ("A.cfg\n", "A.cfg\n  cfg/B.cfg\n"))
+
+
+def test_section_that_the_developer_deleted_stays_so_and_is_said():
+    mine = TABLES[: TABLES.index("## Topics")]
+    new = changed(TABLES, ("| pose |\n", "| pose |\n| joy |\n"), ("Moves.", "Turns."))
+    trees = [{"README.md": File(encode(text))} for text in (mine, TABLES, new)]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree["README.md"].text == changed(mine, ("Moves.", "Turns."))
+    assert result.missing == {"README.md": ["## Topics"]}
 
 
 HEADERS = Path("/usr/include")
