@@ -202,13 +202,13 @@ def as_parted(
             first = names.get(id(before))
             if before is None or first is None:  # it came on the branch
                 continue
-            items = [memos[0][id(before)]] if number == 0 else []
+            items = [(before, memos[0][id(before)])] if number == 0 else []
             name = _name(before, pair.naming)
             has = (after or {}).get(WAS)
             if has == name or (pair.name == name and has == before.get(WAS)):
-                items.append(memos[1].get(id(after), {}))
-            for item in items:
-                if item.get(WAS) is not None or first != name:
+                items.append((after or {}, memos[1].get(id(after), {})))
+            for given, item in items:
+                if given.get(WAS) is not None or first != name:  # else another history may say it
                     item[WAS] = first
     return context, spec
 

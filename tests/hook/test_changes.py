@@ -1,5 +1,7 @@
 """What has changed from one spec to the next, and where a render shows what a rename exchanges."""
 
+import itertools
+
 import pytest
 
 from hooks.changes import Mark, as_parted, changed_answers, changes, left, marked
@@ -116,6 +118,16 @@ def test_what_branches_have_renamed_more_than_once(dictionary, ours, theirs, new
     ]
     contexts = as_parted(histories, spec(node("n", new)), dictionary)
     assert [*changes(*contexts, dictionary)] == said
+
+
+def test_names_that_were_swapped_and_no_longer_say_so(dictionary):
+    """The branch that swapped them has dropped `was`; a third history knows of no swap."""
+    base, swapped = spec(node("n", A, B)), spec(node("n", TO_B, ("a", "T", "b")))
+    histories = [[base, base], [base, swapped, base], [base]]
+    for order in itertools.permutations(histories):
+        said = sorted(changes(*as_parted(order, base, dictionary), dictionary))
+        is_theirs = order[0] is histories[1]
+        assert said == ([] if is_theirs else ["> topic a on n, was b", "> topic b on n, was a"])
 
 
 def test_names_of_what_left(dictionary):
