@@ -89,7 +89,8 @@ def recount(
             sides = [_text(text) for text in (ours, base, theirs, there)]
             parts = [*result.own.get(target, []), *result.missing.get(target, [])]
             excuse = excused.get(path, "") + _about(theirs, parts)
-            taken = _about(base, result.missing.get(target, []))
+            gone = [*result.missing.get(target, []), *result.removed.get(path, [])]
+            taken = _about(base, gone)
             lines = _lines(sides, _text(excuse), _text(taken), target in result.missing)
             wrong += ((target, line) for line in lines)
         faults = _faults(target, there)
@@ -144,7 +145,7 @@ def _lines(
     """Yield the lines that are there too often, or not often enough.
 
     `excused` has those that left, and those in whose place is what the developer has written;
-    `taken` those of generated parts that are perhaps the developer's under another name.
+    `taken` those of generated parts that are perhaps in the developer's own.
     """
     mine, old, new, found = sides
     is_deleted = False  # what stands above in the new version

@@ -16,7 +16,7 @@ from ..changes import GONE, Mark, marked
 from ..dictionary import Dictionary
 from .blocks import Block
 from .depth import Shift, shifts
-from .languages import CMAKE, CPP, PYTHON, YAML, Language, language
+from .languages import CMAKE, CPP, MARKDOWN, PYTHON, YAML, Language, language
 from .lines import split
 from .origins import SELF, origins
 from .render import Renderer
@@ -145,7 +145,7 @@ class Renaming:
             return word.text
 
         lines = zip(split(text), split(exchange(known, text, by)), strict=True)
-        heads = _heads(generated)
+        heads = _heads(known, generated)
         return "".join(_as_made(known, *pair, heads) for pair in lines)
 
     def uses_of_taken(self, path: str, text: str) -> Iterator[tuple[int, str]]:
@@ -177,32 +177,37 @@ class Renaming:
         return {before: after for before, after in found.items() if before != after}
 
 
-_COMMENT = {PYTHON.name: "#", CPP.name: "//", CMAKE.name: "#"}
+_NOWHERE = re.compile("(?!)")
+_CODE = r"\s+(?:{}|= )|$"
+_ENDS = {
+    PYTHON.name: re.compile(_CODE.format("#")),
+    CPP.name: re.compile(_CODE.format("//")),
+    CMAKE.name: re.compile(_CODE.format("#")),
+    MARKDOWN.name: re.compile(r" \| (?=[^|]*\|$)|$"),
+}
+"""Where what a line is about may end: before a comment, a value, the last cell of a table."""
 
 
-def _heads(generated: Mapping[str, str]) -> dict[str, str]:
-    """Return how lines begin, and will, that may end otherwise: in a comment, in another value."""
-    found = {**generated}
-    for before, after in generated.items():
-        head, _, value = before.partition(" = ")
-        made = after.partition(" = ")[0]
-        if value and " " in head:
-            found[head] = made if found.get(head, made) == made else ""
+def _heads(known: Language, generated: Mapping[str, str]) -> dict[str, str]:
+    """Return how generated lines begin, and will, that may end as the developer likes."""
+    found: dict[str, str] = {}
+    ends = _ENDS.get(known.name, _NOWHERE)
+    for line, made in generated.items():
+        for one, other in zip(ends.finditer(line), ends.finditer(made), strict=False):
+            head, new = line[: one.start()], made[: other.start()]
+            if " " in head or head == line:
+                found[head] = new if found.get(head, new) == new else ""
     return found
 
 
 def _as_made(known: Language, before: str, after: str, heads: Mapping[str, str]) -> str:
     """Return a line whose words are exchanged; one that begins as a generated one as that does."""
     line, changed = before.strip(), after.strip()
-    sign = _COMMENT.get(known.name)
-    ends = re.compile(rf"\s+(?:{sign}|= )|$") if heads and sign else _NOWHERE
+    ends = _ENDS.get(known.name, _NOWHERE) if heads else _NOWHERE
     for one, other in zip(ends.finditer(line), ends.finditer(changed), strict=False):
         if made := heads.get(line[: one.start()]):
             return after.replace(changed, made + changed[other.start() :])
     return after
-
-
-_NOWHERE = re.compile("(?!)")
 
 
 def plan_renames(

@@ -1,5 +1,7 @@
 """A rename exchanges the package's own names; where a name comes from decides, not its look."""
 
+import re
+
 import pytest
 
 from hooks.merge.languages import CMAKE
@@ -211,6 +213,17 @@ def test_other_default_of_a_parameter_that_is_renamed(pairs, model, path, start)
     assert (doubts, is_conflict) == ([], True)
 
 
+@pytest.mark.parametrize("model", OWN)
+def test_row_of_a_table_with_the_name_keeps_the_last_cell_of_the_developer(pairs, model):
+    start = "| `load` |"
+    rows = [
+        line_of(files, "README.md", start.replace("load", name))
+        for files, name in ((pairs[model].old, "load"), (pairs[model].new, "fetch"))
+    ]
+    text, wanted = (re.sub(r"[^|]*\|$", " Mine, `load` too |", row) for row in rows)
+    assert joined(pairs[model], "README.md", start, text) == (wanted, [], False)
+
+
 def line_of(files, path, start):
     """Return the line of a file that begins so."""
     text = files[path if path in files else path.replace("reach", "grasp")]
@@ -226,7 +239,11 @@ def joined(pair, path, start, line):
     target = pair.renaming.path(path)
     texts = {target: result.tree[target].text}
     is_conflict = bool(result.conflicts)
-    found = "" if is_conflict else line_of(texts, target, start.replace("gain", "factor"))
+    found = (
+        ""
+        if is_conflict
+        else line_of(texts, target, start.replace("gain", "factor").replace("load", "fetch"))
+    )
     return found, doubts, is_conflict
 
 

@@ -10,6 +10,7 @@ from hooks.merge.proof import prove
 from hooks.merge.recount import _faults, recount
 from hooks.merge.renaming import Renaming
 from hooks.merge.tree import LINK, PLAIN, File, encode
+from hooks.merge.versions import Versions
 from support.laboratory import specs
 from support.laboratory.edits import edit
 from support.laboratory.mutants import MUTANTS, OF_HABITS
@@ -302,3 +303,28 @@ def test_function_of_which_the_developer_has_one_half_is_theirs():
         said = recount(*whole, *sides[3:], result, result.tree, [])
         half = "WorkerImpl::serve_load is but half there"
         assert {(hpp, half), (cpp, half)} & {*said}
+
+
+LOGIC = """class Impl:
+    # Service load
+    def serve_load(self, request, response):
+        return response
+
+    # Service home
+    def serve_home(self, request, response):
+        return response
+"""
+
+
+def test_own_function_has_a_line_of_one_that_leaves():
+    """The developer has moved it into a helper, above the function that stays."""
+    helper = "self.filled(response)\n\n    def filled(self, response):\n        return response\n"
+    mine = LOGIC.replace("response\n\n    # Service home", helper + "\n    # Service home")
+    new = LOGIC[:12] + LOGIC[LOGIC.index("    # Service home") :]
+    trees = [{"a/impl.py": File(encode(text))} for text in (mine, LOGIC, new)]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.removed == {"a/impl.py": ["serve_load"]}
+    assert (
+        "def filled(self, response):\n        return response\n" in result.tree["a/impl.py"].text
+    )
