@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from difflib import SequenceMatcher
+from typing import NamedTuple
 
 from ..data import load_data
 from .blocks import Block
@@ -36,7 +37,28 @@ _DEPENDENCIES = {
     2: ("rosidl_generate_interfaces", "ament_export_dependencies"),
 }
 _WORDS = {1: ("DEPENDENCIES", "CATKIN_DEPENDS"), 2: ("DEPENDENCIES", "")}
+# Commands about the parts of a target.
+_PARTS = ("target_link_libraries", "add_executable", "add_library")
+_ARGUMENT = re.compile(
+    r'(?P<head>\w+[ \t]*\()|(?P<comment>[ \t]*#.*)|"(?:\\.|[^"\\])*"|[^\s()"#]+'
+)
 _Lines = dict[int, tuple[str, ...]]
+
+
+class _Item(NamedTuple):
+    """An argument of a command, or a comment on a line of its own."""
+
+    at: int
+    """Its line."""
+    keyword: str
+    """What says what the arguments below it are; a keyword is its own."""
+    name: str
+    comment: str = ""
+    """What stands behind it."""
+
+    @property
+    def text(self) -> str:
+        return self.name + self.comment
 
 
 def carry_build_files(
@@ -117,18 +139,23 @@ class _Carrier:
         is_top: bool = False,
     ) -> None:
         known = {block.key: block for block in old}
+        lists = {_name(b.key): b for b in old if _name(b.key) in _DEPENDENCIES[3 - self.ros]}
         generated = set(keys(old))
         there = {block.key: block for block in new}
         for block in mine:
-            base = known.get(block.key)
-            if is_top and generated.isdisjoint(keys([block])):
+            base = known.get(block.key) or lists.get(_name(block.key))
+            if self._is_list(block.key) and (base or is_top):
+                self._list(block, base, number)
+            elif is_top and generated.isdisjoint(keys([block])):
                 self._command(block, number)
             elif base and block.children and block.key in there:
                 inner = number + len(block.lines)
                 self._commands(block.children, base.children, there[block.key].children, inner)
             elif base and base.text != block.text and not block.children:
+                same = {line.strip() for line in base.lines}
                 for at, line, before, replaced in _own_lines(block.lines, base.lines):
-                    self._item(block.key, line, before, replaced, number + at, new)
+                    if line.strip() not in same:
+                        self._line(block.key, line, before, replaced, number + at, new)
             number += len(split(block.text))
 
     def _command(self, block: Block, number: int) -> None:
@@ -138,14 +165,10 @@ class _Carrier:
         name = re.match(r"\w*", code)[0].lower()  # type: ignore[index]
         installed = _INSTALL.fullmatch(code)
         package = re.fullmatch(r"find_package\(\s*(\w+)[^()]*\)", code)
+        if re.search(_KNOWN["foreign"][3 - self.ros], code):
+            return
         if package and self.ros == 1 and self._component(package[1]):
             self._note(number, block.text, package[1])
-        elif any(block.key == key for key, _, _ in _KNOWN["lists"]) or block.key.startswith(
-            _DEPENDENCIES[3 - self.ros]
-        ):
-            self._list(block, number)
-        elif re.search(_KNOWN["foreign"][3 - self.ros], code):
-            return
         elif not self.has_cmake:
             if installed and (entry := self._as_entry(installed)):
                 self._note(number, block.text, entry)
@@ -164,16 +187,34 @@ class _Carrier:
             for i, line in enumerate(split(block.text)):
                 self._note(number + i, line, self._translated(line).strip())
 
-    def _list(self, block: Block, number: int) -> None:
-        """Put the items of a list of the developer's into the one that stands for it."""
-        frame = re.compile(r"\w+\(|FILES|\)")
-        lines = list(enumerate(split(block.text), number))
-        for i, line in lines:
-            if not frame.fullmatch(line.strip()):
-                self._item(block.key, line, "", "", i, self.new)
-        for i, line in lines if any(i in self.lines for i, _ in lines) else ():
-            if frame.fullmatch(line.strip()):
-                self._note(i, line, "(")
+    def _is_list(self, key: str) -> bool:
+        """Say whether the items of a command go into one that stands for it."""
+        if _name(key) in _PARTS:
+            return self._same_target(key) is not None
+        if key in ("find_package catkin", "install DIRECTORY"):
+            return self.ros == 2 if key.startswith("find") else not self.has_cmake
+        sources = [pair[2 - self.ros] for pair in _KNOWN["lists"]]
+        return key in sources or _name(key) in _DEPENDENCIES[3 - self.ros]
+
+    def _list(self, block: Block, base: Block | None, number: int) -> None:
+        """Put the items that a list has more than `base` into the one that stands for it.
+
+        Where those of the model stand now means nothing.
+        """
+        generated = base.text if base else ""
+        key = block.key
+        same = {*key.split(), *(item.name for item in _items(key, generated))}
+        became = {
+            item: "" if item.name in (*same, item.keyword) else self._item(key, item)
+            for item in _items(key, block.text)
+            if item.name not in same or item.comment not in generated
+        }
+        used = {item.keyword for item, text in became.items() if text}
+        behind = {i.at for i, text in became.items() if not text and i.name not in used}
+        same_lines = base.lines if base and base.key == key else ()
+        for at, *_ in _own_lines(block.lines, same_lines) if base or used else ():
+            if at not in behind:
+                self.lines[number + at] = tuple(text for i, text in became.items() if i.at == at)
 
     def _has_target(self, code: str, name: str) -> bool:
         """Say whether the target that a command is about is there."""
@@ -192,82 +233,80 @@ class _Carrier:
             text = re.sub(form, lambda m, after=after: m[1] + after, text)  # type: ignore[misc]
         return text.replace("catkin_install_python(", "install(") if self.ros == 2 else text
 
-    def _item(
-        self, key: str, line: str, before: str, replaced: str, number: int, new: list[Block]
-    ) -> None:
-        """Put an item of a generated command into that command, or the one that stands for it."""
-        item = line.strip()
-        command = next((block for block in new if block.key == key), None)
+    def _item(self, key: str, item: _Item) -> str:
+        """Put an item into the list that stands for the one it is in; return what it is there."""
+        if item.keyword not in _KNOWN["items"][_name(key)]:
+            return ""
         for first, second, folder in _KNOWN["lists"]:
             source, target = (first, second) if self.ros == 2 else (second, first)
             prefix = folder if self.ros == 1 else ""
-            if key == source and item.startswith(prefix) and item.endswith(f".{folder[:-1]}"):
-                name = folder + item if self.ros == 2 else item.removeprefix(folder)
-                if self._listed(target, name, f".{folder[:-1]}"):
-                    self._note(number, line, name)
-                return
-        if key.startswith(_DEPENDENCIES[3 - self.ros]):
-            self._dependency(key, item, number, line)
-        elif key == "find_package catkin" and self.ros == 2:
-            if self.has_cmake and re.fullmatch(r"\w+", item):
-                self._package(item)
-                self._note(number, line, f"find_package({item} REQUIRED)")
-        elif key.startswith(("target_link_libraries", "add_executable", "add_library")):
-            self._part(key, item, number, line)
-        elif re.search(_KNOWN["foreign"][3 - self.ros], self._translated(item)):
+            file = re.fullmatch(rf"{prefix}([\w/.-]+\.{folder[:-1]})", item.name)
+            if key == source and file:
+                name = (folder if self.ros == 2 else "") + file[1] + item.comment
+                return name if self._listed(target, name, f".{folder[:-1]}") else ""
+        if _name(key) in _PARTS:
+            return self._part(key, item)
+        if re.search(_KNOWN["foreign"][3 - self.ros], item.name):
+            return ""
+        if _name(key) in _DEPENDENCIES[3 - self.ros]:
+            return self._dependency(key, item)
+        if key == "install DIRECTORY":
+            is_folder = re.fullmatch(r"[\w/.-]+", item.name)
+            return self._in_setup(f"*installed('{item.name}'),{item.comment}") if is_folder else ""
+        return self._package(item) if self.has_cmake and re.fullmatch(r"\w+", item.name) else ""
+
+    def _line(
+        self, key: str, line: str, before: str, replaced: str, number: int, new: list[Block]
+    ) -> None:
+        """Put a line of a generated command into the same command."""
+        item = line.strip()
+        command = next((block for block in new if block.key == key), None)
+        if re.search(_KNOWN["foreign"][3 - self.ros], self._translated(item)):
             return
-        elif key == "install DIRECTORY" and not self.has_cmake:
-            if re.fullmatch(r"[\w/.-]+", item) and item.upper() != item:
-                self._note(number, line, self._in_setup(f"*installed('{item}'),"))
-        elif command and replaced.strip() and replaced in command.lines:
+        if command and replaced.strip() and replaced in command.lines:
             command.lines[command.lines.index(replaced)] = line
             self._note(number, line, item)
         elif command and not replaced and (at := _index(command.lines, before)) is not None:
             command.lines.insert(at + 1, line)
             self._note(number, line, item)
 
-    def _dependency(self, key: str, item: str, number: int, line: str) -> None:
+    def _dependency(self, key: str, item: _Item) -> str:
         """Put a package into the list of those that messages contain, or that users need."""
-        if not re.fullmatch(r"[a-z]\w*|(CATKIN_)?DEPENDS|DEPENDENCIES", item):
-            return
-        at = next(
-            i for i, known in enumerate(_DEPENDENCIES[3 - self.ros]) if key.startswith(known)
-        )
+        at = _DEPENDENCIES[3 - self.ros].index(_name(key))
         target, word = _DEPENDENCIES[self.ros][at], _WORDS[self.ros][at]
         command = next((block for block in self.new if block.key.startswith(target)), None)
-        if command is None:
-            return
-        if item.isupper():
-            self._note(number, line, word or target)
-            return
+        if command is None or not re.fullmatch(r"[a-z]\w*", item.name):
+            return ""
         lines = command.lines
         if word and _index(lines, word) is None:
             lines.insert(len(lines) - 1, f"  {word}\n")
         place = _index_of(lines, word or target) + 1
-        if not any(found.strip() == item for found in lines[place:]):
-            lines.insert(place, f"{'    ' if word else '  '}{item}\n")
-        self._note(number, line, item)
+        if not any(found.strip() == item.name for found in lines[place:]):
+            lines.insert(place, f"{'    ' if word else '  '}{item.text}\n")
+        return item.text
 
-    def _part(self, key: str, item: str, number: int, line: str) -> None:
+    def _part(self, key: str, item: _Item) -> str:
         """Put a library or a source to the target that stands for another one."""
-        name, _, target = key.partition(" ")
-        targets = re.match(r"\$\{(\w+)_TARGETS\}$|(\w+)::\w+$", item)
+        targets = re.match(r"\$\{(\w+)_TARGETS\}$|(\w+)::\w+$", item.name)
         package = targets and (targets[1] or targets[2])
         if package and self.ros == 1 and self._has_component(package):
-            self._note(number, line, package)  # catkin links all of its components
-            return
-        if re.search(_KNOWN["foreign"][3 - self.ros], item) or item in ("PUBLIC", "PRIVATE"):
-            return
-        names = (name,) if name.startswith("target") else ("add_executable", "add_library")
-        for command in self.new:
-            if command.key in [f"{one} {target}" for one in names]:
-                lines = command.lines
-                public = _index(lines, "  PUBLIC\n")
-                at = len(lines) - 1 if public is None else public + 1
-                margin = "  " if public is None else "    "
-                lines.insert(at, f"{margin}{item}\n")
-                self._note(number, line, item)
-                return
+            return str(package)  # catkin links all of its components
+        is_sort = key.startswith("add_") and re.fullmatch("[A-Z_]+", item.name)
+        command = self._same_target(key)
+        if command is None or is_sort or re.search(_KNOWN["foreign"][3 - self.ros], item.name):
+            return ""
+        lines = command.lines
+        public = _index(lines, "  PUBLIC\n")
+        at = len(lines) - 1 if public is None else public + 1
+        lines.insert(at, f"{'  ' if public is None else '    '}{item.text}\n")
+        return item.text
+
+    def _same_target(self, key: str) -> Block | None:
+        """Return the command of now about the parts of a target."""
+        name, _, target = re.sub(r" #\d+$", "", key).partition(" ")
+        names = _PARTS[:1] if name in _PARTS[:1] else _PARTS[1:]
+        same = [f"{one} {target}" for one in names]
+        return next((block for block in self.new if block.key in same), None)
 
     def _listed(self, key: str, name: str, suffix: str) -> bool:
         """Put a file into the list of those like it; without a list, make one if it has a use."""
@@ -288,17 +327,17 @@ class _Carrier:
     def _below_packages(self) -> int:
         return max(i for i, b in enumerate(self.new) if b.key.startswith("find_package")) + 1
 
-    def _package(self, name: str) -> None:
+    def _package(self, item: _Item) -> str:
         """Find a package, and link every target of a node with it, as catkin does."""
-        key = f"find_package {name}"
+        name, key = item.name, f"find_package {item.name}"
+        text = f"find_package({name} REQUIRED){item.comment}"
         if not any(block.key == key for block in self.new):
-            self.new.insert(
-                self._below_packages(), Block(key, [f"find_package({name} REQUIRED)\n"])
-            )
+            self.new.insert(self._below_packages(), Block(key, [f"{text}\n"]))
             for command in self.new:
                 public = _index(command.lines, "  PUBLIC\n")
                 if command.key.startswith("target_link_libraries ${PROJECT_NAME}_") and public:
                     command.lines.insert(public + 1, f"    ${{{name}_TARGETS}}\n")
+        return text
 
     def _component(self, name: str) -> bool:
         """Make a package a component of catkin, if it can be one."""
@@ -354,6 +393,27 @@ class _Carrier:
         for i, line in enumerate(split(text)):
             if line.strip() and (line.lstrip()[0] != "#" or line.strip() == as_what):
                 self.lines[number + i] = (as_what,)
+
+
+def _name(key: str) -> str:
+    """Return the command of a block."""
+    return key.partition(" ")[0]
+
+
+def _items(key: str, text: str) -> list[_Item]:
+    """Return the arguments of a list."""
+    name, keyword = _name(key), ""
+    found: list[_Item] = []
+    for part in _ARGUMENT.finditer(text):
+        at, word = text.count("\n", 0, part.start()), part[0]
+        if part["comment"] and found and found[-1].at == at:
+            found[-1] = found[-1]._replace(comment=word)
+        elif not part["head"]:
+            # A part of a target may be a library that is called GL.
+            is_other = name not in _PARTS and re.fullmatch("[A-Z_]+", word)
+            keyword = word if is_other or word in _KNOWN["items"][name] else keyword
+            found.append(_Item(at, keyword, word.strip()))
+    return found
 
 
 def _own_lines(mine: Sequence[str], old: Sequence[str]) -> Iterator[tuple[int, str, str, str]]:

@@ -11,6 +11,7 @@ from hooks.merge.builds import carry_build_files
 from hooks.merge.languages import XML
 from hooks.merge.launch import carry, carry_launch_files
 from hooks.merge.package import Result
+from hooks.merge.proof import prove
 from hooks.merge.renaming import Renaming
 from hooks.merge.tree import File, encode
 
@@ -323,7 +324,7 @@ BUILT_1_TO_2 = """\
 +  tf2_ros
    std_msgs
 """
-NUMBERS_1_TO_2 = [7, 13, 16, 17, 20, 22, 28, 33, 37, 40, 41, 42, 43, 45, 46]
+NUMBERS_1_TO_2 = [7, 13, 15, 16, 17, 20, 22, 28, 33, 37, 40, 41, 42, 43, 45, 46]
 CMAKE_2_TO_1 = """\
  find_package(std_msgs REQUIRED)
 +find_package(tf2_ros REQUIRED)
@@ -706,7 +707,7 @@ USERS = "catkin_package(\n  CATKIN_DEPENDS\n    tf2\n)\n"
             "target_link_libraries(a\n  PRIVATE\n  tf2_ros::tf2_ros\n  fmt::fmt\n  rclcpp\n)\n",
             "target_link_libraries(a\n)\n",
             "target_link_libraries(a\n  fmt::fmt\n)\n",
-            {4: "tf2_ros", 5: "fmt::fmt"},
+            {3: "", 4: "tf2_ros", 5: "fmt::fmt"},
         ),
         # An item of a command that both have: where the same stands in it, or above it
         (2, PROPERTIES, ("x", "y"), PROPERTIES, "mine", {6: "PREFIX y"}),
@@ -729,7 +730,7 @@ USERS = "catkin_package(\n  CATKIN_DEPENDS\n    tf2\n)\n"
             (")", "  DEPENDENCIES\n    b_msgs\n)"),
             "generate_messages(\n)\n",
             "generate_messages(\n  DEPENDENCIES\n    b_msgs\n)\n",
-            {4: "DEPENDENCIES", 5: "b_msgs"},
+            {4: "", 5: "b_msgs"},
         ),
         (
             1,
@@ -748,7 +749,7 @@ USERS = "catkin_package(\n  CATKIN_DEPENDS\n    tf2\n)\n"
             USERS,
             "ament_export_dependencies(\n  x\n)\n",
             "ament_export_dependencies(\n  tf2\n  x\n)\n",
-            {4: "(", 5: "ament_export_dependencies", 6: "tf2", 7: "("},
+            {4: "", 5: "", 6: "tf2", 7: ""},
         ),
         (
             2,
@@ -770,6 +771,134 @@ def test_item_of_cmake(ros, old, mine, new, wanted, lines):
     result = built({path: before + mine}, {path: before + old}, {path: after + new}, ros)
     assert result.tree[path].text == after + wanted
     assert {number: " ".join(words) for number, words in result.carried[path][1].items()} == lines
+
+
+LISTS = {
+    1: """\
+find_package(catkin REQUIRED COMPONENTS
+  roscpp
+  tf2_ros
+)
+catkin_package(
+  INCLUDE_DIRS
+    include
+  CATKIN_DEPENDS
+    roscpp
+    tf2_ros
+)
+add_executable(a
+  src/a.cpp
+  src/b.cpp
+)
+target_link_libraries(a
+  ${catkin_LIBRARIES}
+)
+install(DIRECTORY
+    config
+    launch
+  DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}
+)
+""",
+    2: """\
+find_package(tf2_ros REQUIRED)
+add_library(a SHARED
+  src/a.cpp
+  src/b.cpp
+)
+target_link_libraries(a
+  PUBLIC
+    ${tf2_ros_TARGETS}
+)
+install(DIRECTORY
+    config
+    launch
+  DESTINATION share/${PROJECT_NAME}
+)
+ament_export_dependencies(
+  tf2_ros
+)
+""",
+}
+COMPONENTS = "find_package(catkin REQUIRED COMPONENTS\n"
+SOURCES = "  src/a.cpp\n  src/b.cpp\n"
+LINKED = ("install(DIRECTORY", "target_link_libraries(a PRIVATE fmt)\ninstall(DIRECTORY")
+
+
+@pytest.mark.parametrize(
+    ("ros", "change", "carried", "behind"),
+    [
+        # What has another form, or stands elsewhere
+        (2, (" COMPONENTS\n", "\n  COMPONENTS\n"), "", ""),
+        (2, (f"{COMPONENTS}  roscpp\n  tf2_ros", f"{COMPONENTS}  tf2_ros\n  roscpp"), "", ""),
+        (2, ("    roscpp\n    tf2_ros", "    tf2_ros roscpp"), "", ""),
+        (2, ("  INCLUDE_DIRS\n    include\n  CATKIN", "  CATKIN"), "", ""),
+        (2, (SOURCES, "  src/b.cpp\n  src/a.cpp\n"), "", ""),
+        (1, (SOURCES, "  src/b.cpp\n  src/a.cpp\n"), "", ""),
+        (2, ("    config\n    launch", "    launch\n    config"), "", "launch"),
+        # Several in a line
+        (
+            2,
+            (f"{COMPONENTS}  roscpp\n  tf2", f"{COMPONENTS[:-1]} nav_msgs roscpp\n  tf2"),
+            ("(tf2_ros REQUIRED)\n", "(tf2_ros REQUIRED)\nfind_package(nav_msgs REQUIRED)\n"),
+            "",
+        ),
+        (
+            2,
+            (f"(a\n{SOURCES}", "(a src/a.cpp src/b.cpp src/c.cpp"),
+            (SOURCES, f"{SOURCES}  src/c.cpp\n"),
+            "",
+        ),
+        # What means nothing there, by its keyword or its name
+        (
+            2,
+            ("  INCLUDE", "  CFG_EXTRAS x.cmake\n  LIBRARIES a\n  INCLUDE"),
+            "",
+            "CFG_EXTRAS x.cmake|LIBRARIES a",
+        ),
+        (
+            2,
+            ("ros\n)\ncatkin", "ros\n  OPTIONAL_COMPONENTS\n  x\n)\ncatkin"),
+            "",
+            "OPTIONAL_COMPONENTS|x",
+        ),
+        (2, ("  roscpp\n", "  roscpp\n  rospy\n"), "", "rospy"),
+        (2, ("install(", "catkin_package_xml(x)\ninstall("), "", "catkin_package_xml(x)"),
+        (2, ("(a\n", "(a EXCLUDE_FROM_ALL\n"), "", "add_executable(a EXCLUDE_FROM_ALL"),
+        (
+            1,
+            ("(tf2_ros REQUIRED)\n", "(tf2_ros REQUIRED)\nfind_package(rclcpp_action)\n"),
+            "",
+            "find_package(rclcpp_action)",
+        ),
+        # With a comment
+        (
+            2,
+            (SOURCES, f"{SOURCES}  src/c.cpp  # C\n"),
+            (SOURCES, f"{SOURCES}  src/c.cpp  # C\n"),
+            "",
+        ),
+        (2, ("src/a.cpp", "src/a.cpp  # A"), "", "src/a.cpp  # A"),
+        (
+            2,
+            ("  CATKIN_DEPENDS\n", "  CATKIN_DEPENDS\n    tf2  # T\n"),
+            ("dependencies(\n", "dependencies(\n  tf2  # T\n"),
+            "",
+        ),
+        # In a command of the developer's, of a form that the other ROS does not mix with its own
+        (2, LINKED, ("  PUBLIC\n", "  PUBLIC\n    fmt\n"), ""),
+        (1, LINKED, ("S}\n", "S}\n  fmt\n"), ""),
+    ],
+)
+def test_what_a_list_has_more(ros, change, carried, behind):
+    path = "CMakeLists.txt"
+    old, new = ({path: File(encode(LISTS[which]))} for which in (3 - ros, ros))
+    text = LISTS[3 - ros].replace(*change, 1)
+    assert text != LISTS[3 - ros]
+    mine, result = {path: File(encode(text))}, Result()
+    carry_build_files(mine, old, new, Renaming(), result, ros)
+    assert result.tree[path].text == (LISTS[ros].replace(*carried) if carried else LISTS[ros])
+    left = prove(mine, old, result, result.tree, Renaming()).left
+    assert "|".join(line.strip() for _, _, line in left) == behind
 
 
 def test_what_the_developer_deleted_of_cmake_is_said():
