@@ -18,7 +18,7 @@ from .lines import MARKS, plain, split
 from .matching import identify, wrap
 from .origins import is_holder
 from .package import Result
-from .renaming import Renaming, rename
+from .renaming import Renaming
 from .tokens import words
 from .tree import File, Tree
 
@@ -107,13 +107,13 @@ def _prove_file(
             else:
                 proof.left.append((path, number, line))
         return
-    text = _my_side(plain(found.text or "")) if found else ""
+    sides = [*_sides(plain(found.text or ""))] if found else []
+    text = "".join(line for side, line in sides if side != "new")
+    shown = Counter(known.key(line) for side, line in sides if side == "mine")
     there = _blocks(known, text, "", Renaming())
-    if target in result.conflicts:
-        rename(there, there, renaming.keys.get(origin, {}))  # whose text has the names of before
     there = identify(there, before, after)
     removed = result.removed.get(path, [])
-    _read_back(proof, (path, target), known, lines, there, removed, of_people)
+    _read_back(proof, (path, target), known, lines, there, shown, removed, of_people)
     changed = found is not None and target not in result.conflicts and text != ours
     if changed and _parses(known, ours) and not _parses(known, text):
         proof.lost.append((target, "cannot be read any more"))
@@ -141,9 +141,12 @@ def _read_back(
     known: Language,
     lines: list[tuple[str, str, int]],
     found: list[Block],
+    shown: Counter[str],
     removed: list[str],
     of_people: bool,
 ) -> None:
+    """Look for lines in their blocks; `shown` are those that a conflict shows."""
+
     def place(scope: str) -> str:
         return scope.rpartition(" > ")[2] if of_people else scope
 
@@ -154,6 +157,9 @@ def _read_back(
         have = counts.get(place(scope), Counter())
         if have[known.key(line)]:
             have[known.key(line)] -= 1
+            proof.in_place += 1
+        elif shown[known.key(line)]:
+            shown[known.key(line)] -= 1
             proof.in_place += 1
         elif any(name in scope for name in removed):
             proof.left.append((paths[0], number, line))
@@ -216,16 +222,15 @@ def _parses(known: Language, text: str) -> bool:
     return True
 
 
-def _my_side(text: str) -> str:
-    """Return a file with the developer's side of each conflict."""
-    lines, side = [], "both"
+def _sides(text: str) -> Iterator[tuple[str, str]]:
+    """Yield the lines of a file, each with the side of a conflict that it is on."""
+    side = "both"
     for line in split(text):
         sides = dict(zip(MARKS, ("mine", "new", "both"), strict=True))
         if line.rstrip() in sides:
             side = sides[line.rstrip()]
-        elif side != "new":
-            lines.append(line)
-    return "".join(lines)
+        else:
+            yield side, line
 
 
 def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> Iterator[str]:

@@ -14,9 +14,11 @@ from typing import Any
 
 from ..changes import GONE, Mark, marked
 from ..dictionary import Dictionary
+from ..package import SUFFIX
+from . import xml_blocks
 from .blocks import Block
 from .depth import Shift, shifts
-from .languages import CMAKE, CPP, MARKDOWN, PYTHON, YAML, Language, language
+from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
 from .lines import split
 from .origins import SELF, origins
 from .render import Renderer
@@ -51,6 +53,8 @@ class Renaming:
 
     One that is several lines then is empty.
     """
+    attributes: dict[str, dict[tuple[str, str, str], str]] = field(default_factory=dict)
+    """By file of XML, what becomes of the value of an attribute of a generated element."""
     vocabulary: dict[str, set[str]] = field(default_factory=dict)
     """By file, the words that these lines have by themselves: they are members of nothing."""
     classes: set[str] = field(default_factory=set)
@@ -113,6 +117,9 @@ class Renaming:
         known = language(path, text)
         if known is YAML:
             return _with_keys(text, self.keys.get(path, {}))
+        if known is XML:
+            values = self.attributes.get(path, {})
+            return xml_blocks.exchange(text, lambda *found: values.get(found, found[-1]))
         exact = {**self.everywhere, **self.in_file.get(path, {})}
         members = self.members.get(path, {})
         if not exact and not members and not self.packages and not self.targets:
@@ -275,6 +282,8 @@ def plan(
         if known in (CPP, PYTHON):
             renaming.roots |= {*PurePosixPath(before).parts[:-1][known is CPP :][:1]}
         renaming.keys[before] = _keys(reader, before, text)
+        if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
+            renaming.attributes[before] = reader.attributes(text)
     _exchanges(renaming, reader, owned, tokens, {*old, *mine})
     return renaming
 
@@ -372,6 +381,19 @@ class _Reader:
             before, after = self.both(line)
             is_clear = found.get(before, after) == after and not self.is_gone(line)
             found[before] = after if is_clear else ""
+        return found
+
+    def attributes(self, text: str) -> dict[tuple[str, str, str], str]:
+        """Return each marked value by its element, its attribute and what it was."""
+        found: dict[tuple[str, str, str], str] = {}
+
+        def keep(element: str, name: str, value: str) -> str:
+            if _MARK.search(value) and not self.is_gone(value):
+                before, after = self.both(value)
+                found[self.both(element)[0], name, before] = after
+            return value
+
+        xml_blocks.exchange(text, keep)
         return found
 
     def keys(self, text: str) -> dict[str, str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
@@ -78,13 +79,38 @@ def _tight_signs(text: str) -> str:
     return re.sub(r"\s*(/?>)\s*", r"\1", collapsed(text))
 
 
+def exchange(text: str, by: Callable[[str, str, str], str]) -> str:
+    """Return a text with the value of each attribute exchanged.
+
+    `by` is given the name of its element, as blocks have it, its own, and its value.
+    """
+
+    def element(match: re.Match[str]) -> str:
+        if not match["open"]:
+            return match[0]
+        name = _named(match["tag"], _attributes(match["attributes"]))
+
+        def attribute(found: re.Match[str]) -> str:
+            which = 3 if found[2] is None else 2
+            head = found[0][: found.start(which) - found.start()]
+            return f"{head}{by(name, found[1], found[which])}{found[0][-1]}"
+
+        return f"<{match['tag']}{_ATTRIBUTE.sub(attribute, match['attributes'])}>"
+
+    return _MARKUP.sub(element, text)
+
+
+def _attributes(text: str) -> dict[str, str]:
+    return {name: one or other for name, one, other in _ATTRIBUTE.findall(text)}
+
+
 def _elements(text: str) -> list[_Element]:
     top = _Element("", {}, 0, 0)
     stack = [top]
     for match in _MARKUP.finditer(text):
         if match["open"]:
             attributes = match["attributes"]
-            found = {a: b or c for a, b, c in _ATTRIBUTE.findall(attributes)}
+            found = _attributes(attributes)
             element = _Element(match["tag"], found, match.start(), match.end())
             stack[-1].children.append(element)
             if attributes.rstrip().endswith("/"):
@@ -111,13 +137,16 @@ def _span(text: str, element: _Element) -> Span:
 
 def _key(text: str, element: _Element) -> str:
     """Name an element: `exec_depend rclpy`, `node reach`, `arg log_level`."""
-    for name in _NAMING:
-        if name in element.attributes:
-            return f"{element.tag} {element.attributes[name]}"
-    content = squeezed(text[element.inner : element.outer])
-    if element.children or not (element.tag.endswith("depend") or element.tag == "url"):
-        return element.tag
-    return f"{element.tag} {content}"
+    name = _named(element.tag, element.attributes)
+    is_of_content = element.tag.endswith("depend") or element.tag == "url"
+    if name != element.tag or element.children or not is_of_content:
+        return name
+    return f"{element.tag} {squeezed(text[element.inner : element.outer])}"
+
+
+def _named(tag: str, attributes: Mapping[str, str]) -> str:
+    found = (f"{tag} {attributes[name]}" for name in _NAMING if name in attributes)
+    return next(found, tag)
 
 
 def _line(text: str, at: int) -> int:

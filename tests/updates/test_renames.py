@@ -5,6 +5,10 @@ import re
 
 import pytest
 
+from hooks.changes import GONE, Mark
+from hooks.merge.renaming import plan
+from hooks.merge.tree import File, encode
+from hooks.merge.versions import Versions
 from support.arm import SPEC
 from support.repository import commit, git
 
@@ -266,3 +270,63 @@ def test_comments_go_with_fields_that_change_places(render, update, distro):
     assert (package / "srv/Plan.srv").read_text().split() == (
         "# my speed float64 pace --- # my speed float64 speed".split()
     )
+
+
+LAUNCH = """\
+<launch>
+  <node pkg="arm" type="{0}" name="{0}" output="screen">
+    <rosparam command="load" file="$(find arm)/config/{0}.yaml"/>
+  </node>
+  <composable_node plugin='arm::{1}Node' name='{1}' ns="x"/>
+</launch>
+"""
+RESPAWN = ('output="screen"', 'output="screen" respawn="true"')
+OTHER = (
+    "</launch>",
+    '  <node pkg="b" type="reach" name="b"/><!-- <node name="reach"/> -->\n</launch>',
+)
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "mine", "wanted"),
+    [
+        ("grasp", "watch", RESPAWN, RESPAWN),
+        ("watch", "reach", RESPAWN, RESPAWN),
+        ("watch", f"watch{GONE}", RESPAWN, RESPAWN),
+        (
+            "grasp",
+            "see",
+            (' name="reach"', '\n    name = "reach"'),
+            (' name="g', '\n    name = "g'),
+        ),
+        ("grasp", "see", ("'watch' ns", "'watch' if=\"1\" ns"), ("'see' ns", "'see' if=\"1\" ns")),
+        # What the developer has written, and what only looks like the model's
+        ("grasp", "watch", ('type="reach"', 'type="mine"'), ('type="grasp"', 'type="mine"')),
+        ("grasp", "watch", OTHER, OTHER),
+    ],
+)
+def test_elements_that_were_edited_take_the_new_name(one, other, mine, wanted):
+    """`reach` takes the name of nothing, or that of `watch`, which takes another one or left."""
+    made, text = rename_in_launch_file(one, other, mine)
+    assert made.merged()[1] == []
+    assert made.merged()[0].tree["arm.launch"].text == text.replace(*wanted)
+
+
+def test_lines_in_a_conflict_of_names_that_were_swapped():
+    made, _ = rename_in_launch_file("watch", "reach", ("screen", "log"), ("screen", "both"))
+    result, doubts = made.merged()
+    assert (list(result.conflicts), doubts) == (["arm.launch"], [])
+    assert "<<<<<<< before updating\n  <node pkg" in result.tree["arm.launch"].text
+
+
+def rename_in_launch_file(one, other, mine, change=("", "")):
+    """Return the versions of one whose nodes take other names, and the new one."""
+    marks = [
+        Mark("reach", one, "component"),
+        Mark("watch", other, "component", is_gone=other.endswith(GONE)),
+    ]
+    old, marked = LAUNCH.format("reach", "watch"), LAUNCH.format("zq0x", "zq1x")
+    new = LAUNCH.format(one, other).replace(*change)
+    trees = [{"arm.launch": File(encode(text))} for text in (old.replace(*mine), old, new, marked)]
+    renaming = plan(trees[1], trees[3], marks, ["arm.launch"])
+    return Versions(*trees[:3], renaming), new
