@@ -6,7 +6,10 @@ with it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
+from itertools import pairwise
+from pathlib import PurePosixPath
 
 import yaml
 
@@ -16,7 +19,9 @@ from .languages import YAML, language
 from .lines import margin, split
 from .tree import File, Tree
 
-Shift = Callable[[str], str]
+Shift = Callable[[str], tuple[str, list[int]]]
+"""Returns a text, and the numbers of the lines that cannot come along, from 1."""
+_KEY = re.compile(r"""(["']?)(.+)\1:""")
 
 
 def shifts(old: Tree, new: Tree, path_of: Callable[[str], str]) -> dict[str, Shift]:
@@ -28,7 +33,7 @@ def shifts(old: Tree, new: Tree, path_of: Callable[[str], str]) -> dict[str, Shi
         if language(path, before) is YAML and before and after:
             above, below = _above(before), _above(after)
             if above and not below:
-                found[path] = _raise(split(before)[above[0] : above[-1] + 1])
+                found[path] = _raise(split(before)[above[0] : above[-1] + 1], path)
             elif below and not above:
                 lines = split(after)
                 head = split(before)[: below[0]]
@@ -36,29 +41,65 @@ def shifts(old: Tree, new: Tree, path_of: Callable[[str], str]) -> dict[str, Shi
     return found
 
 
-def _raise(above: Sequence[str]) -> Shift:
-    def shift(text: str) -> str:
-        lines, found = split(text), _above(text)
-        if not found or lines[found[0] : found[-1] + 1] != list(above):
-            return text
-        column = _column(text)
-        rest = [line[min(column, margin(line)) :] for line in lines[found[-1] + 1 :]]
-        return "".join([*lines[: found[0]], *rest])
+def _raise(above: Sequence[str], path: str) -> Shift:
+    names = _names(_key(above[0]), path)
+
+    def shift(text: str) -> tuple[str, list[int]]:
+        lines, others = split(text), _others(text, names)
+        kept = [line for number, line in enumerate(lines) if number not in others]
+        found = _above("".join(kept))
+        if not found or _key(kept[found[0]]) not in names:
+            return text, []
+        if kept[found[0] + 1 : found[-1] + 1] != above[1:]:
+            return text, []
+        column = _column("".join(kept))
+        rest = [line[min(column, margin(line)) :] for line in kept[found[-1] + 1 :]]
+        behind = [number + 1 for number in sorted(others) if lines[number].strip()]
+        return "".join([*kept[: found[0]], *rest]), behind
 
     return shift
 
 
+def _names(key: str, path: str) -> list[str]:
+    """Return a key, and others that mean the same in the file of one node: those with its name."""
+    parts = PurePosixPath(path).with_suffix("").parts
+    ends = ["/".join(parts[start:]) for start in range(len(parts))]
+    return [key, *(f"{before}{end}" for before in (f"{key}/", "/", "") for end in ends)]
+
+
+def _key(line: str) -> str:
+    """Return the key that is alone on a line."""
+    found = re.fullmatch(r"""(["']?)(.+)\1:\s*""", line)
+    return found[2] if found else ""
+
+
+def _others(text: str, names: Sequence[str]) -> set[int]:
+    """Return the lines, from 0, of what is beside the first of some keys that a text has."""
+    node = _compose(text)
+    if node is None or node.flow_style:
+        return set()
+    lines = split(text)
+    at = [key.start_mark.line for key, _ in node.value]
+    own = [line for name in names for line in at if _key(lines[line]) == name][:1]
+    starts = [*at, len(lines)]
+    for place in range(1, len(at)):
+        while lines[starts[place] - 1].startswith("#"):
+            starts[place] -= 1
+    spans = zip(at, pairwise(starts), strict=True)
+    return {n for key, span in spans if own and key not in own for n in range(*span)}
+
+
 def _lower(above: Sequence[str], head: Sequence[str], column: int) -> Shift:
-    def shift(text: str) -> str:
+    def shift(text: str) -> tuple[str, list[int]]:
         node = _compose(text)
         if node is None or node.flow_style:
-            return text
+            return text, []
         lines, first = split(text), node.start_mark.line
         at = first
         while at and lines[at - 1].startswith("#") and lines[at - 1] not in head[-1:]:
             at -= 1
         rest = [" " * column + line if line.strip() else line for line in lines[at:]]
-        return "".join([*lines[:at], *above, *rest])
+        return "".join([*lines[:at], *above, *rest]), []
 
     return shift
 

@@ -97,7 +97,9 @@ def _prove_file(
         (scope, line, _number(own, number, line))
         for scope, line, number in _developer_lines(known, after, before)
     ]
-    proof.total += len(lines)
+    behind = [(path, number, own[number - 1]) for number in renaming.behind(origin, ours)]
+    proof.left += behind
+    proof.total += len(lines) + len(behind)
     if path in result.left or path in result.carried:
         targets, carried = result.carried.get(path, ([], {}))
         text = "".join(tree[one].text or "" for one in targets if one in tree)

@@ -111,7 +111,12 @@ class Renaming:
         return self._texts[path, text]
 
     def _shifted(self, path: str, text: str) -> str:
-        return self.shifts[path](text) if path in self.shifts else text
+        return self.shifts[path](text)[0] if path in self.shifts else text
+
+    def behind(self, path: str, text: str) -> list[int]:
+        """Return the numbers of the lines that a file of another ROS cannot have, from 1."""
+        shift = self.shifts.get(path)
+        return shift(self._exchanged(path, text))[1] if shift else []
 
     def _exchanged(self, path: str, text: str) -> str:
         known = language(path, text)

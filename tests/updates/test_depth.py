@@ -3,7 +3,9 @@
 import pytest
 
 from hooks.merge.depth import shifts
+from hooks.merge.renaming import Renaming
 from hooks.merge.tree import File, encode
+from hooks.merge.versions import Versions
 
 FLAT = "# Of reach\n\n# The rate\nrate: 10  # Hz\ngains: [1, 2]\n"
 DEEP = """\
@@ -51,6 +53,11 @@ MINE_DEEP = """\
 
 def shift(old, new, text, path="config/reach.yaml"):
     """Give a text the depth of a new version; nothing where that is as deep as the old one."""
+    return (shift_all(old, new, text, path) or [None])[0]
+
+
+def shift_all(old, new, text, path="config/reach.yaml"):
+    """Do so, with the numbers of the lines that stay behind."""
     trees = [{path: File(encode(side))} for side in (old, new)]
     found = shifts(*trees, lambda path: path)
     return found[path](text) if found else None
@@ -71,11 +78,51 @@ def test_what_has_no_keys_below_one_another_stays(text):
     assert shift(FLAT, DEEP, text) == text
 
 
-@pytest.mark.parametrize("old", ["/**:", "reach:", "/**:  # mine"])
+@pytest.mark.parametrize("name", ["'/**'", "reach", "/reach", '"/reach"', "/**/reach"])
+def test_keys_that_name_the_node(name):
+    assert shift(DEEP, FLAT, MINE_DEEP.replace("/**", name)) == MINE
+
+
+@pytest.mark.parametrize("old", ["/left/reach:", "each:", "/**:  # mine", "reach:  # mine"])
 def test_other_keys_above_stay(old):
     """As it came, or it would lose what the developer wrote there."""
     mine = MINE_DEEP.replace("/**:", old)
-    assert shift(DEEP, FLAT, mine) == (MINE if old == "/**:" else mine)
+    assert shift(DEEP, FLAT, mine) == mine
+
+
+LEFT = "# Mine\n/left/reach:\n  ros__parameters:\n    rate: 30\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "behind"),
+    [
+        (f"{MINE_DEEP}\n{LEFT}", [17, 18, 19, 20]),
+        (MINE_DEEP.replace("/**", f"{LEFT[7:]}\n/**"), [3, 4, 5]),
+        (f"{MINE_DEEP}\n{LEFT[7:].replace('/left/', '')}", [17, 18, 19]),
+    ],
+)
+def test_what_is_of_other_nodes_stays_behind(text, behind):
+    found, lines = shift_all(DEEP, FLAT, text)
+    assert found.strip() == MINE.strip()
+    assert lines == behind
+
+
+def test_files_of_nodes_in_folders():
+    path = "config/left/reach.yaml"
+    assert shift(DEEP, FLAT, MINE_DEEP.replace("/**", "/left/reach"), path) == MINE
+
+
+def test_what_stays_behind_is_said():
+    path, own = "config/reach.yaml", f"{DEEP}{LEFT}"
+    trees = [{path: File(encode(text))} for text in (own, DEEP, FLAT)]
+    renaming = Renaming()
+    renaming.move(*trees[1:])
+    made = Versions(*trees, renaming, to_ros=1)
+    result, doubts = made.merged()
+    assert (result.tree[path].text, result.conflicts, doubts) == (FLAT, {}, [])
+    proof = made.proof(result, result.tree)
+    assert [number for _, number, _ in proof.left] == [8, 9, 10, 11]
+    assert proof.sentence.startswith("0 of 4 of your lines")
 
 
 @pytest.mark.parametrize(
