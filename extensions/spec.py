@@ -71,6 +71,8 @@ class SpecExtension(Extension):
             "default_ros_distro": lambda: self.hooks.ros.default_distro(os.environ),
         }
         environment.handle_exception = self._say_where  # type: ignore[method-assign]
+        loader: Any = environment.loader
+        loader.get_source = self._reading(loader.get_source)
         self._register(self.hooks.model.public_functions(self.hooks.names))
         self._register({"is_lacking": self.hooks.ros.is_lacking})
         for name in ("python", "cpp", "qos", "text"):
@@ -189,6 +191,21 @@ class SpecExtension(Extension):
                 return function(*arguments, **options)
             except self.hooks.faults.SpecError as error:
                 raise UserMessageError(str(error)) from error
+
+        return call
+
+    def _reading(self, read: Callable[..., Any]) -> Callable[..., Any]:
+        """Name the template that is no UTF-8, which Jinja and Copier do not."""
+
+        @functools.wraps(read)
+        def call(environment: Environment, name: str) -> Any:
+            try:
+                return read(environment, name)
+            except UnicodeDecodeError as error:
+                line = error.object[: error.start].count(b"\n") + 1
+                what = f"{name}:{line}: not UTF-8 text; save it as UTF-8"
+                fault = self.hooks.faults.SpecError(what, "not-utf-8")
+                raise UserMessageError(str(fault)) from fault
 
         return call
 

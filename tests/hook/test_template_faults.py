@@ -59,6 +59,15 @@ def test_fault_of_a_template(environment, root, text, said):
         assert str(caught.value).endswith(" (in a.md:1) [unknown-feature]")
 
 
+def test_template_that_is_no_utf_8(environment, root):
+    """Of one that another includes, too, the message names its own file and line."""
+    (root / "a.md").write_bytes("Größe.\n\nGröße".encode() + "ö".encode("latin-1"))
+    (root / "b.md").write_text("{% include 'a.md' %}")
+    for name in ("a.md", "b.md"):
+        with pytest.raises(UserMessageError, match=r"^a\.md:3: not UTF-8 text; .* \[not-utf-8\]$"):
+            environment.get_template(name).render()
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [
