@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from .collisions import Scope
-from .faults import SpecError, allowed
+from .faults import SpecError, allowed, closest
 from .formats import FORMATS
 from .literals import spelled
 from .located import Located, load_located, plain
@@ -273,6 +273,7 @@ class _Reader:
         self.places |= {key: key.place for key in content}
         forms = {"<component>_attributes", "<component>_interface"}
         self.check_keys("", content, _KEYS | own, own | _KEYS | forms)
+        self.check_halves(content, tags)
         components = {
             tag: Component(
                 tag,
@@ -309,6 +310,20 @@ class _Reader:
         components = self.shared(components)
         said = (plain(aliases), plain(skeleton), scopes, plain(holders))
         return Dictionary(package, components, *said, files)
+
+    def check_halves(self, content: Mapping[str, Any], tags: list[str]) -> None:
+        """Refuse attributes of a tag that is spelled like another, which has none.
+
+        Either may be as it is by itself: one says more of the package, the other has a name alone.
+        """
+        lacking = [tag for tag in (PACKAGE, *tags) if f"{tag}_attributes" not in content]
+        for tag in tags:
+            if f"{tag}_interface" not in content and (near := closest(tag, lacking)):
+                lacks, more, neither = f"{near}_attributes", "", "not"
+                if near != PACKAGE:
+                    more, neither = f', or "{tag}_interface" for "{near}_interface"', "neither"
+                what = f'there is no {lacks}; did you mean "{lacks}"{more}? if {neither}, add it'
+                raise self.fault("", f"{tag}_attributes", what, "missing-key")
 
     def check_references(
         self, package: Mapping[str, Attribute], components: Mapping[str, Component]

@@ -44,6 +44,24 @@ def faults(folder, dictionary, functions=None):
             "[publisher, tmer]",
             'interface kind "tmer"; did you mean "timer"?',
         ),
+        (
+            "node_attributes:",
+            "nod_attributes:",
+            'nod_attributes: there is no node_attributes; did you mean "node_attributes", or '
+            '"nod_interface" for "node_interface"? if neither, add it [missing-key]',
+        ),
+        (
+            "node_interface:",
+            "nod_interface:",
+            'node_attributes: there is no nod_attributes; did you mean "nod_attributes", or '
+            '"node_interface" for "nod_interface"? if neither, add it [missing-key]',
+        ),
+        (
+            "package_attributes:",
+            "pkg_attributes:",
+            'pkg_attributes: there is no package_attributes; did you mean "package_attributes"? '
+            "if not, add it [missing-key]",
+        ),
         ("skeleton:", "aliases: {part: nod}\nskeleton:", 'tag "nod"; did you mean "node"?'),
         ("skeleton:", "aliases: {node: node}\nskeleton:", '"node" is a tag itself'),
         ("skeleton:", "include: shared/x.yaml\nskeleton:", "include: shared/x.yaml: no such file"),
@@ -130,6 +148,14 @@ def test_mistake(tmp_path, right, wrong, message):
     assert re.match(r"dictionary\.yaml:\d+: ", found), found
     assert message in found
     assert "\n" not in found
+
+
+def test_tags_with_one_half_that_are_nothing_alike(tmp_path):
+    """One says more of the package, the other has a name alone."""
+    dictionary = "licence_attributes: [text]\nmotor_interface: {topic: [name]}\n"
+    for more in ("", "note_attributes: [text]\nnode_attributes: [name]\nnode_interface: {}\n"):
+        (tmp_path / "dictionary.yaml").write_text(dictionary + more)
+        assert {"licence", "motor"} <= {*Model(tmp_path, tmp_path).dictionary.components}
 
 
 def test_file_and_line_of_an_included_dictionary(tmp_path):
