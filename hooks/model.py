@@ -16,11 +16,14 @@ from .changes import places
 from .check import CheckedSpec, check
 from .complete import Functions, complete
 from .dictionary import Dictionary, load
-from .faults import SpecError
+from .faults import SpecError, shown
 from .parse import Element, parse
 from .schema import names_schema, schema
 from .skeleton import skeleton
 from .trees import READER, Tree, is_yaml, read_yaml, tree
+
+_LONGEST = 40
+"""How much of an argument a message shows."""
 
 
 class Model:
@@ -99,10 +102,8 @@ def load_functions(file: Path) -> Functions:
     module.__file__ = str(file)
     try:
         exec(compile(file.read_text(encoding="utf-8"), str(file), "exec"), module.__dict__)
-    except Exception as error:
-        raise SpecError(
-            f"{_place(file, error)}: {type(error).__name__}: {error}", "function-fails"
-        ) from error
+    except (Exception, SystemExit) as error:
+        raise SpecError(f"{_place(file, error)}: {_why(error)}", "function-fails") from error
     return public_functions(module)
 
 
@@ -125,15 +126,19 @@ def _reporting(file: Path, function: Callable[..., Any]) -> Callable[..., Any]:
             return function(*arguments, **options)
         except SpecError:
             raise
-        except Exception as error:
-            given = ", ".join(repr(argument)[:200] for argument in arguments)
+        except (Exception, SystemExit) as error:
+            given = ", ".join(shown(repr(argument), _LONGEST) for argument in arguments)
             raise SpecError(
                 f"{_place(file, error, function.__code__.co_firstlineno)}:"
-                f" {function.__name__}({given}): {type(error).__name__}: {error}",
+                f" {function.__name__}({given}): {_why(error)}",
                 "function-fails",
             ) from error
 
     return call
+
+
+def _why(error: BaseException) -> str:
+    return f"{type(error).__name__}: {error}".removesuffix(": ")
 
 
 def _place(file: Path, error: BaseException, line: int | None = None) -> str:

@@ -185,12 +185,30 @@ def test_dictionary_that_is_no_text(tmp_path):
             'functions.py:4: dependencies_from_template for the package: "rcl',
         ),
         ("(ros_distro)", "()", "functions.py:4: dependencies_from_template('kilted'): TypeError"),
+        (
+            "def ",
+            "import sys\nsys.exit('bye')\ndef ",
+            "functions.py:5: SystemExit: bye [function-f",
+        ),
+        (
+            'return ["rclpy"]',
+            "raise SystemExit",
+            "functions.py:6: dependencies_from_template('kilted'): SystemExit (called",
+        ),
     ],
 )
 def test_mistake_in_a_function(tmp_path, right, wrong, message):
     functions = (STARTER / "functions.py").read_text().replace(right, wrong, 1)
     found = faults(tmp_path, (STARTER / "dictionary.yaml").read_text(), functions)
     assert found.startswith(message)
+
+
+def test_long_arguments_of_a_function_are_shortened(tmp_path):
+    (tmp_path / "functions.py").write_text("def half(text): return text / 2\n")
+    (tmp_path / "dictionary.yaml").write_text("node_attributes: [name]\n")
+    half = Model(tmp_path, tmp_path).functions["half"]
+    with pytest.raises(SpecError, match=rf"half\('{'x' * 39}\.\.\.\): TypeError: "):
+        half("x" * 100)
 
 
 @pytest.mark.parametrize(
