@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from .faults import SpecError, shown
+from .faults import SpecError, allowed, shown
 from .parse import Element
 from .words import DEVICES, meaning
 
@@ -113,6 +113,9 @@ class _Form(string.Formatter):
         self.filters = filters
 
     def format_field(self, value: Any, format_spec: str) -> str:
+        if format_spec and format_spec not in self.filters:
+            what = f'unknown filter "{format_spec}"; {allowed(format_spec, self.filters)}'
+            raise ValueError(what)
         return str(self.filters[format_spec](value) if format_spec else value)
 
 
@@ -126,9 +129,16 @@ def _made(form: str, item: Checked, filters: Filters, scope: Scope) -> str:
     if "{" not in form:
         return form
     owners = {tag: owner.values for tag, owner in item.owners.items()}
+    known = {**owners, **item.values}
     try:
-        return _Form(filters).vformat(form, (), {**owners, **item.values})
-    except (KeyError, IndexError, ValueError) as error:
+        return _Form(filters).vformat(form, (), known)
+    except (LookupError, ValueError, TypeError, AttributeError) as error:
+        why = str(error)
+        if isinstance(error, KeyError):
+            word = str(error.args[0])
+            owner = re.search(rf"{{(\w+)\[{re.escape(word)}\]", form)
+            names = owners.get(owner[1], {}) if owner else known
+            why = f'unknown attribute "{word}"; {allowed(word, names)}'
         where = f"{scope.said_at}: names: {scope.label}".lstrip(": ")
-        what = f'{where}: "{form}" has no meaning: {error}'
+        what = f'{where}: "{form}" has no meaning: {why}'
         raise SpecError(what, "form-without-meaning") from None

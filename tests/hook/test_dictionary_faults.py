@@ -133,11 +133,31 @@ def faults(folder, dictionary, functions=None):
             "names: {x: {reserved: [a macro of C+]}}\nskeleton:",
             'unknown meaning of words "a macro of C+"; did you mean "a macro of C++"?',
         ),
-        ("skeleton:", "names: {x: {node: ['{nam}']}}\nskeleton:", '"{nam}" has no meaning'),
+        (
+            "skeleton:",
+            "names: {x: {node: ['{nam}']}}\nskeleton:",
+            '"{nam}" has no meaning: unknown attribute "nam"; did you mean "name"? allowed: ',
+        ),
+        (
+            "skeleton:",
+            "names: {x: {publisher: ['{node[nam]}']}}\nskeleton:",
+            '"{node[nam]}" has no meaning: unknown attribute "nam"; did you mean "name"? '
+            "allowed: tag, name, class_name [form-without-meaning]",
+        ),
+        (
+            "skeleton:",
+            "names: {x: {node: ['{name[up]}']}}\nskeleton:",
+            '"{name[up]}" has no meaning: string indices must be integers',
+        ),
+        (
+            "skeleton:",
+            "names: {x: {node: ['{name']}}\nskeleton:",
+            '"{name" has no meaning: expected ',
+        ),
         (
             "skeleton:",
             "names: {x: {node: ['{name:up}']}}\nskeleton:",
-            '"{name:up}" has no meaning',
+            '"{name:up}" has no meaning: unknown filter "up"; allowed: identifier, ',
         ),
     ],
 )
