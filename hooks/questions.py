@@ -12,6 +12,9 @@ from .data import LOADER
 from .faults import SpecError, allowed, first_of, quoted, shown
 from .formats import package_name
 
+_TYPES = ("bool", "float", "int", "json", "path", "str", "yaml")
+"""The types of questions that Copier has."""
+
 
 def check_options(given: Iterable[str], root: Path) -> None:
     """Insist that each option given is a question of the template in a folder.
@@ -36,6 +39,32 @@ def check_options(given: Iterable[str], root: Path) -> None:
         )
 
 
+def check_template(root: Path) -> None:
+    """Insist that Copier can ask and render, where it would say so in a traceback alone.
+
+    Raises:
+        SpecError: the template's folder is not there, or a type or a default is not allowed.
+
+    """
+    settings = _content(root)
+    folder = str(settings.get("_subdirectory") or ".")
+    if "{" not in folder and not (root / folder).is_dir():
+        folders = [each.name for each in sorted(root.glob("[!.]*")) if each.is_dir()]
+        what = f"_subdirectory: no folder {quoted(folder)}; {allowed(folder, folders)}"
+        raise SpecError(f"{_place(root, '_subdirectory')}: {what}", "no-such-file")
+    for name, question in questions(root).items():
+        if not isinstance(question, dict):
+            continue
+        type_, default = str(question.get("type", "str")), str(question.get("default") or "")
+        choices, what = _choices(question), ""
+        if "{" not in type_ and type_ not in _TYPES:
+            what = f'unknown type "{type_}"; {allowed(type_, _TYPES)}'
+        elif choices and default not in ("", *choices) and "{" not in "".join([default, *choices]):
+            what = f'default: unknown choice "{default}"; {allowed(default, choices)}'
+        if what:
+            raise SpecError(f"{_place(root, name)}: {name}: {what}", "unknown-word")
+
+
 def check_choices(
     answers: Mapping[str, Any], root: Path, known: Mapping[str, Sequence[str]]
 ) -> None:
@@ -48,7 +77,7 @@ def check_choices(
 
     """
     for name, question in questions(root).items():
-        choices = known.get(name) or _choices(question)
+        choices = _choices(question) or known.get(name)
         if name in answers and choices and str(answers[name]) not in choices:
             answer = str(answers[name])
             what = f"{name}: unknown {quoted(answer)}; {allowed(answer, choices)}"
@@ -87,15 +116,23 @@ def _choices(question: Any) -> list[str]:
 
 def questions(root: Path) -> dict[str, Any]:
     """Return the questions of a template by name, in their order."""
-    documents = [
-        each for file in sorted(root.glob("copier.y*ml")) for each in _documents(file, root)
-    ]
-    return {
-        name: question
-        for document in documents
-        for name, question in document.items()
-        if not name.startswith("_")
-    }
+    content = _content(root)
+    return {name: question for name, question in content.items() if name[0] != "_"}
+
+
+def _content(root: Path) -> dict[str, Any]:
+    """Return what the copier.yml of a template says: the last of each key counts."""
+    files = sorted(root.glob("copier.y*ml"))
+    documents = [each for file in files for each in _documents(file, root)]
+    return {key: value for document in documents for key, value in document.items()}
+
+
+def _place(root: Path, key: str) -> str:
+    """Return the line of a key in the copier.yml of a template, which may include others."""
+    file = min(root.glob("copier.y*ml"))
+    lines = file.read_text(encoding="utf-8").splitlines()
+    found = [number for number, line in enumerate(lines, 1) if line.startswith(f"{key}:")]
+    return f"{file.name}:{found[-1]}" if found else file.name
 
 
 def _is_asked(question: Any) -> bool:

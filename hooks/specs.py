@@ -37,16 +37,16 @@ class Specs:
 
     def distros(self, run: Run) -> list[str]:
         """Return the distributions to choose from."""
-        self.check_answers(run)
         return list(DISTROS)
 
     def check_answers(self, run: Run) -> str:
         """Check the answers that are given or recorded; return nothing.
 
         For one that is no choice Copier shows a traceback, or takes the default. The first
-        question with choices calls this: an update asks in the version before, too, where no
-        spec is read (decision 85).
+        questions call this: an update asks in the version before, too, where no spec is read
+        (decision 85).
         """
+        questions.check_template(self.root)
         if isinstance(run.given.get("spec"), str):  # Copier itself gives a mapping
             questions.check_options(["spec"], self.root)
         known = {"model": self._choices(), "ros_distro": list(DISTROS)}

@@ -4,7 +4,7 @@ import pytest
 
 from hooks.changes import changed_answers
 from hooks.faults import SpecError
-from hooks.questions import check_choices, check_options, questions
+from hooks.questions import check_choices, check_options, check_template, questions
 
 COPIER_YML = """
 _subdirectory: template
@@ -61,6 +61,45 @@ def test_answers_that_may_not_be(root, answers):
     name, answer = next(iter(answers.items()))
     with pytest.raises(SpecError, match=f'{name}: unknown "{answer}"'):
         check_choices(answers, root, {"late": ["any", "one"]})
+
+
+def test_template_that_copier_can_use(root):
+    (root / "template").mkdir()
+    more = """
+made: {type: "{{ kind }}", choices: "{{ all() }}", default: x}
+drawn: {type: str, choices: [a, b], default: "{{ first }}"}
+chosen: {type: str, choices: {A: 1, B: b}, default: 1}
+"""
+    (root / "copier.yml").write_text(COPIER_YML + more)
+    check_template(root)
+    (root / "copier.yml").write_text("_subdirectory: '{{ model }}/template'\n")
+    check_template(root)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            "_subdirectory: templat",
+            ': _subdirectory: no folder "templat"; did you mean "template"?',
+        ),
+        (
+            "colour: {type: text}",
+            ': colour: unknown type "text"; allowed: bool, float, int, json,',
+        ),
+        (
+            "colour:\n  choices: [red, green]\n  default: gren",
+            ': colour: default: unknown choice "gren"; did you mean "green"? allowed: red, green',
+        ),
+    ],
+)
+def test_template_that_copier_cannot_use(root, text, said):
+    (root / "template").mkdir()
+    (root / "copier.yml").write_text(f"{COPIER_YML}\n{text}\n")
+    with pytest.raises(SpecError) as caught:
+        check_template(root)
+    line = COPIER_YML.count("\n") + 2
+    assert str(caught.value).startswith(f"copier.yml:{line}{said}")
 
 
 def test_changed_answers():

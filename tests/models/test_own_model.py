@@ -154,6 +154,30 @@ def test_faults_in_another_tag(make, spec, message):
         make(spec)
 
 
+def test_own_choices_of_a_distribution(model, make):
+    """They count for an option, too; a default that is none of them is the designer's slip."""
+    settings = model / "copier.yml"
+    text = settings.read_text()
+    for tag, default, message in (
+        (
+            "2.0.0",
+            "jazzy",
+            'ros_distro: unknown "kilted"; allowed: humble, jazzy [unknown-choice]',
+        ),
+        (
+            "3.0.0",
+            "jazy",
+            'copier.yml:5: ros_distro: default: unknown choice "jazy"; did you mean "ja',
+        ),
+    ):
+        question = f"ros_distro:\n  choices: [humble, jazzy]\n  default: {default}\n"
+        settings.write_text(text + question)
+        commit(model, tag=tag)
+        with pytest.raises(copier.errors.UserMessageError) as error:
+            make(SPEC)
+        assert str(error.value).startswith(message)
+
+
 def test_fault_in_a_function(model, make):
     file = model / "functions.py"
     file.write_text(file.read_text().replace("round(radians", "round(missing"))
