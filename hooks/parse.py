@@ -128,12 +128,9 @@ def _places(xml: bytes, file: str) -> list[Place]:
     parser.EntityDeclHandler = entity
     parser.NotStandaloneHandler = elsewhere
     parser.StartDoctypeDeclHandler = doctype
+    _check_text(xml, file)
     try:
-        xml.decode("utf-8-sig")
         parser.Parse(xml, True)
-    except UnicodeDecodeError:
-        what = "not UTF-8 text; save the spec as UTF-8"
-        raise SpecError(f"{file}:1: {what}", "not-utf-8") from None
     except expat.ExpatError as error:
         known = expat.ErrorString(error.code)
         reason = f"{known} (column {error.offset + 1})"
@@ -146,3 +143,19 @@ def _places(xml: bytes, file: str) -> list[Place]:
         what = f"not well-formed XML: {reason}"
         raise SpecError(f"{file}:{error.lineno}: {what}", "not-well-formed") from None
     return ended
+
+
+def _check_text(xml: bytes, file: str) -> None:
+    """Refuse what is no UTF-8: UTF-16, too, which may be both, and which expat reads unasked."""
+    before, nul, _ = xml.partition(b"\0")
+    is_wide = bool(nul) and len(before) < 2
+    try:
+        xml.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        is_wide = True
+    if is_wide:
+        raise SpecError(f"{file}:1: not UTF-8 text; save the spec as UTF-8", "not-utf-8")
+    if nul:
+        line = before.count(b"\n") + 1
+        what = "not well-formed XML: U+0000 is no blank and no text; drop it"
+        raise SpecError(f"{file}:{line}: {what}", "not-well-formed")

@@ -48,6 +48,12 @@ def parameter(type_, value):
         (parameter("double", "5e-324"), '"5e-324" is too small; allowed: 0, or at least 2.2250'),
         (parameter("string[]", "[&quot;\\uFFFE&quot;]"), "U+FFFE is no character"),
         ((SPEC % "").encode("utf-16"), "not UTF-8 text"),
+        ((SPEC % "").encode("utf-16-le"), "1: not UTF-8 text"),  # is UTF-8, too
+        ((SPEC % "").encode("utf-16-be"), "1: not UTF-8 text"),
+        ((SPEC % "").encode("utf-32-be"), "1: not UTF-8 text"),
+        ((SPEC % "\n\0").encode(), "4: not well-formed XML: U+0000 is no blank and no text; drop"),
+        ((SPEC % 'a="\0"').encode(), "3: not well-formed XML: U+0000 is no blank and no text"),
+        ((SPEC % "<\0a/>").encode(), "3: not well-formed XML: U+0000 is no blank and no text"),
         ('<!DOCTYPE package SYSTEM "x.dtd">' + SPEC.replace('"d"', '"&foo;"') % "", "DOCTYPE"),
         (parameter("int[]", "[" * 500), 'spec.xml:3: <parameter name="p">: value: "[[['),
         (parameter("string[]", "[&quot;\\Uffffffff&quot;]"), "is not a string[]"),
