@@ -140,6 +140,19 @@ def written_value(value: Any) -> str:
     return _quoted(value, False) if isinstance(value, str) else str(value)
 
 
+def shown_value(value: Any) -> str:
+    """Return a value for people: a text as it is, in quotes."""
+    if isinstance(value, list):
+        return f"[{', '.join(map(shown_value, value))}]"
+    return f'"{value}"' if isinstance(value, str) else written_value(value)
+
+
+def shown_constant(constant: dict[str, Any]) -> str:
+    """Return the value of a constant for people."""
+    is_text = constant["type"] in ("string", "wstring")
+    return shown_value(constant["value"]) if is_text else written_constant(constant, 2)
+
+
 def written_constant(constant: dict[str, Any], ros: int) -> str:
     """Return the value of a constant as rosidl or genmsg reads it.
 

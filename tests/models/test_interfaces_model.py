@@ -67,6 +67,46 @@ def test_default_of_ros1_does_not_end_a_comment(make):
     assert '# Default: "* / b"' in (make(spec, "noetic") / "srv/SetString.srv").read_text()
 
 
+TEXTS = """<package name="text_msgs" author="Ada" author_email="ada@example.org"
+         description="Texts" license="MIT">
+  <message name="Texts">
+    <constant name="HASH" type="string" value="#1"/>
+    <constant name="QUOTES" type="string" value='a "b"'/>
+    <constant name="LIMIT" type="uint8" value="0x0f"/>
+    <constant name="YES" type="bool" value="True"/>
+    <field name="text" type="string" default="#ä=\\t&quot;"/>
+    <field name="texts" type="string[]" default="['#ö', b]"/>
+    <field name="flags" type="bool[]" default="[yes, no]"/>
+  </message>
+  <message name="Nothing"/>
+  <service name="Call"><request/></service>
+</package>"""
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_texts_are_shown_as_they_are(make, distro):
+    """And not with the escapes that rosidl needs."""
+    package = make(TEXTS, distro, "text_msgs")
+    readme = (package / "README.md").read_text()
+    rows = {row.split("`")[1]: row.split(" | ")[2] for row in readme.splitlines() if "| `" in row}
+    assert rows["HASH"] == r'"\#1"'
+    assert rows["QUOTES"] == '"a "b""'
+    assert (rows["LIMIT"], rows["YES"]) == ("15", "true")
+    assert rows["text"] == r'"\#ä=\\t""'
+    assert rows["texts"] == r'\["\#ö", "b"\]'
+    assert rows["flags"] == r"\[true, false\]"
+    assert "## Message Nothing\n\nIt has no fields.\n" in readme
+    assert "Request: no fields." in readme
+    if distro == "noetic":
+        lines = (package / "msg/Texts.msg").read_text().splitlines()
+        defaults = [line for line in lines if line.startswith("# Default: ")]
+        assert defaults == [
+            '# Default: "#ä=/t""',
+            '# Default: ["#ö", "b"]',
+            "# Default: [true, false]",
+        ]
+
+
 @pytest.mark.parametrize("spec", [SPEC, ODD.read_text()], ids=["contact_msgs", "odd_msgs"])
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
 def test_files_end_with_their_last_line(make, spec, distro):
