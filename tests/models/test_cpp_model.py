@@ -295,3 +295,38 @@ def test_life_cycle_and_services_compile_in_humble(render, tmp_path):
 
 # Headers of ROS, unlike those of the package itself.
 INCLUDED = r'(?m)^#include "((?:rcl\w*|\w+_msgs|rcl_interfaces)/.*)"'
+
+
+PLAIN = """<package name="plain" author="A" author_email="a@example.org" license="MIT"
+                  description="d">
+  <node name="n" frequency="1" client_library="true">{}</node></package>"""
+
+
+def test_comment_of_the_client_library_is_broken_once(render):
+    """Not in the template and then again in a line that is too long with its names."""
+    package = render(PLAIN.format(""), model="cpp_model", name="plain")
+    lines = (package / "include/plain/n_interface.hpp").read_text().splitlines()
+    at = next(i for i, line in enumerate(lines) if "The node of rclcpp" in line)
+    words = lines[at + 1].split()[1:]
+    assert len(f"{lines[at]} {words[0]}") > 99
+    assert words[-1] == "it."
+
+
+@pytest.mark.parametrize(
+    ("tag", "said"),
+    [
+        ("", "cycle: none."),
+        ("subscriber", "in_<topic>_updated: whether it is new."),
+        ("publisher", "out_<topic>_subscribers: how many subscribe to it."),
+    ],
+)
+@pytest.mark.parametrize(
+    ("model", "file"),
+    [("cpp_model", "include/plain/n_interface.hpp"), ("python_model", "plain/n_interface.py")],
+)
+def test_data_is_explained_as_far_as_there_is_any(render, model, file, tag, said):
+    inside = f'<{tag} name="t" type="std_msgs::String"/>' if tag else ""
+    text = (render(PLAIN.format(inside), model=model, name="plain") / file).read_text()
+    assert said in text
+    for word, kind in (("in_<topic>", "subscriber"), ("out_<topic>", "publisher")):
+        assert (word in text) == (tag == kind)

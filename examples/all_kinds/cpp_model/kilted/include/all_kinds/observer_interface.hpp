@@ -49,8 +49,6 @@ struct ObserverConfig
 /// The input and output messages of one cycle.
 ///
 /// in_<topic>: the latest message received; in_<topic>_updated: whether it is new.
-/// out_<topic>: the message to publish; out_<topic>_active: whether this cycle publishes it.
-/// out_<topic>_subscribers: how many subscribe to it.
 struct ObserverData
 {
   /// What the worker does

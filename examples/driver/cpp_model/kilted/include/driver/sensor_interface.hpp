@@ -51,8 +51,7 @@ struct SensorPassthrough : OutputPassthrough
   std::shared_ptr<LogicStatus> diagnostics = std::make_shared<LogicStatus>();
 
   /// The node of rclcpp, which outlives the logic, for what the spec cannot say: the logic looks
-  /// after what it
-  /// makes of it.
+  /// after what it makes of it.
   rclcpp_lifecycle::LifecycleNode * node = nullptr;
 };
 
