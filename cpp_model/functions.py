@@ -252,7 +252,7 @@ def cfg_value(value: Any) -> str:
         return repr("".join(letters))
     if isinstance(value, int) and not isinstance(value, bool):
         return repr(min(max(value, -(2**31)), 2**31 - 1))
-    return repr(value)
+    return repr(value).replace("e+", "e")
 
 
 def _octal(letter: str) -> str:

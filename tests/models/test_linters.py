@@ -56,6 +56,26 @@ def test_interface_kinds_alone(renderers, tmp_path, name):
     assert not faults, faults
 
 
+@pytest.mark.parametrize("name", MODELS)
+def test_bounds_of_any_size(renderers, tmp_path, name):
+    """In the form of ruff, in .cfg files, too, which are Python."""
+    model = MODELS[name]
+    owners = {owner.kind or owner.component: owner for owner in model.owners}
+    node = (owners["node"], model.base(owners["node"], {"frequency": "10"}))
+    elements = [node]
+    for number, (low, high) in enumerate((("-1e300", "1e300"), ("1e-300", "1e22"))):
+        more = {"type": "double", "min": low, "value": high, "max": high}
+        for kind in ("parameter", "dynParameter"):
+            values = model.base(owners[kind], {**more, "name": f"{kind}{number}"})
+            elements.append((owners[kind], values))
+    for distro in ROS:
+        assert put(renderers, tmp_path / distro, model, elements, distro)
+    for file in tmp_path.rglob("cfg/*.cfg"):
+        file.with_suffix(".py").write_text(file.read_text() + "# ruff: noqa: F401\n")
+    faults = ruff_faults(tmp_path)
+    assert not faults, faults
+
+
 def long_names(model, size):
     """Return the elements of a spec with one of each interface, with names of so many letters."""
     package = model.owners[0]
