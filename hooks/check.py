@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import operator
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -422,6 +423,9 @@ class _Checker:
                     if is_type and (parts := split_type(value)):
                         self.spec.types.append((element, name, parts))
                         self.holders[element] = self.declaring
+                    if name == WAS and value == values.get(naming(known)):
+                        what = f"{quoted(value)} is the name it has; drop it"
+                        raise SpecError(what, "names-itself")
                     if attribute.declares:
                         self.declaring = f"{attribute.declares}/{value}"
                         self.spec.declared.add(self.declaring)
@@ -429,11 +433,15 @@ class _Checker:
                         self.check_unique(element, attribute, values[name], scope)
                 except SpecError as error:
                     self.fault(element, f"{name}: {error.text}", error.id)
+        wrong: set[Any] = set()
         for name, attribute in known.items():
             if values.get(name) is not None:
-                for rule in (_misplaced, _out_of_bounds, _unlisted):
+                is_bounded = not wrong & {attribute.minimum, attribute.maximum}
+                bounds = (_out_of_bounds,) if is_bounded else ()
+                for rule in (_misplaced, *bounds, _unlisted):
                     for fault in rule(attribute, values):
                         self.fault(element, *fault)
+                        wrong.add(name)
         return values
 
     def is_misplaced(self, element: Element, attribute: Attribute, values: Values) -> bool:
@@ -635,7 +643,13 @@ def _value(
             return None
         value = literal(text, type_name + "[]" * attribute.several)
         if value == [] and not attribute.can_be_empty:
-            raise SpecError("a list must not be empty", "empty-value")
+            instead = "drop the attribute" if attribute.optional else "write what is in it"
+            raise SpecError(f"a list must not be empty; {instead}", "empty-value")
+        lists = any(other.among == attribute.name for other in known.values())
+        for each, number in Counter(value if lists and isinstance(value, list) else ()).items():
+            if number > 1:
+                what = f"{quoted(spelled(each))} is there twice; drop one"
+                raise SpecError(what, "already-taken")
         return text if attribute.as_written else value
     value = formats[attribute.format](text)
     if not attribute.optional and value == "" and attribute.format not in ("raw", "string"):
@@ -677,7 +691,7 @@ def _unlisted(attribute: Attribute, values: Values) -> Iterator[tuple[str, str]]
     value, known = values[attribute.name], values.get(attribute.among or "")
     if known is not None and value not in known:
         hint = allowed(str(value), [spelled(each) for each in known])
-        what = f"{attribute.name}: {spelled(value)} is none of {attribute.among}; {hint}"
+        what = f"{attribute.name}: {quoted(spelled(value))} is none of {attribute.among}; {hint}"
         yield what, "not-among"
 
 

@@ -137,6 +137,14 @@ file_name = _matching(
 )
 
 
+def relative_name(value: str) -> str:
+    """A name in the ROS graph that begins with a word."""
+    if (word := value.lstrip("~/")) != value:
+        what = f"{quoted(value)} is not relative; did you mean {quoted(word)}?"
+        raise SpecError(what, "invalid-name")
+    return ros_name(value)
+
+
 def ros_name(value: str) -> str:
     """A name in the ROS graph: relative, absolute (/a/b) or private (~/a, or ROS 1's ~a)."""
     complaint = (
@@ -378,6 +386,7 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "grouped_name": grouped_name,
     "package_name": _as_file(package_name),
     "dependency": dependency,
+    "relative_name": relative_name,
     "ros_name": ros_name,
     "topic_name": _topic(r"[~/A-Za-z][\w/]*"),
     "message_type": _type("msg", "std_msgs/String"),

@@ -12,6 +12,12 @@ from .faults import SpecError, quoted
 from .formats import boolean, double, integer, number, raw, whole
 
 _LONGEST_LIST = 100_000
+_EXAMPLES = {
+    "bool": "true, false",
+    **dict.fromkeys(("double", "float32", "float64"), "0.5, 1"),
+    **dict.fromkeys(("string", "wstring"), "first, second"),
+}
+"""What a list may hold, for those that are not of whole numbers."""
 _FLOAT32_MAX = 3.4028234663852886e38
 
 
@@ -45,10 +51,10 @@ def literal(value: str, type_name: str) -> Any:
     try:
         items = list(_items(value))
     except (yaml.YAMLError, ValueError, OverflowError):
-        example = "allowed: a list such as [first, second]"
-        raise SpecError(
-            f"{quoted(value)} is not a {type_name}; {example}", "invalid-value"
-        ) from None
+        article = "an" if base.startswith("int") else "a"
+        example = f"allowed: a list such as [{_EXAMPLES.get(base, '1, 2')}]"
+        what = f"{quoted(value)} is not {article} {type_name}; {example}"
+        raise SpecError(what, "invalid-value") from None
     if size and (len(items) > int(size) if limit else len(items) != int(size)):
         raise SpecError(f"{len(items)} values do not fit {type_name}", "invalid-value")
     return [parse(item) for item in items]

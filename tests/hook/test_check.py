@@ -297,11 +297,12 @@ def test_fault_of_a_package(said, spec, says):
         ),
         (
             "<arm name='a'><value name='x' type='int' list='[]' value='1'/></arm>",
-            '2: <value name="x">: list: a list must not be empty [empty-value]',
+            '2: <value name="x">: list: a list must not be empty; drop the attribute '
+            "[empty-value]",
         ),
         (
             "<arm name='a'><value name='x' type='int' list='[1, 2]' value='3'/></arm>",
-            '2: <value name="x">: value: 3 is none of list; allowed: 1, 2 [not-among]',
+            '2: <value name="x">: value: "3" is none of list; allowed: 1, 2 [not-among]',
         ),
         (
             "<arm name='a'><value name='x' type='double' value='3'/></arm>",
@@ -354,7 +355,7 @@ def test_fault_of_a_package(said, spec, says):
         ),
         (
             "<arm name='a'><value name='x' type='string' list='[a, b]' value='aa'/></arm>",
-            '2: <value name="x">: value: aa is none of list; did you mean "a"? allowed: a, b '
+            '2: <value name="x">: value: "aa" is none of list; did you mean "a"? allowed: a, b '
             "[not-among]",
         ),
         (

@@ -385,7 +385,7 @@ def test_literal(type_, text, value):
     assert (found, type(found)) == (value, type(value))
 
 
-LIST = "allowed: a list such as [first, second]"
+LIST = "allowed: a list such as [1, 2]"
 
 
 @pytest.mark.parametrize(
@@ -400,16 +400,32 @@ LIST = "allowed: a list such as [first, second]"
         ("char", "-1", "-1 is no char; allowed: 0 to 255 [out-of-range]"),
         ("int16", "32768", "32768 is no int16; allowed: -32768 to 32767 [out-of-range]"),
         ("uint32", "-1", f"-1 is no uint32; allowed: 0 to {2**32 - 1} [out-of-range]"),
-        ("int[]", "1, 2", f'"1, 2" is not a int[]; {LIST} [invalid-value]'),
-        ("int[]", "[[1]]", f'"[[1]]" is not a int[]; {LIST} [invalid-value]'),
-        ("int[]", "[1", f'"[1" is not a int[]; {LIST} [invalid-value]'),
-        ("int[]", "", f'"" is not a int[]; {LIST} [invalid-value]'),
-        ("int[]", "{a: 1}", f'"{{a: 1}}" is not a int[]; {LIST} [invalid-value]'),
-        ("int[]", "[1]\n---\n[2]", f'"[1]\\n---\\n[2]" is not a int[]; {LIST} [invalid-value]'),
+        ("int[]", "1, 2", f'"1, 2" is not an int[]; {LIST} [invalid-value]'),
+        ("int[]", "[[1]]", f'"[[1]]" is not an int[]; {LIST} [invalid-value]'),
+        ("int[]", "[1", f'"[1" is not an int[]; {LIST} [invalid-value]'),
+        ("int[]", "", f'"" is not an int[]; {LIST} [invalid-value]'),
+        ("int[]", "{a: 1}", f'"{{a: 1}}" is not an int[]; {LIST} [invalid-value]'),
+        ("int[]", "[1]\n---\n[2]", f'"[1]\\n---\\n[2]" is not an int[]; {LIST} [invalid-value]'),
         (
             "int[]",
             "[1, x]",
             '"x" is not an int; allowed: a whole number, such as -3 or 0xff [invalid-value]',
+        ),
+        (
+            "bool[]",
+            "1",
+            '"1" is not a bool[]; allowed: a list such as [true, false] [invalid-value]',
+        ),
+        (
+            "double[]",
+            "1",
+            '"1" is not a double[]; allowed: a list such as [0.5, 1] [invalid-value]',
+        ),
+        ("uint8[2]", "1", f'"1" is not a uint8[2]; {LIST} [invalid-value]'),
+        (
+            "string<=5[]",
+            "a",
+            '"a" is not a string<=5[]; allowed: a list such as [first, second] [invalid-value]',
         ),
         ("int[2]", "[1]", "1 values do not fit int[2] [invalid-value]"),
         ("int[<=2]", "[1, 2, 3]", "3 values do not fit int[<=2] [invalid-value]"),

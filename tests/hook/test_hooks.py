@@ -141,7 +141,19 @@ def test_component_and_template_are_understood(model):
         ('<parameter name="p" type="int[]" max="2"/>', '"max" has no meaning where type is'),
         ('<parameter name="p" type="int[]" value="[1]" choices="[1]"/>', "has no meaning where"),
         ('<parameter name="p" type="int[]" value="[1]" min="[3]"/>', "has no meaning where"),
-        ('<parameter name="p" type="int" choices="[]"/>', "choices: a list must not be empty"),
+        ('<parameter name="p" type="int" choices="[]"/>', "choices: a list must not be empty; d"),
+        (
+            '<parameter name="p" type="string" choices="[a, b, a]"/>',
+            'choices: "a" is there twice; drop one [already-taken]',
+        ),
+        (
+            '<parameter name="p" type="double" choices="[1, 1.0]"/>',
+            'choices: "1" is there twice; drop one [already-taken]',
+        ),
+        ('<timer name="a" was="a" frequency="1"/>', 'was: "a" is the name it has; drop it [name'),
+        ('<instance name="/a/b"/>', 'name: "/a/b" is not relative; did you mean "a/b"? [invalid-'),
+        ('<instance name="~/a"/>', 'name: "~/a" is not relative; did you mean "a"? [invalid-'),
+        ('<instance name="a//b"/>', 'name: "a//b" is not a valid ROS name; allowed: '),
         ('<parameter name="p" type="int" choices="[1, x]"/>', 'choices: "x" is not an int'),
         (
             '<parameter name="p" type="int" max="2" choices="[1, 3]"/>',
@@ -149,7 +161,7 @@ def test_component_and_template_are_understood(model):
         ),
         (
             '<parameter name="p" type="string" choices="[slow, fast]" value="slwo"/>',
-            'value: slwo is none of choices; did you mean "slow"? allowed: slow, fast',
+            'value: "slwo" is none of choices; did you mean "slow"? allowed: slow, fast',
         ),
         ('<dynParameter name="p" type="int" choices="[1, 2]" value="3"/>', "allowed: 1, 2"),
         ('<dynParameter name="p" type="int"/>', 'attribute "value" is missing'),
@@ -162,6 +174,14 @@ def test_fault_in_a_node(model, inside, message):
     found = faults(model, NODE.format(inside))
     assert any(message in line for line in found), found
     assert all(line.startswith("spec.xml:1: <") for line in found)
+
+
+@pytest.mark.parametrize("more", ['value="2"', 'choices="[2]" value="2"'])
+def test_bounds_that_exclude_all_are_one_fault(model, more):
+    inside = f'<parameter name="p" type="int" min="3" max="1" {more}/>'
+    assert faults(model, NODE.format(inside)) == [
+        'spec.xml:1: <parameter name="p">: max: 1 must be at least 3 [out-of-range]'
+    ]
 
 
 @pytest.mark.parametrize(

@@ -223,7 +223,8 @@ class Author(Random):
         if given.format == "number":
             return self.choice(NUMBERS) if self.seldom(30) else self.choice(["1", "12.5", "1000"])
         rights = {
-            "ros_name": lambda: self.ros_name().lstrip("/~" if given.pattern else ""),
+            "ros_name": self.ros_name,
+            "relative_name": lambda: self.ros_name().lstrip("/~"),
             "grouped_name": lambda: self.choice(["", "", f"{self.word()}."]) + self.word(),
             "identifier": self.word,
             "component_name": self.word,

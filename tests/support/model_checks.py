@@ -37,6 +37,7 @@ SAMPLES = {
     "grouped_name": ("some_word", "other.word"),
     "package_name": ("some_package", "other_package"),
     "dependency": ("std_msgs", "std_srvs"),
+    "relative_name": ("some_name", "other/name"),
     "ros_name": ("some_name", "other/name", "~/own_name"),
     "message_type": ("std_msgs/msg/String", "std_msgs/msg/Bool"),
     "stamped_type": ("geometry_msgs/msg/PointStamped", "geometry_msgs/msg/TwistStamped"),
