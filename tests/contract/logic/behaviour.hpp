@@ -75,8 +75,8 @@ public:
         }
         return std::string("null");
       };
-    commands_["throw"] = [](const Arguments &) -> std::string {
-        throw std::runtime_error("thrown on purpose");
+    commands_["throw"] = [](const Arguments & arguments) -> std::string {
+        throw std::runtime_error(arguments.empty() ? "thrown on purpose" : arguments[0]);
       };
   }
 
@@ -178,6 +178,9 @@ private:
       std::istringstream words(line.substr(colon + 2));
       commands.emplace_back();
       for (std::string word; words >> word; ) {
+        for (std::size_t at; (at = word.find("\\n")) != std::string::npos; ) {
+          word.replace(at, 2, "\n");
+        }
         commands.back().push_back(word);
       }
     }

@@ -3,7 +3,8 @@ What the logic does: as a file tells it, and each step written to another file.
 
 The file of $CONTRACT_BEHAVIOUR has a line for each thing to do, `method: command argument ...`;
 `once method: ...` is done once in the life of the process. It is read at each call, so that a test
-can change it. The file of $CONTRACT_TRACE gets a line of JSON for each event.
+can change it; "\\n" in an argument is a new line. The file of $CONTRACT_TRACE gets a line of JSON
+for each event.
 """
 
 import json
@@ -84,9 +85,13 @@ class Behaviour:
                     if line in _done:
                         continue
                     _done.add(line)
-                yield what.split()
+                yield self._words(what)
             elif when == method:
-                yield what.split()
+                yield self._words(what)
+
+    @staticmethod
+    def _words(what):
+        return [word.replace(r"\n", "\n") for word in what.split()]
 
     def _block(self, seconds):
         """Wait as nobody should: nothing ends it."""
@@ -98,5 +103,5 @@ class Behaviour:
         while f"hold {what}" in self._all_told() if what else self._all_told() == before:
             time.sleep(0.01)
 
-    def _throw(self):
-        raise RuntimeError("thrown on purpose")
+    def _throw(self, text="thrown on purpose"):
+        raise RuntimeError(text)

@@ -123,6 +123,7 @@ private:
     if (!failure.empty()) {
       level = Level::error;
       status.message = failure;
+      std::replace(status.message.begin(), status.message.end(), '\n', ' ');
     }
     const auto logic = logic_.lock();
     add_logic(status, level, logic ? logic->read() : LogicStatus::Said());

@@ -95,6 +95,7 @@ public:
     if (!failure.empty()) {
       level = Level::error;
       status.message = failure;
+      std::replace(status.message.begin(), status.message.end(), '\n', ' ');
     }
     add_logic(status, level, logic_->read());
     diagnostic_msgs::DiagnosticArray array;

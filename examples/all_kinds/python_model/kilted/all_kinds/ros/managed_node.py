@@ -170,7 +170,8 @@ class ManagedNode(LifecycleNode):
     def fail(self, error: BaseException) -> None:
         """Log an exception of the logic and take the node through error processing."""
         lines = traceback.format_exception(type(error), error, error.__traceback__)
-        self._give_up(''.join(lines))
+        reason = traceback.format_exception_only(type(error), error)
+        self._give_up(''.join(lines), ''.join(reason))
 
     def fail_because(self, reason: str) -> None:
         """Log why the logic cannot go on, and take the node through error processing."""
@@ -452,8 +453,8 @@ class ManagedNode(LifecycleNode):
         if self.state != 'finalized':
             self.trigger_shutdown()
 
-    def _give_up(self, text: str) -> None:
-        self.failure = self.failure or text.splitlines()[-1]
+    def _give_up(self, text: str, reason: str = '') -> None:
+        self.failure = self.failure or ' '.join((reason or text).split())
         self.has_error = True
         self.get_logger().error(text)
         self._transitions.submit(self._leave)

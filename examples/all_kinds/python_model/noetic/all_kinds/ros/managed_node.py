@@ -100,7 +100,8 @@ class ManagedNode:
     def fail(self, error: BaseException) -> None:
         """Log an exception of the logic and end the node."""
         lines = traceback.format_exception(type(error), error, error.__traceback__)
-        self._give_up(''.join(lines))
+        reason = traceback.format_exception_only(type(error), error)
+        self._give_up(''.join(lines), ''.join(reason))
 
     def fail_because(self, reason: str) -> None:
         """Log why the logic cannot go on, and end the node."""
@@ -193,8 +194,8 @@ class ManagedNode:
         self._connect_senders()
         return not self._logic.is_ending and bool(self._impl.configure(self._config))
 
-    def _give_up(self, text: str) -> None:
-        self.failure = self.failure or text.splitlines()[-1]
+    def _give_up(self, text: str, reason: str = '') -> None:
+        self.failure = self.failure or ' '.join((reason or text).split())
         self.has_error = True
         self.failed = True
         self._transitions.submit(self._leave)
