@@ -11,6 +11,7 @@ import ctypes
 import dataclasses
 import itertools
 import json
+import math
 import os
 import random
 import re
@@ -747,11 +748,15 @@ def test_parameter_of_a_wrong_type(stage):
     node.expect("[ERROR]", "[FATAL]")
 
 
+def _yaml(value):
+    return json.dumps(value).replace("NaN", ".nan").replace("Infinity", ".inf")
+
+
 def start_dial(stage, **parameters):
     """Start the node dial with parameters of any type, and return it."""
     parameters = {"device": "/dev/dial", **parameters}
     if stage.variant.is_ros2:
-        parameters = {n: json.dumps(v).replace("NaN", ".nan") for n, v in parameters.items()}
+        parameters = {n: _yaml(v) for n, v in parameters.items()}
         return stage.start("dial", **parameters)
     for name, value in parameters.items():
         stage.peer.set_global(name=stage.name(f"dial/{name}"), value=value)
@@ -797,7 +802,7 @@ def test_parameters_within_their_limits(stage):
     assert node.wait("configure")["value"] == {"device": "/dev/dial", **default}
     node.wait("activate", "end")
     assert node.stop() == 0
-    given = {"speed": 10.0, "turns": 1, "mode": "fast", "sizes": [2.5, 0.5], "flags": []}
+    given = {"speed": 10.0, "turns": 1, "mode": "fast", "sizes": [2.5, math.inf], "flags": []}
     if stage.variant.is_ros2 and not stage.variant.is_python:
         given["flags"] = [False, True]  # rclcpp 29.3 takes no empty list from YAML
     node = start_dial(stage, **given)
@@ -1038,6 +1043,18 @@ def test_parameter_that_is_out_of_range(stage, value):
     assert node.exit() == 1, node.story()
     assert "gain" in node.log(), node.story()
     node.expect("[ERROR]", "[FATAL]")
+
+
+def test_dynamic_parameter_that_is_no_number(stage):
+    """dynamic_reconfigure does not clamp it: in place of one in a range comes the default."""
+    only_ros1(stage, "ROS 2 refuses it")
+    stage.peer.set_global(name=stage.name("gauge/gain"), value=math.nan)
+    node = stage.start("gauge")
+    assert node.wait("update")["value"]["gain"] == 1.0
+    assert stage.peer.set_parameter(node=stage.name("gauge"), name="gain", value=2.0)
+    assert not stage.peer.set_parameter(node=stage.name("gauge"), name="gain", value=math.nan)
+    node.wait("update", count=len(node.events("update", "begin")) + 3)
+    assert node.events("update", "begin")[-1]["value"]["gain"] == 1.0
 
 
 def test_parameter_of_an_unknown_type(stage):

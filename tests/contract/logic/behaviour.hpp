@@ -29,7 +29,7 @@ inline std::string json(double value)
 {
   std::ostringstream text;
   text << value;
-  return text.str();
+  return text.str() == "inf" ? "Infinity" : text.str() == "nan" ? "NaN" : text.str();
 }
 inline std::string json(const std::string & value)
 {

@@ -6,6 +6,7 @@
 // The logic is in worker_impl.cpp.
 
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -182,7 +183,7 @@ private:
     reconfigure_server_ =
       std::make_unique<dynamic_reconfigure::Server<WorkerDynamicConfig>>(private_);
     reconfigure_server_->setCallback(
-      [this](WorkerDynamicConfig & values, std::uint32_t) {
+      [this](auto & values, std::uint32_t) {
         reconfigure(values);
       });
     timer_ = watch_.node().createWallTimer(
@@ -356,6 +357,9 @@ private:
   void reconfigure(WorkerDynamicConfig & values)
   {
     const auto config = std::make_shared<WorkerConfig>(*current_config());
+    if (!std::isfinite(values.gain)) {
+      values.gain = WorkerConfig().gain;
+    }
     config->gain = values.gain;
     config->step = values.step;
     config->verbose = values.verbose;

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
+from math import isfinite
 from threading import Lock
 from time import sleep
 from typing import Any, Dict
@@ -305,6 +306,8 @@ class WorkerNode(ManagedNode):
 
     def _reconfigure(self, values: Any, _level: int) -> Any:
         """Update the configuration with the changed parameters."""
+        if not isfinite(values['gain']):
+            values['gain'] = WorkerConfig().gain
         config = replace(
             self._config,
             gain=values['gain'],
