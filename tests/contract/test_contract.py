@@ -2599,6 +2599,28 @@ def test_diagnostics_of_a_refusal(stage, transition):
     node.expect("[ERROR]")
 
 
+@pytest.mark.parametrize(
+    ("name", "parameter", "refused"),
+    [
+        ("guard", "order_topic", "order_topic must be the name of a topic, not 'a b'."),
+        ("dial", "device", "device must be set."),
+    ],
+)
+def test_diagnostics_of_refused_parameters(stage, name, parameter, refused):
+    """A node that does not configure for a parameter says so as an error, until it does."""
+    only_ros2(stage, "a node of ROS 1 reads its parameters before it reports")
+    given = {"order_topic": "a b"} if name == "guard" else {}
+    stage.peer.hear(topic="/diagnostics", kind="diagnostic_msgs/msg/DiagnosticArray")
+    node = stage.start(name, autostart=False, **given)
+    assert not stage.transition("configure", node=name)
+    said = lambda: statuses(stage, name)[-1:]  # noqa: E731
+    wait_for(lambda: said() == [(2, f"Parameter {refused}")], said)
+    assert stage.peer.set_parameter(node=stage.name(name), name=parameter, value="good")
+    assert stage.transition("configure", node=name)
+    wait_for(lambda: said() == [(0, "inactive")], said)
+    node.expect("[ERROR]")
+
+
 @pytest.mark.parametrize("periods", [1.6, 5.0])
 def test_diagnostics_of_late_cycles(stage, periods):
     """Cycles that take too long are counted, and make the status a warning, for a while."""

@@ -456,23 +456,27 @@ private:
           found = "'" + topic + "'";
         }
         if (!found.empty()) {
-          RCLCPP_ERROR(
-            get_logger(), "Parameter %s must %s, not %s.", name.c_str(), wanted.c_str(),
-            found.c_str());
-          return false;
+          return refuse("Parameter " + name + " must " + wanted + ", not " + found + ".");
         }
       }
     }
     return true;
   }
 
+  /// Say why a transition fails; return false.
+  bool refuse(const std::string & reason)
+  {
+    calls_->set_refusal(reason);
+    RCLCPP_ERROR(get_logger(), "%s", reason.c_str());
+    return false;
+  }
+
   /// Return whether the thread of the logic is free for a method.
-  bool may_start(const char * method)
+  bool may_start(const std::string & method)
   {
     const auto names = calls_->names();
     if (!names.empty()) {
-      RCLCPP_ERROR(get_logger(), "Cannot %s: %s has not returned.", method, names.c_str());
-      return false;
+      return refuse("Cannot " + method + ": " + names + " has not returned.");
     }
     stop_->clear();
     if (is_ending_) {
@@ -538,8 +542,7 @@ private:
       return CallbackReturn::FAILURE;
     }
     if (end.get() == CallbackReturn::FAILURE && !is_ending_) {
-      calls_->set_refusal("The logic refused to " + method + ".");
-      RCLCPP_ERROR(get_logger(), "The logic refused to %s.", method.c_str());
+      refuse("The logic refused to " + method + ".");
     }
     return end.get();
   }

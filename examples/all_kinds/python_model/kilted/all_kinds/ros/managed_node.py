@@ -191,8 +191,7 @@ class ManagedNode(LifecycleNode):
                 except Exception:  # RCLError, which rclpy 9.1.2 has in a private module
                     found = repr(topic)
                 if found:
-                    self.get_logger().error(f'Parameter {name} must {wanted}, not {found}.')
-                    return TransitionCallbackReturn.FAILURE
+                    return self._refuse(f'Parameter {name} must {wanted}, not {found}.')
         result = self._begin('configure', self._connect_and_configure)
         if result == TransitionCallbackReturn.FAILURE:
             self._clean_up()
@@ -477,17 +476,21 @@ class ManagedNode(LifecycleNode):
         """Call configure or activate, unless an earlier call is still running."""
         running = self._still_running()
         if running:
-            self.get_logger().error(f'Cannot {name}: {running} has not returned.')
-            return TransitionCallbackReturn.FAILURE
+            return self._refuse(f'Cannot {name}: {running} has not returned.')
         if not self.has_error:
             self.failure = ''
         if self._logic.begin(name, method):
             return TransitionCallbackReturn.SUCCESS
         if self.has_error:
             return TransitionCallbackReturn.ERROR
-        if not self._logic.is_ending:
-            self.failure = f'The logic refused to {name}.'
-            self.get_logger().error(f'The logic refused to {name}.')
+        if self._logic.is_ending:
+            return TransitionCallbackReturn.FAILURE
+        return self._refuse(f'The logic refused to {name}.')
+
+    def _refuse(self, reason: str) -> TransitionCallbackReturn:
+        """Say why a transition fails."""
+        self.failure = reason
+        self.get_logger().error(reason)
         return TransitionCallbackReturn.FAILURE
 
     def _connect_and_configure(self) -> bool:
