@@ -79,7 +79,13 @@ class Peer:
     def _be_known(self, node):
         # Fast DDS discovers clients in their order, and drops responses to those it does not know.
         newest = self._node.create_client(GetState, node.name + '/get_state')
-        assert eventually(lambda: eventually(newest.call_async(GetState.Request()).done, 0.5))
+        answers = []
+
+        def ask():
+            newest.call_async(GetState.Request()).add_done_callback(answers.append)
+            return eventually(lambda: answers, 0.5)
+
+        assert eventually(ask), f'{node.name} does not answer'
 
     def state(self, node):
         """Return the name of a node's lifecycle state."""
