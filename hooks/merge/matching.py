@@ -41,13 +41,17 @@ def _rejoined(mine: Blocks, *versions: Blocks) -> list[Block]:
     for block in mine:
         if block.key in known:
             above = {line for was in known[block.key] for line in was.lines} - {*block.lines, "\n"}
-            own = [*takewhile(lambda part: part.key not in known, reversed(whole))][::-1]
+            own = [*takewhile(lambda part: _may_join(part, known), reversed(whole))][::-1]
             first = next((n for n, part in enumerate(own) if above & {*part.lines}), len(own))
             _join(block, own[first:], above)
             whole = [part for part in whole if part.lines or part.children]
             block.children = _rejoined(block.children, *(was.children for was in known[block.key]))
         whole.append(block)
     return whole
+
+
+def _may_join(part: Block, known: Mapping[str, Blocks]) -> bool:
+    return part.key not in known and not _HEADING.match(part.key)
 
 
 def _join(block: Block, own: Blocks, above: set[str]) -> None:

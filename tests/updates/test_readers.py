@@ -573,6 +573,15 @@ def test_blanks_in_an_argument_of_cmake_are_no_form(quoted):
     assert found == changed(mine, ("A.cfg\n", "A.cfg\n  cfg/B.cfg\n"))
 
 
+def test_own_heading_stays_in_its_section_where_the_next_one_loses_its_table():
+    edit = ("| Node |\n", "### Mine\n\n| Node |\n")
+    new = changed(TABLES, ("| Topic |\n|---|\n| goal |\n| pose |\n", "It has none.\n"))
+    trees = [{"README.md": File(encode(text))} for text in (changed(TABLES, edit), TABLES, new)]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree["README.md"].text == changed(new, edit)
+
+
 def test_section_that_the_developer_deleted_stays_so_and_is_said():
     mine = TABLES[: TABLES.index("## Topics")]
     new = changed(TABLES, ("| pose |\n", "| pose |\n| joy |\n"), ("Moves.", "Turns."))
