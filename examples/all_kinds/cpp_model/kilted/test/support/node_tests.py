@@ -147,6 +147,11 @@ class NodeTests:
             self.assertTrue(eventually(lambda: node.got(late)[1:]), late)
             self.assertGreaterEqual(monotonic() - begin, least)
             self.assertEqual(self.given.got(late), before)  # its time stands still
+        for late, *_ in self.lates()[:1]:  # and anew in each activation
+            before = node.got(late)
+            for transition in 'deactivate', 'activate':
+                self.assertTrue(self.peer.change(node, transition))
+            self.assertTrue(eventually(lambda: node.got(late) > before), late)
 
     def test_offers(self):
         """Publishers offer the times and the liveliness that they have in the spec."""
@@ -328,6 +333,9 @@ class NodeTests:
             self.node.order(member, 'response=' + encode(response))
             self.assertEqual(self.peer.call(self.node, type_, name, request, *qos), response)
             self.assertTrue(eventually(lambda: self.got(member, type(request)) == [request]), name)
+            self.assertTrue(self.peer.change(self.node, 'deactivate'))
+            self.assertTrue(eventually(lambda: not self.peer.clients[name].service_is_ready()))
+            self.assertTrue(self.peer.change(self.node, 'activate'))
 
     def test_service_clients(self):
         """Every client warns of a missing server, gives up in time, and gets its responses."""
@@ -567,6 +575,19 @@ class NodeTests:
             self.assertEqual(self.node.got('config')[-1], before)
             self.sets(name, value)
 
+    def test_names_of_topics(self):
+        """Without names of topics, each once, in its parameters the node refuses to configure."""
+        names = [name[1:-1] for name, *_ in self.interfaces.values() if name[0] == '{']
+        wrong = [(name, value) for name in names for value in ('a b', ['a b'], ['a', 'a'])]
+        with ThreadPoolExecutor(4) as pool:
+            list(pool.map(self.ends_with, wrong))
+
+    def ends_with(self, case):
+        """Check that a node ends that starts with a wrong parameter, and names it."""
+        node = self.start(**dict([case]))
+        self.assertEqual((node.exit_code(), node.life()), (1, []), (case, node.log))
+        self.assertIn(case[0], node.log)
+
     def refuses(self, node, name, *values):
         """See that a parameter cannot have some values, nor one that is out of bounds."""
         if len(values) > 1 and isinstance(values[1], float):
@@ -606,6 +627,7 @@ class NodeTests:
             node.order('now', f'diagnose={word},tired')
             self.assertTrue(eventually(lambda: says(level, 'tired', 'tired')), (word, last()))
         if self.frequency:
+            self.assertIn('rate (Hz)', [each.key for each in last()[0].values])
             node.order('update', f'wait={1.5 / self.frequency}')
             self.assertTrue(eventually(lambda: says(WARN, 'late cycles', 'tired')), last())
         for _, member, _ in self.lates():
@@ -622,6 +644,9 @@ class NodeTests:
         for transition in 'deactivate', 'cleanup':
             self.assertTrue(self.peer.change(node, transition))
         self.assertTrue(eventually(lambda: says(OK, 'unconfigured', None)), last())
+        node.order('configure', 'refuse')
+        self.assertFalse(self.peer.change(node, 'configure'))
+        self.assertTrue(eventually(lambda: says(ERROR, 'configure', None)), last())
         for transition in 'configure', 'activate':
             self.assertTrue(self.peer.change(node, transition))
         self.assertTrue(eventually(lambda: says(OK, 'active', None)), last())
@@ -632,7 +657,10 @@ class NodeTests:
 
     def test_life_cycle(self):
         """A managed node obeys every transition, but for those that its logic refuses."""
-        node = self.start('configure refuse', 'activate refuse', autostart=False)
+        orders = ['configure refuse', 'activate refuse']
+        for member, _, type_, *_ in self.each('pub_', given=True):
+            orders.append(f'cleanup {member}={encode(type_())}')
+        node = self.start(*orders, autostart=False)
         self.assertEqual(self.peer.state(node), 'unconfigured')
         for name, (_, others, refused) in self.parameters.items():
             self.refuses(node, name, *refused)
@@ -656,6 +684,8 @@ class NodeTests:
             self.assertEqual(self.peer.change(node, transition), is_obeyed)
             self.assertEqual(self.peer.state(node), state)
             self.assertTrue(eventually(lambda: node.life() == calls), (node.life(), calls))
+            for name, (_, others, _) in self.parameters.items() if state == 'inactive' else ():
+                self.refuses(node, name, *others)
         self.assertTrue(self.peer.change(node, 'shutdown'))
         self.assertEqual(self.peer.state(node), 'finalized')
         calls += LIFE[2:]

@@ -49,7 +49,7 @@ class Peer:
         self._node = rclpy.create_node('peer', context=self._context)
         self._executor = SingleThreadedExecutor(context=self._context)
         self._executor.add_node(self._node)
-        self._clients = {}
+        self.clients = {}
         self._clock = self._node.create_publisher(Clock, '/clock', 10)
         self._thread = Thread(target=self._executor.spin)
         self._thread.start()
@@ -68,13 +68,13 @@ class Peer:
 
     def send(self, node, service_type, name, request, reliability='reliable'):
         """Send a request to a node that is known to be discovered; return the future response."""
-        if name not in self._clients:
+        if name not in self.clients:
             qos = QoSProfile(depth=10, reliability=ReliabilityPolicy[reliability.upper()])
             client = self._node.create_client(service_type, name, qos_profile=qos)
             assert client.wait_for_service(TIMEOUT), f'{name} is not served'
             self._be_known(node)
-            self._clients[name] = client
-        return self._clients[name].call_async(request)
+            self.clients[name] = client
+        return self.clients[name].call_async(request)
 
     def _be_known(self, node):
         # Fast DDS discovers clients in their order, and drops responses to those it does not know.
@@ -178,14 +178,14 @@ class Peer:
 
     def goal(self, node, action_type, name, goal):
         """Send a goal; return it, with its feedback, or None if it is rejected."""
-        if name not in self._clients:
+        if name not in self.clients:
             # In the executor, as rclpy 9.1.2 adds the client to the node before it is complete.
             created = self._executor.create_task(ActionClient, self._node, action_type, name)
             assert eventually(created.done) and created.result().wait_for_server(TIMEOUT), name
             self._be_known(node)
-            self._clients[name] = created.result()
+            self.clients[name] = created.result()
         feedback = []
-        sent = self._clients[name].send_goal_async(goal, lambda it: feedback.append(it.feedback))
+        sent = self.clients[name].send_goal_async(goal, lambda it: feedback.append(it.feedback))
         assert eventually(sent.done), f'{name} does not answer a goal'
         return SentGoal(sent.result(), feedback) if sent.result().accepted else None
 

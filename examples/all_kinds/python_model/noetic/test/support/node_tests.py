@@ -541,12 +541,6 @@ class NodeTests:
         with ThreadPoolExecutor(4) as pool:
             list(pool.map(self.ends_with, wrong))
 
-    def ends_with(self, case):
-        """Check that a node ends that starts with a wrong parameter, and names it."""
-        node = self.start(**dict([case]))
-        self.assertEqual((node.exit_code(), node.life()), (1, []), (case, node.log))
-        self.assertIn(case[0], node.log)
-
     def test_reconfigure(self):
         """The logic can refuse changed parameters, which then stay as they are."""
         dynamic = self.dynamic_parameters if self.reconfigures else {}
@@ -557,6 +551,19 @@ class NodeTests:
             self.assertFalse(self.peer.set_parameter(self.node, name, value), name)
             self.assertEqual(self.node.got('config')[-1], before)
             self.sets(name, value)
+
+    def test_names_of_topics(self):
+        """Without names of topics, each once, in its parameters the node refuses to configure."""
+        names = [name[1:-1] for name, *_ in self.interfaces.values() if name[0] == '{']
+        wrong = [(name, value) for name in names for value in ('a b', ['a b'], ['a', 'a'])]
+        with ThreadPoolExecutor(4) as pool:
+            list(pool.map(self.ends_with, wrong))
+
+    def ends_with(self, case):
+        """Check that a node ends that starts with a wrong parameter, and names it."""
+        node = self.start(**dict([case]))
+        self.assertEqual((node.exit_code(), node.life()), (1, []), (case, node.log))
+        self.assertIn(case[0], node.log)
 
     def refuses(self, node, name, *values):
         """See that a parameter cannot have some values, nor one that is out of bounds."""
@@ -595,6 +602,7 @@ class NodeTests:
             node.order('now', f'diagnose={word},tired')
             self.assertTrue(eventually(lambda: says(level, 'tired', 'tired')), (word, last()))
         if self.frequency:
+            self.assertIn('rate (Hz)', [each.key for each in last()[0].values])
             node.order('update', f'wait={1.5 / self.frequency}')
             self.assertTrue(eventually(lambda: says(WARN, 'late cycles', 'tired')), last())
         for _, member, _ in self.lates():
