@@ -578,7 +578,8 @@ class NodeTests:
     def test_names_of_topics(self):
         """Without names of topics, each once, in its parameters the node refuses to configure."""
         names = [name[1:-1] for name, *_ in self.interfaces.values() if name[0] == '{']
-        wrong = [(name, value) for name in names for value in ('a b', ['a b'], ['a', 'a'])]
+        values = ['a b', ['a b'], ['a', 'a']]
+        wrong = [(name, each) for name in names for each in values]
         with ThreadPoolExecutor(4) as pool:
             list(pool.map(self.ends_with, wrong))
 
