@@ -46,6 +46,8 @@ class Renaming:
     packages: dict[str, str] = field(default_factory=dict)
     targets: dict[str, str] = field(default_factory=dict)
     """The names of nodes, which are those of targets in CMake."""
+    components: dict[str, str] = field(default_factory=dict)
+    """The names of nodes, wherever they stand alone."""
     taken: dict[str, set[str]] = field(default_factory=dict)
     """By file, the identifiers of what left, which are those of another interface now."""
     generated: dict[str, dict[str, str]] = field(default_factory=dict)
@@ -121,7 +123,7 @@ class Renaming:
     def _exchanged(self, path: str, text: str) -> str:
         known = language(path, text)
         if known is YAML:
-            return _with_keys(text, self.keys.get(path, {}))
+            return _with_nodes(_with_keys(text, self.keys.get(path, {})), self.components)
         if known is XML:
             values = self.attributes.get(path, {})
             return xml_blocks.exchange(text, lambda *found: values.get(found, found[-1]))
@@ -245,6 +247,16 @@ def rename(blocks: Iterable[Block], before: Iterable[Block], keys: Mapping[str, 
         rename(block.children, same.children, keys)
 
 
+_ABOVE_PARAMETERS = r"[^\n]*\n(?:\s*#[^\n]*\n)*\s+ros__parameters:"
+
+
+def _with_nodes(text: str, names: Mapping[str, str]) -> str:
+    """Exchange the names of nodes above their parameters, in files of ROS 2."""
+    pattern = "|".join(map(re.escape, names))
+    form = rf"(?m)^([\"']?(?:[\w*/]*/)?)({pattern})(?=[\"']?:{_ABOVE_PARAMETERS})"
+    return re.sub(form, lambda m: m[1] + names[m[2]], text) if names else text
+
+
 def _with_keys(text: str, keys: Mapping[str, str]) -> str:
     """Exchange the keys of YAML, not its values; those of what left stay."""
     exact = {before: after for before, after in keys.items() if not after.endswith(GONE)}
@@ -264,6 +276,8 @@ def plan(
     reader = _Reader(marks)
     names = [(mark.before, mark.after) for mark in marks if not mark.is_gone]
     renaming = Renaming(names=names, holders=holders)
+    nodes = (mark for mark in marks if mark.level == "component" and not mark.is_gone)
+    renaming.components = {mark.before: mark.after for mark in nodes}
     owned: dict[str, set[int]] = {}
     tokens: dict[str, set[str]] = {}
     for path, file in marked.items():

@@ -224,6 +224,22 @@ def test_row_of_a_table_with_the_name_keeps_the_last_cell_of_the_developer(pairs
     assert joined(pairs[model], "README.md", start, text) == (wanted, [], False)
 
 
+NAMED = "{}:\n  # mine\n  ros__parameters:\n    gain: 2\n"
+
+
+@pytest.mark.parametrize("name", ["reach", "/reach", "/left/reach", "/**/reach", '"reach"'])
+def test_name_of_a_node_above_its_parameters(pairs, name):
+    text, wanted = (NAMED.format(one) for one in (name, name.replace("reach", "grasp")))
+    assert pairs["python_model"].renaming.text("config/mine.yaml", text) == wanted
+
+
+@pytest.mark.parametrize(
+    "text", [NAMED.format("reach_2"), NAMED.format("reach/b"), "reach:\n  a: 1\n"]
+)
+def test_what_is_not_the_name_of_a_node_above_its_parameters(pairs, text):
+    assert pairs["python_model"].renaming.text("config/mine.yaml", text) == text
+
+
 def line_of(files, path, start):
     """Return the line of a file that begins so."""
     text = files[path if path in files else path.replace("reach", "grasp")]
