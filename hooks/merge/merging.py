@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from ..changes import GONE
-from . import lines
+from . import lines, python_blocks
 from .blocks import Block, is_comment, walk
 from .languages import CPP, MARKDOWN, PYTHON, TEXT, Language, language
 from .lines import Conflict, Merged
@@ -147,7 +147,7 @@ def _deleted(mine: Sequence[Block], old: Sequence[Block], new: Sequence[Block]) 
 
 
 _LOOSE = re.compile(
-    r"then$|comment |header|docstring|empty|text|start|#(?!#* )|from |import |using |.* =$"
+    r"then$|comment |header|docstring|empty|text|start|#(?!#* )|from |import |name |using |.* =$"
 )
 """Blocks that are known by what they say, or that nobody misses."""
 
@@ -230,6 +230,8 @@ class _Merger:
             return self.lines(*(lines.split(block.text) for block in (mine, old, new)))
         head = self.lines(mine.lines, old.lines, new.lines)
         inner = self.sequence(mine.children, old.children, new.children)
+        if self.language is PYTHON and mine.key.startswith("from "):
+            inner = python_blocks.with_imports(inner)
         return [*head, *inner, *self.lines(mine.tail, old.tail, new.tail)]
 
     def emptied(self, mine: Block, old: Block) -> Merged:
@@ -282,4 +284,4 @@ def _inserted(keys: list[str], others: Iterable[str]) -> list[str]:
 def block_name(key: str) -> str:
     """Name a block as a person would: `serve_load`, `exec_depend rclpy`."""
     name = re.sub(r"( #\d+)?$", "", key).replace(GONE, "")
-    return name.removeprefix("def ").removesuffix("()")
+    return name.removeprefix("def ").removeprefix("name ").removesuffix("()")

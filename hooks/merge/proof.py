@@ -163,10 +163,14 @@ def _read_back(
         elif shown[known.key(line)]:
             shown[known.key(line)] -= 1
             proof.in_place += 1
-        elif any(name in scope for name in removed):
+        elif any(name in scope for name in removed) or (removed and _is_import(scope)):
             proof.left.append((paths[0], number, line))
         else:
             proof.lost.append((paths[1], line.strip()))
+
+
+def _is_import(scope: str) -> bool:
+    return scope.rpartition(" > ")[2].startswith("from ")
 
 
 def _developer_lines(
@@ -210,10 +214,14 @@ def _scopes(blocks: list[Block]) -> _SCOPES:
 
 
 def _walk(blocks: list[Block]) -> Iterator[tuple[str, str]]:
-    """Yield every line with the blocks it is in; a comment may become the first of a file."""
+    """Yield every line with the blocks it is in; a comment may become the first of a file.
+
+    The names of an import may share a line in another version.
+    """
     for scope, line in walk(blocks):
         around, _, last = scope.rpartition(" > ")
-        yield f"{around} > comment" if is_comment(last) else scope, line
+        scope = f"{around} > comment" if is_comment(last) else scope
+        yield around if last.startswith("name ") else scope, line
 
 
 def _parses(known: Language, text: str) -> bool:

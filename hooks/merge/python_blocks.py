@@ -14,7 +14,7 @@ import warnings
 from collections.abc import Sequence
 
 from .blocks import THEN, Block, Span, arrange, squeezed, unicode
-from .lines import split
+from .lines import Conflict, split
 
 
 def blocks(text: str) -> list[Block]:
@@ -75,10 +75,13 @@ def _comments(text: str) -> list[str]:
 
 
 def _spans(statements: Sequence[ast.stmt], lines: Sequence[str]) -> list[Span]:
-    spans = []
+    spans: list[Span] = []
     for index, statement in enumerate(statements):
         start, end = _first(statement) - 1, statement.end_lineno or statement.lineno
         key = _key(statement, index)
+        if isinstance(statement, ast.ImportFrom) and (names := _names(statement)):
+            spans.append(_import(key, start, end, names, spans))
+            continue
         parts = _parts(statement, lines) if isinstance(statement, _CONTAINERS) else []
         heads = [*(line for _, line, _ in parts[1:]), end]
         branches = []
@@ -97,6 +100,43 @@ def _spans(statements: Sequence[ast.stmt], lines: Sequence[str]) -> list[Span]:
             branches[0] = Span(THEN, inside[0], inside[1], inside, branches[0].items)
             spans.append(Span(key, start, end, (inside[0], end), tuple(branches)))
     return spans
+
+
+def _names(statement: ast.ImportFrom) -> tuple[Span, ...]:
+    """Return what an import names, where each name has a line, or an import, of its own."""
+    lines = [
+        statement.lineno,
+        *(name.lineno for name in statement.names),
+        statement.end_lineno or 0,
+    ]
+    if lines != sorted({*lines}) and not (len(statement.names) == 1 and lines[0] == lines[-1]):
+        return ()
+    return tuple(
+        Span(f"name {name.name}", name.lineno - 1, name.end_lineno or name.lineno)
+        for name in statement.names
+    )
+
+
+def _import(key: str, start: int, end: int, names: tuple[Span, ...], spans: list[Span]) -> Span:
+    """Return an import with its names; those of one name each, one below the other, are one."""
+    if end > start + 1:
+        return Span(key, start, end, (names[0].start, names[-1].end), names)
+    if spans and spans[-1].key == key and spans[-1].body == (spans[-1].start, start):
+        before = spans.pop()
+        start, names = before.start, (*before.items, *names)
+    return Span(key, start, end, (start, end), names)
+
+
+def with_imports(merged: list[str | Conflict]) -> list[str | Conflict]:
+    """Give each name an import of its own, where others have one."""
+    heads = (re.match(r"\s*from \S+ import ", each) for each in merged if isinstance(each, str))
+    head = next((found[0] for found in heads if found), None)
+    if head is None:
+        return merged
+    return [
+        re.sub(r"^\s*(\w+),$", rf"{head}\1", each) if isinstance(each, str) else each
+        for each in merged
+    ]
 
 
 _CONTAINERS = (ast.ClassDef, ast.If, ast.Try, ast.With)

@@ -27,6 +27,8 @@ from .tree import LINK, File, Tree
 
 _WORD = re.compile(r"(?<=\bfrom )\s*\w*\.(?=\w)|(\w+|[<>=!&|+.:~%${}-])")
 """What is no form: words and signs, without what makes an import relative."""
+_IMPORT = re.compile(r"\tfrom\n\t\w+\n(\t\.\n\t\w+\n)*\timport\n")
+"""An import, which one may split; that each used name has one is looked for below."""
 Places = list[tuple[str, str]]
 
 
@@ -41,7 +43,7 @@ class _Text(dict[str, int]):
     def __init__(self, text: str) -> None:
         self.tight = _tight(text)
         lines = ((line.strip(), _tight(line)) for line in text.split("\n"))
-        self.lines = [(line, tight) for line, tight in lines if tight]
+        self.lines = [(line, tight) for line, tight in lines if tight and not _IMPORT.match(tight)]
 
     def __missing__(self, tight: str) -> int:
         self[tight] = self.tight.count(tight)

@@ -1,5 +1,6 @@
 """Files as developers write them, read as blocks: each side's change is in the merged file."""
 
+import ast
 import random
 import re
 from itertools import pairwise
@@ -265,6 +266,44 @@ def test_import_in_python_gets_new_names_wherever_it_is(form):
     assert "def serve_home" in found
     compile(found, "worker_impl.py", "exec")
     assert found.index("Home") < found.index("class WorkerImpl")
+
+
+LONG = "from arm.reach_interface import (\n    Load,\n    Reach,\n)\n\nuse(Load, Reach)\n"
+ONE_EACH = "from arm.reach_interface import Load\nfrom arm.reach_interface import Reach\n"
+LAYOUTS = {
+    "one import for each": (LONG[: LONG.index("\n\n") + 1], ONE_EACH),
+    "comment": ("    Reach,\n", "    Reach,  # noqa\n"),
+    "comment above": ("    Reach,\n", "    # mine\n    Reach,\n"),
+    "another name": ("    Reach,\n", "    Reach as R,\n    Reach,\n"),
+    "other order": ("    Load,\n    Reach,\n", "    Reach,\n    Load,\n"),
+    "without one": ("    Load,\n    Reach,\n)\n\n", "    Reach,\n)\nLoad = 1\n\n"),
+}
+OF_THE_MODEL = {
+    "first": ("    Load,\n", "    Halt,\n    Load,\n"),
+    "between": ("    Load,\n", "    Load,\n    Move,\n"),
+    "last": ("    Reach,\n", "    Reach,\n    Stop,\n"),
+}
+
+
+@pytest.mark.parametrize("change", OF_THE_MODEL.values(), ids=OF_THE_MODEL)
+@pytest.mark.parametrize("edit", LAYOUTS.values(), ids=LAYOUTS)
+def test_import_gets_names_whatever_the_developer_made_of_it(edit, change):
+    name = ({*change[1].split()} - {*change[0].split()}).pop().strip(",")
+    mine, new = changed(LONG, edit), changed(LONG, change).replace("use(", f"use({name}, ")
+    trees = [{"arm/reach_impl.py": File(encode(text))} for text in (mine, LONG, new)]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts, result.missing) == ([], {}, {})
+    found = result.tree["arm/reach_impl.py"].text
+    before, after = (imported(text) for text in (mine, found))
+    assert after == sorted([*before, name])
+    assert ("import (" in found) == ("import (" in mine)
+    assert all(line in found for line in mine.splitlines() if not line.startswith("use("))
+
+
+def imported(text):
+    """Return the names that a text imports, and what it calls some of them."""
+    nodes = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.ImportFrom))
+    return sorted(ast.unparse(alias) for node in nodes for alias in node.names)
 
 
 YAML_FILE = "/**:\n  ros__parameters:\n    rate: 1.0  # Hz\n    gain: 2.0\n"
