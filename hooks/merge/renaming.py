@@ -16,7 +16,7 @@ from ..changes import GONE, Mark, marked
 from ..dictionary import Dictionary
 from ..package import SUFFIX
 from . import xml_blocks
-from .blocks import Block
+from .blocks import Block, collapsed
 from .depth import Shift, shifts
 from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
 from .lines import split
@@ -160,7 +160,7 @@ class Renaming:
 
         lines = zip(split(text), split(exchange(known, text, by)), strict=True)
         heads = _heads(known, generated)
-        return "".join(_as_made(known, *pair, heads) for pair in lines)
+        return "".join(_as_made(known, *pair, generated, heads) for pair in lines)
 
     def uses_of_taken(self, path: str, text: str) -> Iterator[tuple[int, str]]:
         """Yield the line number, from 0, and the identifier of each use of what `taken` has."""
@@ -191,37 +191,47 @@ class Renaming:
         return {before: after for before, after in found.items() if before != after}
 
 
-_NOWHERE = re.compile("(?!)")
-_CODE = r"\s+(?:{}|= )|$"
+_COMMENT = {PYTHON.name: "#", CPP.name: "//", CMAKE.name: "#"}
 _ENDS = {
-    PYTHON.name: re.compile(_CODE.format("#")),
-    CPP.name: re.compile(_CODE.format("//")),
-    CMAKE.name: re.compile(_CODE.format("#")),
-    MARKDOWN.name: re.compile(r" \| (?=[^|]*\|$)|$"),
+    PYTHON.name: re.compile(r" =(?= |$)"),
+    CPP.name: re.compile(r" =(?= |$)"),
+    MARKDOWN.name: re.compile(r" \|(?=[^|]*\|$)"),
 }
-"""Where what a line is about may end: before a comment, a value, the last cell of a table."""
+"""Where the head of a line ends, that may go on as the developer likes: before a value, before the
+last cell of a table."""
 
 
 def _heads(known: Language, generated: Mapping[str, str]) -> dict[str, str]:
-    """Return how generated lines begin, and will, that may end as the developer likes."""
+    """Return the heads of generated lines, each as it will be; empty where in doubt."""
     found: dict[str, str] = {}
-    ends = _ENDS.get(known.name, _NOWHERE)
-    for line, made in generated.items():
-        for one, other in zip(ends.finditer(line), ends.finditer(made), strict=False):
+    ends = _ENDS.get(known.name)
+    if not ends:
+        return found
+    for before, after in generated.items():
+        line, made = collapsed(before), collapsed(after)
+        one, other = ends.search(line), ends.search(made)
+        if one and other and " " in line[: one.start()]:
             head, new = line[: one.start()], made[: other.start()]
-            if " " in head or head == line:
-                found[head] = new if found.get(head, new) == new else ""
+            found[head] = new if found.get(head, new) == new else ""
     return found
 
 
-def _as_made(known: Language, before: str, after: str, heads: Mapping[str, str]) -> str:
-    """Return a line whose words are exchanged; one that begins as a generated one as that does."""
+def _as_made(
+    known: Language,
+    before: str,
+    after: str,
+    generated: Mapping[str, str],
+    heads: Mapping[str, str],
+) -> str:
+    """Return a line whose words are exchanged; of a generated one, comment and head, too."""
     line, changed = before.strip(), after.strip()
-    ends = _ENDS.get(known.name, _NOWHERE) if heads else _NOWHERE
-    for one, other in zip(ends.finditer(line), ends.finditer(changed), strict=False):
-        if made := heads.get(line[: one.start()]):
-            return after.replace(changed, made + changed[other.start() :])
-    return after
+    made, sign = generated.get(line), _COMMENT.get(known.name)
+    if made and sign and made.partition(sign)[0] == changed.partition(sign)[0]:
+        return after.replace(changed, made)
+    end = _ENDS[known.name].search(changed) if heads else None
+    was = _ENDS[known.name].search(line) if end else None
+    head = heads.get(collapsed(line[: was.start()])) if was else None
+    return after.replace(changed, head + changed[end.start() :]) if head and end else after
 
 
 def plan_renames(
