@@ -39,6 +39,7 @@ SAMPLES = {
     "dependency": ("std_msgs", "std_srvs"),
     "relative_name": ("some_name", "other/name"),
     "ros_name": ("some_name", "other/name", "~/own_name"),
+    "topic_name": ("/some/topic", "other_topic"),
     "message_type": ("std_msgs/msg/String", "std_msgs/msg/Bool"),
     "stamped_type": ("geometry_msgs/msg/PointStamped", "geometry_msgs/msg/TwistStamped"),
     "service_type": ("std_srvs/srv/Trigger", "std_srvs/srv/SetBool"),
@@ -416,7 +417,10 @@ def candidates(attribute, values):
     for limit in (attribute.above, attribute.minimum, attribute.maximum):
         if isinstance(limit, int | float):
             found += [str(limit), str(limit + 1), str(limit - 1)]
-    return [f"[{text}, {text}]" for text in found] if is_list else found
+    if not is_list:
+        return found
+    pairs = zip(found, [*found[1:], found[0]], strict=True)
+    return [f"[{', '.join(dict.fromkeys(pair))}]" for pair in pairs]
 
 
 def models():
