@@ -188,6 +188,9 @@ def _scope(tokens: Tokens, at: int) -> tuple[list[Span], int]:
         elif (end := _macro(tokens, at)) and _is_close(tokens, end):
             span, at = _item(tokens, end)
             spans.append(replace(span, start=token.line))
+        elif end and _is_condition(tokens, end):  # which holds what the macro is about
+            spans.append(replace(_directive(tokens[end]), start=token.line))
+            at = end + 1
         elif end:
             key = squeezed(" ".join(token.text for token in tokens[at:end]))
             spans.append(Span(key, token.line, tokens[end - 1].last + 1))
@@ -215,6 +218,12 @@ def _is_close(tokens: Tokens, at: int) -> bool:
         return False
     is_next = tokens[at].line == tokens[at - 1].last + 1
     return is_next and tokens[at].text not in (*_ACCESS, *_HOLDERS)
+
+
+def _is_condition(tokens: Tokens, at: int) -> bool:
+    """Say whether a condition begins at a token, on the line after the one before."""
+    is_start = at < len(tokens) and _part(tokens[at]) == "start"
+    return is_start and tokens[at].line == tokens[at - 1].last + 1
 
 
 _MACRO = re.compile(r"[A-Z][A-Z0-9]*_?[A-Z0-9_]+")

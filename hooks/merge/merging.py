@@ -237,8 +237,11 @@ class _Merger:
     def emptied(self, mine: Block, old: Block) -> Merged:
         """Take out of a container of the developer's what leaves, which is all that is generated.
 
-        In Python one that is empty cannot stay.
+        In Python one that is empty cannot stay. A generated comment above it leaves, too.
         """
+        made = {line for _, line in walk(old.children) if line.strip()}
+        head = [line for line in mine.lines if line not in made]
+        mine = Block(mine.key, head, mine.children, mine.tail)
         merged = self.block(mine, old, Block(mine.key, []))
         found = textwrap.dedent(lines.text(merged))
         if self.language is PYTHON and not readable(PYTHON, [*lines.split(found)]):

@@ -115,7 +115,7 @@ def _prove_file(
     there = _blocks(known, text, "", Renaming())
     there = identify(there, before, after)
     removed = result.removed.get(path, [])
-    _read_back(proof, (path, target), known, lines, there, shown, removed, of_people)
+    _read_back(proof, (path, target), known, lines, there, shown, old, removed, of_people)
     changed = found is not None and target not in result.conflicts and text != ours
     if changed and _parses(known, ours) and not _parses(known, text):
         proof.lost.append((target, "cannot be read any more"))
@@ -144,10 +144,11 @@ def _read_back(
     lines: list[tuple[str, str, int]],
     found: list[Block],
     shown: Counter[str],
+    made: str,
     removed: list[str],
     of_people: bool,
 ) -> None:
-    """Look for lines in their blocks; `shown` are those that a conflict shows."""
+    """Look for lines in their blocks; a conflict shows those in `shown`, `made` is generated."""
 
     def place(scope: str) -> str:
         return scope.rpartition(" > ")[2] if of_people else scope
@@ -163,14 +164,16 @@ def _read_back(
         elif shown[known.key(line)]:
             shown[known.key(line)] -= 1
             proof.in_place += 1
-        elif any(name in scope for name in removed) or (removed and _is_import(scope)):
+        elif any(name in scope for name in removed) or (removed and _may_leave(scope, line, made)):
             proof.left.append((paths[0], number, line))
         else:
             proof.lost.append((paths[1], line.strip()))
 
 
-def _is_import(scope: str) -> bool:
-    return scope.rpartition(" > ")[2].startswith("from ")
+def _may_leave(scope: str, line: str, made: str) -> bool:
+    """Say whether a line may leave with what it is not in: an import, a generated comment."""
+    is_comment = line.strip().startswith(("//", "#"))
+    return scope.rpartition(" > ")[2].startswith("from ") or (is_comment and line in made)
 
 
 def _developer_lines(

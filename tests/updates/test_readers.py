@@ -237,6 +237,21 @@ def test_function_in_cpp_leaves_with_what_stands_before_it(suffix, head):
     ]
 
 
+@pytest.mark.parametrize("suffix", ["hpp", "cpp"])
+@pytest.mark.parametrize("macro", ["", "ARM_HOT\n"])
+def test_comment_above_the_condition_around_a_function_leaves_with_it(suffix, macro):
+    old = SOURCES[suffix]
+    before, _ = NO_RESET[suffix]
+    comment, _, rest = before.rpartition("// Service reset\n")
+    own = f"{macro}#if 1\n{rest.rstrip()}\n#endif\n\n"
+    mine = changed(old, (before, f"{comment}// Service reset\n{own}"))
+    merges, found, result = merge(f"arm/worker_impl.{suffix}", mine, old, old.replace(before, ""))
+    assert merges
+    assert "reset" not in found
+    assert [name.endswith("serve_reset") for names in result.removed.values() for name in names]
+    assert f"{macro}#if 1\n#endif\n" in found
+
+
 IMPORT = "from arm.worker_interface import WorkerConfig, WorkerData\n"
 IMPORTS = {
     "try": "try:\n    {}except ImportError:\n    WorkerConfig = WorkerData = None\n",
