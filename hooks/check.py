@@ -342,8 +342,7 @@ class _Checker:
         try:
             for each in given:
                 self.formats[format_](each)
-                if given.count(each) > 1:
-                    raise SpecError(f"{quoted(each)} is there twice; drop one", "already-taken")
+            _insist_once(given)
         except SpecError as error:
             self.fault(item.element, f"{name}, which is {use}: {error.text}", error.id)
 
@@ -646,10 +645,7 @@ def _value(
             instead = "drop the attribute" if attribute.optional else "write what is in it"
             raise SpecError(f"a list must not be empty; {instead}", "empty-value")
         lists = any(other.among == attribute.name for other in known.values())
-        for each, number in Counter(value if lists and isinstance(value, list) else ()).items():
-            if number > 1:
-                what = f"{quoted(spelled(each))} is there twice; drop one"
-                raise SpecError(what, "already-taken")
+        _insist_once(value if lists and isinstance(value, list) else [])
         return text if attribute.as_written else value
     value = formats[attribute.format](text)
     if not attribute.optional and value == "" and attribute.format not in ("raw", "string"):
@@ -657,6 +653,12 @@ def _value(
     if value in attribute.reserved:
         raise SpecError(f"{quoted(value)} is reserved; choose another", "reserved-name")
     return value
+
+
+def _insist_once(values: list[Any]) -> None:
+    for each, number in Counter(values).items():
+        if number > 1:
+            raise SpecError(f"{quoted(spelled(each))} is there twice; drop one", "already-taken")
 
 
 def _misplaced(attribute: Attribute, values: Values) -> Iterator[tuple[str, str]]:

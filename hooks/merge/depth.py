@@ -21,7 +21,6 @@ from .tree import File, Tree
 
 Shift = Callable[[str], tuple[str, list[int]]]
 """Returns a text, and the numbers of the lines that cannot come along, from 1."""
-_KEY = re.compile(r"""(["']?)(.+)\1:""")
 
 
 def shifts(old: Tree, new: Tree, path_of: Callable[[str], str]) -> dict[str, Shift]:
