@@ -115,7 +115,9 @@ def _prove_file(
     there = _blocks(known, text, "", Renaming())
     there = identify(there, before, after)
     removed = result.removed.get(path, [])
-    _read_back(proof, (path, target), known, lines, there, shown, old, removed, of_people)
+    _read_back(
+        proof, (path, target), known, lines, there, shown, {*split(old)}, removed, of_people
+    )
     changed = found is not None and target not in result.conflicts and text != ours
     if changed and _parses(known, ours) and not _parses(known, text):
         proof.lost.append((target, "cannot be read any more"))
@@ -144,7 +146,7 @@ def _read_back(
     lines: list[tuple[str, str, int]],
     found: list[Block],
     shown: Counter[str],
-    made: str,
+    made: set[str],
     removed: list[str],
     of_people: bool,
 ) -> None:
@@ -170,7 +172,7 @@ def _read_back(
             proof.lost.append((paths[1], line.strip()))
 
 
-def _may_leave(scope: str, line: str, made: str) -> bool:
+def _may_leave(scope: str, line: str, made: set[str]) -> bool:
     """Say whether a line may leave with what it is not in: an import, a generated comment."""
     is_comment = line.strip().startswith(("//", "#"))
     return scope.rpartition(" > ")[2].startswith("from ") or (is_comment and line in made)
