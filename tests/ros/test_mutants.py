@@ -25,6 +25,10 @@ from support.repository import EXAMPLES, ROOT
 
 PATIENT = f"TEST_TIMEOUT={ros.PATIENCE}"
 IMPATIENT = "TEST_TIMEOUT=20"
+WANTED = os.environ.get("MUTANTS")
+SOME = 6
+FAILING = r"^(?:FAIL|ERROR): (test\w+) "
+TODAY = datetime.date.today().isoformat()
 BUILT = "all_kinds/cfg"
 """Where a Python package for ROS 1 has what dynamic_reconfigure makes."""
 
@@ -53,9 +57,9 @@ def mutants_of(variant):
 
 def chosen(mutants):
     """Return the names of the mutants to try."""
-    if "MUTANTS" in os.environ:
-        return [name for name in mutants if re.search(os.environ["MUTANTS"], name)]
-    return random.Random(datetime.date.today().isoformat()).sample(list(mutants), 6)
+    if WANTED:
+        return [name for name in mutants if re.search(WANTED, name)]
+    return random.Random(TODAY).sample(list(mutants), SOME)
 
 
 class Python:
@@ -70,15 +74,13 @@ class Python:
         self.package = package
         self.workspace = workspace
 
-    def run(self, name, mutant=None):
-        """Run the test that is to notice a mutant, or all tests; return what they print."""
+    def run(self, name, tests, mutant=None):
+        """Run tests, which are to notice a mutant or to pass without; return what they print."""
         copy = self.package.parent / re.sub(r"\W", "_", name)
         shutil.copytree(self.package, copy, ignore=shutil.ignore_patterns(".git"))
-        chosen = ""
         if mutant:
             mutant.apply(copy)
-            chosen = f"-k {mutant.test}"
-        return self.unittest(copy, f"test_worker_node {chosen}", passes=not mutant)
+        return self.unittest(copy, f"test_worker_node {tests}", passes=not mutant)
 
     def unittest(self, package, tests, passes):
         """Run tests, patiently if they are to pass, as they share the machine with others."""
@@ -123,24 +125,23 @@ class Cpp:
             chosen = mutant.new.replace("MUTANT", f'is_mutant("{name}")')
             dataclasses.replace(mutant, new=chosen).apply(package)
 
-    def unittest(self, ros, name, mutant, workspace=None, **environment):
-        """Run the test that is to notice a mutant, or all tests; return what they print."""
+    def unittest(self, ros, name, tests, mutant, workspace=None, **environment):
+        """Run tests, which are to notice a mutant or to pass without; return what they print."""
         settings = shlex.join(f"{key}={value}" for key, value in environment.items())
-        chosen = f"-k {mutant.test}" if mutant else ""
         patience = IMPATIENT if mutant else PATIENT
         start = f"env {patience} MUTANT={shlex.quote(name)} {settings} {ros.python} -m unittest"
         folder = self.package / "test"
-        return ros.run(f"{start} test_worker_node {chosen}", folder, workspace, check=False).stdout
+        return ros.run(f"{start} test_worker_node {tests}", folder, workspace, check=False).stdout
 
 
 class CppRos1(Cpp):
     at_once = 3
 
-    def run(self, name, mutant=None):
+    def run(self, name, tests, mutant=None):
         """Run tests with a master of their own."""
         own = ros.ros1()
         with ros.master(own, "rosmaster"):
-            return self.unittest(own, name, mutant, self.package.parents[1])
+            return self.unittest(own, name, tests, mutant, self.package.parents[1])
 
 
 @pytest.fixture
@@ -160,8 +161,8 @@ class CppRos2(Cpp):
         self.ros = ros
         self.programs = {"NODE": build / "worker", "RECORDER": build / "test_worker_recorder"}
 
-    def run(self, name, mutant=None):
-        return self.unittest(self.ros, name, mutant, **self.programs)
+    def run(self, name, tests, mutant=None):
+        return self.unittest(self.ros, name, tests, mutant, **self.programs)
 
 
 @pytest.fixture
@@ -206,54 +207,64 @@ def test_every_mutant_dies(variant, request):
     package = request.getfixturevalue(variant)
     if "<synchronizer" not in (package.package / "all_kinds.ros_package").read_text():
         mutants = {name: each for name, each in mutants.items() if "synchronizer" not in name}
+    tried = {name: mutants[name] for name in chosen(mutants)}
+    tests = {name: f"-k {mutant.test}" for name, mutant in tried.items()}
     with ThreadPoolExecutor(package.at_once) as pool:
-        whole = pool.submit(package.run, "the package itself")
-        running = {name: pool.submit(package.run, name, mutants[name]) for name in chosen(mutants)}
-    assert re.search(package.passed, whole.result(), re.M), whole.result()
+        sound = pool.submit(package.run, "the package itself", " ".join({*tests.values()}))
+        running = {
+            name: pool.submit(package.run, name, tests[name], mutant)
+            for name, mutant in tried.items()
+        }
+    assert re.search(package.passed, sound.result(), re.M), sound.result()
     for name, future in running.items():
         failed = package.failed.format(test=mutants[name].test)
         assert re.search(failed, future.result(), re.M), f"{name} survives:\n{future.result()}"
 
 
 def other_packages(renderer, distro, has_tf):
-    """Return pairs of packages: one for each interface kind and attribute that packages test."""
+    """Yield pairs of packages, and what their specs differ in, which the tests of packages know.
+
+    Each day has an order of its own; a pair is rendered when its turn comes.
+    """
     model = Model(ROOT / "python_model")
-    found = {}
-    for what, *elements in differences(model, UNTESTED):
-        name = what.replace(" ", "_")
+    pairs = list(differences(model, UNTESTED))
+    random.Random(TODAY).shuffle(pairs)
+    for what, *elements in pairs:
         texts = [model.spec(each).replace("tf2_msgs::Lookup", "test_msgs::") for each in elements]
         texts = [text.replace("test_msgs::Transform", "test_msgs::Fibonacci") for text in texts]
-        if name in found or what in ("listener", "broadcaster") and not has_tf:
+        if what in ("listener", "broadcaster") and not has_tf:
             continue
         pair = [renderer.render(model.context(text, "kilted"), distro) for text in texts]
         tests = [{p: text for p, text in files.items() if "_node.py" in p} for files in pair]
         if tests[0] != tests[1]:  # else it is the same in other words, such as a default
-            found[name] = pair
-    return found
+            yield what.replace(" ", "_"), pair
 
 
 def test_a_node_of_another_spec_dies(ros2, renderers, tmp_path):
     """Without an interface of the spec, or with another value of an attribute, tests fail."""
     has_tf = ros.has(ros2, "tf2_ros")
-    packages = other_packages(renderers["python_model"], ros2.distro, has_tf)
-    tried = chosen(packages)
-    for name in tried:
-        own, other = packages[name]
+    tried = {}
+    for name, pair in other_packages(renderers["python_model"], ros2.distro, has_tf):
+        if WANTED and not re.search(WANTED, name) or name in tried:
+            continue
+        tried[name] = pair
+        if len(tried) == SOME and not WANTED:
+            break
+    for name, (own, other) in tried.items():
         tests = {path: text for path, text in own.items() if path.startswith("test/")}
         write(tmp_path / name / "own", own)
         write(tmp_path / name / "other", other | tests)
 
     def run(name):
+        """Return what the first test that fails prints, and what it prints for its own package."""
         (tests,) = {f.stem for f in (tmp_path / name / "own/test").glob("test_*_node.py")}
-        return [
-            Python(ros2, tmp_path / name / each).unittest(
-                tmp_path / name / each, f"-f {tests}", passes=each == "own"
-            )
-            for each in ("own", "other")
-        ]
+        own, other = (Python(ros2, tmp_path / name / each) for each in ("own", "other"))
+        failing = other.unittest(other.package, f"-f {tests}", passes=False)
+        found = re.search(FAILING, failing, re.M)
+        return failing, found and own.unittest(own.package, f"{tests} -k {found[1]}", passes=True)
 
     with ThreadPoolExecutor(Python.at_once) as pool:
         printed = dict(zip(tried, pool.map(run, tried), strict=True))
-    for name, (own, other) in printed.items():
+    for name, (other, own) in printed.items():
+        assert own, f"{name} survives:\n{other}"
         assert re.search(Python.passed, own, re.M), f"{name}:\n{own}"
-        assert re.search(r"^FAILED", other, re.M), f"{name} survives:\n{other}"

@@ -353,8 +353,10 @@ class Model:
 
         With a distribution, without the values that it does not allow.
         """
+        if distro:
+            return self._accepted(self.everything(), (), distro)
         more = [(o, values) for o in self.owners if o.kind for *_, values in self.variants(o)]
-        return self._accepted(more, self.small(), distro)
+        return self._accepted(more, self.small())
 
     def _accepted(self, elements, start=(), distro=None):
         """Return the elements that fit together, after those of `start`."""

@@ -18,13 +18,13 @@ from support.laboratory.mutants import MUTANTS, OF_HABITS
 from support.laboratory.running import compiles, runs
 from support.laboratory.trials import ALL_MODELS, DISTROS, MODELS, Counts, Laboratory, chain, trial
 
-TRIALS = int(os.environ.get("LAB_TRIALS", "20"))
-"""Updates for each model and each ROS, and half as many of callbacks alone."""
+TRIALS = int(os.environ.get("LAB_TRIALS", "10"))
+"""Updates for each model and each ROS."""
 SEED = os.environ.get("LAB_SEED", "1").replace("random", str(time.time_ns()))
 CHAIN = int(os.environ.get("LAB_CHAIN", "2"))
 """How many updates follow one another in a package, with all of Copier's."""
 VERSIONS = (("1.0.0", "1.0.0"), ("1.0.0", "2.0.0"), ("0.9.0", "1.0.0"))
-EACH = 5
+EACH = 2
 """How often one pair of renders is edited."""
 AT_LENGTH = TRIALS >= 100
 VARIANTS = [(model, distro) for model in MODELS for distro in DISTROS]
@@ -81,7 +81,7 @@ def checks(model, distro, has_ros1):
 def test_no_callback_changes_place(laboratory, has_ros1, model, distro):
     """Reorder, remove, add, replace, retype, rename callbacks: bodies stay with their names."""
     ways = "add remove reorder replace retype rename swap".split()
-    counts = run(laboratory, has_ros1, model, distro, max(TRIALS // 2, 20), ways)
+    counts = run(laboratory, has_ros1, model, distro, max(TRIALS // 2, 10), ways)
     assert counts.lines > counts.updates
     assert counts.wrong == []
     assert sum(counts.conflicts.values()) == 0
@@ -124,7 +124,7 @@ def test_two_branches_become_one(laboratory, model, distro):
 
     Each pair has a seed of its own, with which it is made again.
     """
-    counts, pairs = branches.Counts(), TRIALS // 4
+    counts, pairs = branches.Counts(), TRIALS // 2
     for number in itertools.count():
         if counts.pairs == pairs:
             break

@@ -138,9 +138,11 @@ class Laboratory:
             renaming = plan(
                 tree_of(old), marked_render, marks, [*old, *own], known.dictionary.holders
             )
-        source = self.versions[version]
-        dictionary = load(source / model / "dictionary.yaml", source)
-        layout = moved_files(contexts[1], dictionary) if version != old_version else {}
+        layout = {}
+        if version != old_version:
+            source = self.versions[version]
+            dictionary = load(source / model / "dictionary.yaml", source)
+            layout = moved_files(contexts[1], dictionary)
         renaming.follow(layout, old, new)
         renaming.move(tree_of(old), tree_of(new))
         to_ros = contexts[1]["ros"] if contexts[0]["ros"] != contexts[1]["ros"] else None
@@ -162,11 +164,13 @@ def trial(random, pair, counts, mutate=None, check=None, **options):
     mine, old, new = edited.tree(), tree_of(pair.old), tree_of(pair.new)
     made = Versions(mine, old, new, pair.renaming, pair.is_kept, pair.to_ros)
     result = made.merge({})
-    if made.doubts(result):
+    doubts = made.doubts(result)
+    if doubts:
         counts.doubtful += 1
-        result = made.merged()[0]
+        result, doubts = made.merged()
     if mutate:
         mutate(random, result.tree, edited, pair)
+        doubts = made.doubts(result)
     texts = {path: file.text or "" for path, file in result.tree.items()}
     left = made.proof(result, result.tree).left
     said = {*result.left, *_said(result.removed)}
@@ -176,7 +180,7 @@ def trial(random, pair, counts, mutate=None, check=None, **options):
     places, names = moves(pair, edited), renamed(pair, edited)
     complaints = judge(edited, pair.old, pair.new, result.tree, said, missing, places, names)
     complaints += unjustified(pair, result, names)
-    complaints += [f"proof: {path}: {line}" for path, line in made.doubts(result)]
+    complaints += [f"proof: {path}: {line}" for path, line in doubts]
     if check and not result.conflicts:
         complaints += check(mine, result.tree, edited, pair, names)
     count(counts, pair, edited, texts, complaints)
