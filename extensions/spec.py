@@ -25,6 +25,7 @@ from jinja2.ext import Extension
 from jinja2.runtime import Context
 
 if TYPE_CHECKING:
+    from hooks.faults import SpecError
     from hooks.merge.report import Report
     from hooks.model import Model
     from hooks.run import Run
@@ -190,7 +191,7 @@ class SpecExtension(Extension):
             try:
                 return function(*arguments, **options)
             except self.hooks.faults.SpecError as error:
-                raise UserMessageError(str(error)) from error
+                raise self._message(error) from error
 
         return call
 
@@ -205,9 +206,13 @@ class SpecExtension(Extension):
                 line = error.object[: error.start].count(b"\n") + 1
                 what = f"{name}:{line}: not UTF-8 text; save it as UTF-8"
                 fault = self.hooks.faults.SpecError(what, "not-utf-8")
-                raise UserMessageError(str(fault)) from fault
+                raise self._message(fault) from fault
 
         return call
+
+    def _message(self, fault: SpecError) -> UserMessageError:
+        """Say a fault without the folder of the model: Copier's clone is gone when it is read."""
+        return UserMessageError(str(fault).replace(f"{self.root}{os.sep}", ""))
 
     def _say_where(self, source: str | None = None) -> NoReturn:
         """Make a fault of a template a message of Copier's, with file and line (decision 100)."""
@@ -219,7 +224,7 @@ class SpecExtension(Extension):
             fault = error.__cause__
             if is_file and isinstance(fault, spec_error):
                 fault = spec_error(f"{fault.text} (in {place})", fault.id)
-                raise UserMessageError(str(fault)) from fault
+                raise self._message(fault) from fault
             raise
         except Exception as error:
             # Copier has an UndefinedError of its own, for answers that are unset.
@@ -229,7 +234,7 @@ class SpecExtension(Extension):
                 raise
             where = place if is_file else templates.found(place, self.root) or f'"{place}"'
             fault = spec_error(f"{where}: {templates.what(error)}", "template-fails")
-            raise UserMessageError(str(fault)) from fault
+            raise self._message(fault) from fault
 
 
 @contextlib.contextmanager

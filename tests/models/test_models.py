@@ -68,6 +68,14 @@ def check_syntax(files):
             raise AssertionError(f"{path}: {error}\n{text}") from error
 
 
+@pytest.mark.parametrize("model", MODELS, ids=str)
+def test_model_asks_what_every_model_asks(model):
+    """Without, Copier has no extensions, and can say no more than that a name is undefined."""
+    text = (model.folder / "copier.yml").read_text()
+    included = re.search("^!include (hooks|upstream)/copier.yml$", text, re.MULTILINE)
+    assert included, "copier.yml: no `!include hooks/copier.yml`"
+
+
 @pytest.mark.parametrize(
     ("model", "distro"), [(model, distro) for model in MODELS for distro in model.distros], ids=str
 )

@@ -5,6 +5,7 @@ import shutil
 
 import copier
 import pytest
+from copier.errors import UserMessageError
 
 from support.repository import ROOT, commit, git
 
@@ -95,6 +96,23 @@ def test_second_component_tag(make, update):
     commit(package)
     update(package)
     assert (package / "right.txt").read_text() == "\nwrist 57 at 100\n"
+
+
+@pytest.mark.parametrize(
+    ("file", "right", "wrong", "said"),
+    [
+        ("dictionary.yaml", "skeleton: [joint]", "skeleton: [joit]", "dictionary.yaml:"),
+        ("functions.py", "return round(", "return 1 / 0 + (", "functions.py:"),
+    ],
+)
+def test_fault_of_a_model_names_no_clone(model, make, file, right, wrong, said):
+    """Copier clones the model into a folder that is gone when the message is read."""
+    (model / file).write_text((model / file).read_text().replace(right, wrong))
+    commit(model, "Slip", tag="1.1.0")
+    with pytest.raises(UserMessageError) as error:
+        make(SPEC if file == "functions.py" else None)
+    assert said in str(error.value)
+    assert "clone" not in str(error.value)
 
 
 def test_renamed_component_of_another_tag(make, update):

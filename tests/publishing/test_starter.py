@@ -139,6 +139,11 @@ MISTAKES = {
         "two_components",
         "README.md: of no use to any package",
     ),
+    "no questions": (
+        changed("copier.yml", "!include hooks/copier.yml", ""),
+        "every_model_asks",
+        "copier.yml: no `!include hooks/copier.yml`",
+    ),
     "kind in the skeleton": (
         changed("dictionary.yaml", "skeleton: [publisher", "skeleton: [publishr"),
         "two_components",
