@@ -112,7 +112,8 @@ def environment(source, model):
     with tempfile.TemporaryDirectory() as folder:
         options = {"defaults": True, "unsafe": True, "quiet": True}
         data = {"model": model, "ros_distro": "kilted"}
-        worker = copier.run_copy(str(source), Path(folder) / "package", data=data, **options)
+        target = Path(folder) / "package"
+        worker = copier.run_copy(str(source), target, data=data, exclude=["*"], **options)
         return worker.jinja_env
 
 
