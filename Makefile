@@ -53,11 +53,13 @@ mutate: $(TOOLS)/ready
 	$(TOOLS)/bin/pip install --quiet --disable-pip-version-check pytest-cov
 	PYTHONPATH= $(TOOLS)/bin/python scripts/mutate.py $(FAULTS)
 
-# The merge laboratory at length: LAB_TRIALS updates for each model and ROS, random ones each time.
+# The merge laboratory at length: LAB_TRIALS updates and LAB_PAIRS pairs of branches for each model and
+# ROS, random ones each time.
 LAB_TRIALS ?= 2000
+LAB_PAIRS ?= 1000
 lab: $(TOOLS)/ready
-	LAB_TRIALS=$(LAB_TRIALS) LAB_SEED=random LAB_CHAIN=20 LAB_KILLS=200 \
-	  $(TOOLS)/bin/pytest -s tests/updates -k "place or lost or follow or killed"
+	LAB_TRIALS=$(LAB_TRIALS) LAB_PAIRS=$(LAB_PAIRS) LAB_SEED=random LAB_CHAIN=20 LAB_KILLS=200 \
+	  $(TOOLS)/bin/pytest -s tests/updates -k "place or lost or lose or follow or become or killed"
 
 # Random specs, new ones each time: each is refused with a message or gives a sound package. The
 # packages of FUZZ_LINTED specs with long names pass their own linters and mypy.

@@ -237,6 +237,7 @@ _QUOTED = re.compile(
 """What is between quotes; an apostrophe is none."""
 
 
+@functools.lru_cache(maxsize=8192)
 def squeezed(text: str, quoted: re.Pattern[str] = _QUOTED) -> str:
     """Return a text without the blanks around its words, and with one sort of quotes.
 

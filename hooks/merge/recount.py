@@ -172,9 +172,11 @@ def _lines(
                     yield f"{line} ({there} times)"
 
 
-def _faults(path: str, text: str) -> set[str]:
+@functools.lru_cache(maxsize=512)
+def _faults(path: str, text: str) -> frozenset[str]:
     """Return what is not sound in a text."""
-    return next((find(text) for suffixes, find in _SOUND if path.endswith(suffixes)), set())
+    finders = (find for suffixes, find in _SOUND if path.endswith(suffixes))
+    return frozenset(next((find(text) for find in finders), ()))
 
 
 def _unbound(text: str) -> set[str]:

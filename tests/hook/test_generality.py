@@ -27,7 +27,7 @@ EVERYDAY |= {"input", "inputs", "folder", "folders", "group", "groups", "use", "
 HOLDERS = {"passthrough"}  # and `config` and `data`, which are everyday words
 QUESTION = {"type"}  # what a question of Copier has
 # What syntax trees, YAML, C++ and ROS's own files consist of, which the merge reads.
-SYNTAX = {"node", "nodes", "template", "type", "value", "holds", "group"}
+SYNTAX = {"node", "nodes", "template", "type", "value", "holds", "group", "parameters"}
 
 
 def our_words():

@@ -63,7 +63,9 @@ def read(model, given):
     """Return the context of what a file or a folder says in NoDL, and the notes."""
     root, notes = model.hook.read_yaml(given, SOURCES)
     context = model.hook.context(b"", str(given), "kilted", root)
-    assert model.hook.context(trees.xml(root).encode(), "x", "kilted") == context
+    assert context["schema"], "the spec that is written of it names the schema"
+    found = model.hook.context(trees.xml(root).encode(), "x", "kilted")
+    assert {**found, "schema": True} == context
     return context, notes
 
 
@@ -83,7 +85,7 @@ def test_round_trip(name, tmp_path):
         # The packages that a spec depends on are named as this ROS calls them, so without a note.
         # A document does not say what a name was before.
         # Nor which interfaces a node has from a group: each says all of its own.
-        expected = written_out(without(context, "was"))
+        expected = written_out(without(context, "was")) | {"schema": True}
         assert {**found, "notes": context["notes"]} == expected
         assert left_out == []
         count += 1

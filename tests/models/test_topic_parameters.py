@@ -25,7 +25,7 @@ def spec(name, type_="string"):
         f'<{kind} name="{stem}{number}" type="std_msgs::String" topic_parameter="{name}"/>'
         for number, kind in enumerate(KINDS)
     )
-    return SPEC.format(f'{topics}<parameter name="{name}" type="{type_}" value="1"/>')
+    return SPEC.format(f'{topics}<parameter name="{name}" type="{type_}" value="a"/>')
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -49,7 +49,7 @@ def test_readme_names_the_parameter(render):
 @pytest.mark.parametrize("type_", ["int", "string[]"])
 @pytest.mark.parametrize("model", MODELS)
 def test_it_must_be_a_text(model, type_):
-    text = spec("topic", type_).replace('value="1"', "")
+    text = spec("topic", type_).replace('value="a"', "")
     message = 'topic_parameter: "topic" is no <parameter> of this <node> whose type is string'
     with pytest.raises(SpecError, match=re.escape(message)):
         Model(ROOT / model, ROOT).context(text.encode(), "spec", "kilted")

@@ -47,14 +47,16 @@ def ros2_interfaces(put, once):
 
 
 def untouched(ros_, put, model, workspace, interfaces, all_kinds):
-    for spec in (all_kinds, SERVING, CONTACT_ANALYSIS, HOSTILE):
+    for spec in (all_kinds, CONTACT_ANALYSIS, HOSTILE):
         put(spec, model, ros_.distro, workspace)
     printed = ros_.build(workspace, interfaces)
     return Built(workspace, printed, ros_.test(workspace))
 
 
-def with_logic(ros_, model, untouched, interfaces):
+def with_logic(ros_, put, model, untouched, interfaces):
+    """Fill in the logic; the tests of `serving` are those that test_runtime.py runs."""
     workspace = untouched.workspace
+    put(SERVING, model, ros_.distro, workspace)
     fill_in(workspace / "src/all_kinds", model)
     fill_in_serving(workspace / "src/serving", model)
     return Built(workspace, ros_.build(workspace, interfaces), "")
@@ -67,8 +69,8 @@ def ros1_untouched(ros1_interfaces, put, model, tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def ros1_with_logic(ros1_untouched, ros1_interfaces, model):
-    return with_logic(ros.ros1(), model, ros1_untouched, ros1_interfaces)
+def ros1_with_logic(ros1_untouched, ros1_interfaces, put, model):
+    return with_logic(ros.ros1(), put, model, ros1_untouched, ros1_interfaces)
 
 
 @pytest.fixture(scope="session")
@@ -89,5 +91,5 @@ def ros2_untouched(ros2_spec, ros2_interfaces, put, model, tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def ros2_with_logic(ros2_untouched, ros2_interfaces, model):
-    return with_logic(ros.ros2(), model, ros2_untouched, ros2_interfaces)
+def ros2_with_logic(ros2_untouched, ros2_interfaces, put, model):
+    return with_logic(ros.ros2(), put, model, ros2_untouched, ros2_interfaces)

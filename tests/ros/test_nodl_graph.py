@@ -56,9 +56,9 @@ def differences(document, found, node):
 
 
 @pytest.mark.parametrize("package", ["all_kinds", "contact_analysis", "serving"])
-def test_documents_say_what_nodes_are(ros2, ros2_untouched, package):
+def test_documents_say_what_nodes_are(ros2, ros2_with_logic, package):
     """No more and no less; and a node that has changed is noticed."""
-    workspace = ros2_untouched.workspace
+    workspace = ros2_with_logic.workspace
     documents = {
         file.name.partition(".")[0]: yaml.safe_load(file.read_text())
         for file in (workspace / "src" / package / "nodl").iterdir()

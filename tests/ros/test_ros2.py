@@ -48,7 +48,7 @@ def test_package_tests_and_linters(ros2, ros2_untouched):
     assert "warning:" not in printed, printed
     assert re.search(r"Summary: [1-9]\d+ tests, 0 errors, 0 failures, 0 skipped", results), results
     packages = sorted(workspace.glob("src/*/package.xml"))
-    assert len(packages) == 4
+    assert len(packages) >= 3
     for file in packages:
         if shutil.which("xmllint"):
             ros2.run(f"xmllint --noout {file}", workspace)
@@ -62,13 +62,13 @@ def test_launch_file(ros2, ros2_spec, ros2_with_logic):
         ros2.talk(workspace, "all_kinds", *ros2_spec[1])
 
 
-def test_node_that_is_destroyed_twice(ros2, ros2_untouched, model):
+def test_node_that_is_destroyed_twice(ros2, ros2_with_logic, model):
     """As by `with` and by an executor of others; the second time nothing is left to do."""
     if model != "python_model":
         pytest.skip("C++ has destructors")
     code = "rclpy.init(); node = ClerkNode(); node.destroy_node(); node.destroy_node()"
     code = f"import rclpy; from serving.clerk_ros import ClerkNode; {code}; rclpy.shutdown()"
-    workspace = ros2_untouched.workspace
+    workspace = ros2_with_logic.workspace
     ros2.run(f"python3 -c '{code}'", workspace, workspace, timeout=60)
 
 

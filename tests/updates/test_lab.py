@@ -23,6 +23,8 @@ TRIALS = int(os.environ.get("LAB_TRIALS", "10"))
 SEED = os.environ.get("LAB_SEED", "1").replace("random", str(time.time_ns()))
 CHAIN = int(os.environ.get("LAB_CHAIN", "2"))
 """How many updates follow one another in a package, with all of Copier's."""
+PAIRS = int(os.environ.get("LAB_PAIRS", "2"))
+"""Pairs of branches for each model and each ROS."""
 VERSIONS = (("1.0.0", "1.0.0"), ("1.0.0", "2.0.0"), ("0.9.0", "1.0.0"))
 EACH = 2
 """How often one pair of renders is edited."""
@@ -124,9 +126,9 @@ def test_two_branches_become_one(laboratory, model, distro):
 
     Each pair has a seed of its own, with which it is made again.
     """
-    counts, pairs = branches.Counts(), TRIALS // 2
+    counts = branches.Counts()
     for number in itertools.count():
-        if counts.pairs == pairs:
+        if counts.pairs == PAIRS:
             break
         random = Random(f"{SEED} branches {model} {distro} {number}")
         ways = set(HABITS) - {"format"} if random.random() < 0.5 else ()
@@ -137,7 +139,7 @@ def test_two_branches_become_one(laboratory, model, distro):
     print(f"{model} {distro}, branches: {counts.row()}")
     assert counts.both_edited > counts.pairs
     assert counts.wrong == []
-    assert len(counts.refused) <= max(1, 0.02 * pairs)
+    assert len(counts.refused) <= max(1, 0.02 * PAIRS)
     assert sum(counts.conflicts.values()) <= 0.2 * counts.both_edited
 
 
