@@ -17,10 +17,9 @@ from copier.errors import UserMessageError
 from hypothesis import HealthCheck, given, seed, settings
 
 from hooks.faults import SpecError
-from hooks.model import Model
 from support.direct_render import variants
 from support.fuzz import check, inputs, plain, specs, styles
-from support.repository import ROOT
+from support.packages import model_of
 
 INPUTS = int(os.environ.get("FUZZ_INPUTS", "150"))
 COMPILED = int(os.environ.get("FUZZ_COMPILED", "2"))
@@ -31,7 +30,7 @@ KNOWN = {"actionlib", "dynamic_reconfigure", "geometry_msgs", "nav_msgs", "roscp
 KNOWN |= {"actionlib_msgs", "diagnostic_msgs", "rosgraph_msgs", "std_msgs", "std_srvs"}
 KNOWN |= {"tf", "tf2", "tf2_ros"}
 
-MODELS = {name: Model(ROOT / name, ROOT) for name in sorted({model for model, _ in variants()})}
+MODELS = {name: model_of(name) for name in sorted({model for model, _ in variants()})}
 DICTIONARY = MODELS["python_model"].dictionary
 INTERFACES = ["interfaces_model"]
 MIXED = ["mixed_model"]

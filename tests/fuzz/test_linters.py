@@ -9,18 +9,16 @@ import random
 import shutil
 
 from hooks.faults import SpecError
-from hooks.model import Model
 from support import ros
 from support.direct_render import variants
 from support.fuzz import LongNames
 from support.linters import cpp_faults, leave_news, python_faults, ruff_faults, type_faults, write
-from support.packages import DISTROS
-from support.repository import ROOT
+from support.packages import DISTROS, model_of
 
 LINTED = int(os.environ.get("FUZZ_LINTED", "8"))
 SEED = os.environ.get("FUZZ_SEED", "")
 BATCH = 100
-MODELS = {name: Model(ROOT / name, ROOT) for name in sorted({model for model, _ in variants()})}
+MODELS = {name: model_of(name) for name in sorted({model for model, _ in variants()})}
 
 
 def samples(renderers, folder, count, distros=DISTROS, models=MODELS, change=str):

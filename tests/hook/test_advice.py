@@ -4,6 +4,7 @@ import pytest
 
 from hooks.model import Model
 from support.model_checks import models
+from support.packages import model_of
 from support.repository import EXAMPLES, ROOT
 
 SPEC = """<package name="robot" author="A" author_email="a@example.org" description="d"
@@ -16,7 +17,7 @@ FLOAT, BOOL, TRIGGER = "std_msgs::Float64", "std_msgs::Bool", "std_srvs::Trigger
 
 def notes(one, other, distro="lyrical", model="python_model"):
     spec = SPEC.format(*("".join(map(element, items)) for items in (one, other)))
-    return Model(ROOT / model, ROOT).context(spec.encode(), "spec", distro)["notes"]
+    return model_of(model).context(spec.encode(), "spec", distro)["notes"]
 
 
 def element(item):

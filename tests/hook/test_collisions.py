@@ -8,9 +8,10 @@ from hooks.faults import SpecError
 from hooks.formats import FORMATS, FORMATS_OF_ROS
 from hooks.model import Model
 from hooks.words import PACKAGES, meaning
-from support.repository import EXAMPLES, ROOT
+from support.packages import model_of
+from support.repository import EXAMPLES
 
-MODELS = {name: Model(ROOT / name, ROOT) for name in ("python_model", "cpp_model")}
+MODELS = {name: model_of(name) for name in ("python_model", "cpp_model")}
 TYPES = {"publisher": "std_msgs::String", "service": "std_srvs::Trigger"}
 
 

@@ -9,8 +9,8 @@ from hooks import dictionary
 from hooks.dictionary import Attribute
 from hooks.faults import SpecError
 from hooks.formats import FORMATS
-from hooks.model import Model
 from hooks.ros import DISTROS
+from support.packages import model_of
 from support.repository import ROOT
 
 DESIGNERS = (ROOT / "docs/designers.md").read_text()
@@ -49,7 +49,7 @@ def test_keys_of_the_context():
 
 @pytest.mark.parametrize("model", ["python_model", "cpp_model"])
 def test_interface_kinds(model):
-    known = Model(ROOT / model, ROOT).dictionary.components["node"].interfaces
+    known = model_of(model).dictionary.components["node"].interfaces
     table = rows(README, "The spec")
     assert [word for word in table if word in known] == [word for word in table if word[0] != "<"]
     assert {*table} == {*known}
@@ -60,7 +60,7 @@ def test_interface_kinds(model):
 
 @pytest.mark.parametrize("model", ["python_model", "cpp_model"])
 def test_attributes_of_interfaces(model):
-    known = Model(ROOT / model, ROOT).dictionary.components["node"].interfaces
+    known = model_of(model).dictionary.components["node"].interfaces
     qos = rows(DEVELOPERS, "QoS")
     section = README.split("\n## The spec\n")[1].split("\n## ")[0]
     for kind, told in re.findall(r"^\| `(\w+)` \| (.*?)\|", section, re.MULTILINE):
@@ -71,7 +71,7 @@ def test_attributes_of_interfaces(model):
 
 @pytest.mark.parametrize("model", ["python_model", "cpp_model"])
 def test_words_of_qos(model):
-    topic = Model(ROOT / model, ROOT).dictionary.components["node"].interfaces["publisher"]
+    topic = model_of(model).dictionary.components["node"].interfaces["publisher"]
     section = DEVELOPERS.split("\n## QoS\n")[1].split("\n## ")[0]
     for name in rows(DEVELOPERS, "QoS"):
         told = re.search(rf"^\| `{name}` \| (.*?) \|", section, re.MULTILINE)[1]
@@ -95,7 +95,7 @@ def test_message_for_a_fault():
 </package>"""
     shown = f"^{re.escape(start)}allowed: publisher, .*{re.escape(end)}$"
     with pytest.raises(SpecError, match=shown):
-        Model(ROOT / "python_model", ROOT).context(spec.encode(), "mypkg.ros_package", "kilted")
+        model_of("python_model").context(spec.encode(), "mypkg.ros_package", "kilted")
 
 
 def test_files_that_an_update_of_the_starter_leaves_alone():

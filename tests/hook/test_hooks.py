@@ -13,7 +13,8 @@ from hooks.faults import SpecError
 from hooks.model import Model
 from hooks.parse import parse
 from hooks.ros import DISTROS, is_lacking, translate_dependency
-from support.repository import EXAMPLES, ROOT
+from support.packages import model_of
+from support.repository import EXAMPLES
 
 FIGURE_4 = """
 package_attributes: ["name", "author", "author_email",
@@ -47,7 +48,7 @@ NODE = PACKAGE.format('<node name="n" frequency="1">{}</node>')
 
 @pytest.fixture(scope="module")
 def model():
-    return Model(ROOT / "python_model", ROOT)
+    return model_of("python_model")
 
 
 def context(model, xml, distro="kilted"):
@@ -338,7 +339,7 @@ def test_skeleton_is_valid_and_shows_every_kind(model):
 
 @pytest.mark.parametrize("name", ["python_model", "cpp_model", "interfaces_model"])
 def test_skeleton_fits_every_ros_and_spells_as_a_spec(name):
-    xml = Model(ROOT / name, ROOT).skeleton(SOURCES)
+    xml = model_of(name).skeleton(SOURCES)
     assert "test_msgs" not in xml  # ROS 1 has none
     assert not re.search(r"default (True|False|None|\d+\.0)\b", xml)
 
@@ -352,7 +353,7 @@ def test_hint_at_an_action_type_is_of_both_ros(model):
 @settings(deadline=None)
 @given(st.text(alphabet=string.printable))
 def test_any_text_is_a_spec_or_a_fault(text):
-    model = Model(ROOT / "python_model", ROOT)
+    model = model_of("python_model")
     try:
         context(model, text)
     except SpecError as error:
@@ -364,7 +365,7 @@ def test_any_text_is_a_spec_or_a_fault(text):
 def test_any_value_survives(text):
     from xml.sax.saxutils import quoteattr
 
-    model = Model(ROOT / "python_model", ROOT)
+    model = model_of("python_model")
     inside = f'<parameter name="p" type="string" value={quoteattr(text)}/>'
     assert context(model, NODE.format(inside))["nodes"][0]["parameters"][0]["value"] == text
 

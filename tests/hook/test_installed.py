@@ -3,8 +3,7 @@
 import pytest
 
 from hooks.installed import missing_types
-from hooks.model import Model
-from support.repository import ROOT
+from support.packages import model_of
 
 SPEC = """<package name="robot" author="A" author_email="a@example.org" description="d"
          license="MIT">
@@ -31,7 +30,7 @@ def installed(tmp_path):
 
 
 def notes(environment, distro, *interfaces, spec=SPEC, model="python_model"):
-    model = Model(ROOT / model, ROOT)
+    model = model_of(model)
     context = model.context(spec.format("".join(interfaces)).encode(), "spec", distro)
     return missing_types(context, model.dictionary, environment)
 

@@ -3,10 +3,9 @@
 import pytest
 
 from hooks.faults import SpecError
-from hooks.model import Model
-from support.repository import ROOT
+from support.packages import model_of
 
-MODEL = Model(ROOT / "interfaces_model", ROOT)
+MODEL = model_of("interfaces_model")
 ABOUT = 'author="A" author_email="a@example.org" description="d" license="MIT"'
 
 

@@ -9,12 +9,12 @@ import pytest
 
 from hooks import package
 from hooks.faults import SpecError
-from hooks.model import Model
 from hooks.package import Package
+from support.packages import model_of
 from support.repository import EXAMPLES, ROOT, commit, git
 
 resource = pytest.importorskip("resource", reason="Windows: no limits of processes, no FIFOs")
-MODEL = Model(ROOT / "python_model", ROOT)
+MODEL = model_of("python_model")
 ABOUT = 'author="A" author_email="a@example.org" description="d" license="MIT"'
 SPEC = f'<package name="arm" {ABOUT}>\n<node name="n" frequency="1">\n%s\n</node>\n</package>'
 SECONDS = 10

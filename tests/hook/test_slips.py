@@ -3,9 +3,8 @@
 import pytest
 
 from hooks.faults import SpecError
-from hooks.model import Model
 from hooks.parse import parse
-from support.repository import ROOT
+from support.packages import model_of
 
 PACKAGE = '<package name="p" author="A">\n  <node name="n"{}\n</package>'
 AFTER = "after the value of an attribute comes a blank, > or />"
@@ -491,13 +490,13 @@ def test_habits_of_other_tools(spec, says, distro):
         if name == "mixed_model":
             spec = spec.replace("<node ", '<node language="cpp" ')
         with pytest.raises(SpecError) as raised:
-            Model(ROOT / name, ROOT).context(spec.encode(), "spec", distro)
+            model_of(name).context(spec.encode(), "spec", distro)
         assert says in str(raised.value)
 
 
 def test_latched_is_a_word_for_transient_local():
     spec = NODE.format('<publisher name="x" type="a::B" durability="latched"/>')
-    context = Model(ROOT / "cpp_model", ROOT).context(spec.encode(), "spec", "kilted")
+    context = model_of("cpp_model").context(spec.encode(), "spec", "kilted")
     assert context["nodes"][0]["publishers"][0]["durability"] == "transient_local"
 
 
@@ -532,7 +531,7 @@ MESSAGES = "interfaces_model"
 )
 def test_cure_of_what_stands_elsewhere(model, inside, says):
     with pytest.raises(SpecError) as raised:
-        Model(ROOT / model, ROOT).context(ITEM.format(inside).encode(), "spec", "kilted")
+        model_of(model).context(ITEM.format(inside).encode(), "spec", "kilted")
     (message,) = str(raised.value).splitlines()
     assert says in message
 
@@ -540,7 +539,7 @@ def test_cure_of_what_stands_elsewhere(model, inside, says):
 @pytest.mark.parametrize("text", ["// a note", "# a note", "/* a note */", "-- a note"])
 def test_comment_of_another_language(text):
     with pytest.raises(SpecError) as raised:
-        Model(ROOT / "cpp_model", ROOT).context(ITEM.format(text).encode(), "spec", "kilted")
+        model_of("cpp_model").context(ITEM.format(text).encode(), "spec", "kilted")
     assert f'not allowed here: "{text}"; a comment is <!-- ... -->' in str(raised.value)
 
 
@@ -568,7 +567,7 @@ def test_comment_of_another_language(text):
 )
 def test_one_slip_is_one_message(spec, says):
     with pytest.raises(SpecError) as raised:
-        Model(ROOT / "cpp_model", ROOT).context(spec.encode(), "spec", "kilted")
+        model_of("cpp_model").context(spec.encode(), "spec", "kilted")
     (message,) = str(raised.value).splitlines()
     assert says in message
 
@@ -606,11 +605,11 @@ def test_one_slip_is_one_message(spec, says):
 def test_habits_in_a_message(inside, says):
     spec = ITEM.format(f'<message name="M">{inside}</message>')
     with pytest.raises(SpecError) as raised:
-        Model(ROOT / MESSAGES, ROOT).context(spec.encode(), "spec", "kilted")
+        model_of(MESSAGES).context(spec.encode(), "spec", "kilted")
     (message,) = str(raised.value).splitlines()
     assert says in message
 
 
 def test_node_among_messages():
     with pytest.raises(SpecError, match="did you mean a package of python_model or cpp_model?"):
-        Model(ROOT / MESSAGES, ROOT).context(ITEM.format("<node/>").encode(), "spec", "kilted")
+        model_of(MESSAGES).context(ITEM.format("<node/>").encode(), "spec", "kilted")

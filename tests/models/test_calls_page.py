@@ -5,8 +5,7 @@ import re
 
 import pytest
 
-from hooks.model import Model
-from support.packages import all_kinds
+from support.packages import all_kinds, model_of
 from support.repository import ROOT
 
 OBJECTS = {
@@ -35,7 +34,7 @@ def calls():
 
 
 def render(renderers, model, distro):
-    context = Model(ROOT / model, ROOT).context(all_kinds().encode(), "spec", distro)
+    context = model_of(model).context(all_kinds().encode(), "spec", distro)
     return renderers[model].render(context, distro)
 
 

@@ -5,12 +5,12 @@ from xml.sax.saxutils import quoteattr
 
 import pytest
 
-from hooks.model import Model
 from support import ros
+from support.packages import model_of
 from support.repository import ROOT
 
 READ = ROOT / "tests/support/read_definitions.py"
-MODEL = Model(ROOT / "interfaces_model", ROOT)
+MODEL = model_of("interfaces_model")
 PARTS = {
     "msg": ("message", []),
     "srv": ("service", ["request", "response"]),

@@ -4,11 +4,9 @@ import itertools
 
 import pytest
 
-from hooks.model import Model
 from support import ros
 from support.linters import cpp_faults, python_faults, ruff_faults, type_faults, write
-from support.packages import DATA
-from support.repository import ROOT
+from support.packages import DATA, model_of
 
 SPEC = (DATA / "groups.ros_package").read_text()
 MODELS = ("python_model", "cpp_model", "mixed_model")
@@ -57,7 +55,7 @@ def packages(renderers, tmp_path):
     contexts = {}
     for model, distro in VARIANTS:
         text = spec_for(model).replace('"sharing"', f'"sharing_{model[:3]}_{distro}"')
-        context = Model(ROOT / model, ROOT).context(text.encode(), "spec.xml", distro)
+        context = model_of(model).context(text.encode(), "spec.xml", distro)
         contexts[f"{model}-{distro}"] = context
         write(tmp_path / "all" / f"{model}-{distro}", renderers[model].render(context, distro))
     return contexts
@@ -116,7 +114,7 @@ def test_readmes_and_attributes_of_git_have_groups(packages, tmp_path):
 def test_a_package_without_groups_has_no_line_of_them(renderers, tmp_path):
     """A node is the same whether the package has groups that it does not use."""
     for model, distro in VARIANTS:
-        hook = Model(ROOT / model, ROOT)
+        hook = model_of(model)
         text = spec_for(model)
         without = text[: text.index("  <group")] + text[text.index('  <node name="alone"') :]
         files = renderers[model].render(hook.context(without.encode(), "x", distro), distro)
@@ -145,7 +143,7 @@ def test_code_for_nodes_with_a_group_passes_mypy(renderers, tmp_path, ros2):
     found = {}
     for model in ("python_model", "mixed_model"):
         text = ros.fitting(ros2, spec_for(model)).replace('"sharing"', f'"sharing_{model[:3]}"')
-        context = Model(ROOT / model, ROOT).context(text.encode(), "spec.xml", "kilted")
+        context = model_of(model).context(text.encode(), "spec.xml", "kilted")
         package = context["name"]
         files = renderers[model].render(context, "kilted")
         common = {f"{package}/act.py": COMMON.format(package=package)}

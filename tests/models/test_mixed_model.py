@@ -9,7 +9,7 @@ import yaml
 
 from hooks.faults import SpecError
 from hooks.model import Model
-from support.packages import DATA
+from support.packages import DATA, model_of
 from support.repository import EXAMPLES, ROOT, commit, git
 from support.soundness import check_imports, check_sound
 
@@ -77,7 +77,7 @@ def test_files_of_the_whole_package_repeat_nothing(name):
 
 
 def context(spec, distro="kilted"):
-    model = Model(ROOT / "mixed_model", ROOT)
+    model = model_of("mixed_model")
     return model.functions, model.context(spec.encode(), "driving.ros_package", distro)
 
 

@@ -6,8 +6,8 @@ import re
 import pytest
 
 from hooks.faults import SpecError
-from hooks.model import Model, load_functions
-from support.packages import MODELS
+from hooks.model import load_functions
+from support.packages import MODELS, model_of
 from support.repository import ROOT
 from support.soundness import check_sound
 
@@ -18,7 +18,7 @@ SPEC = """<package name="arm" author="A" author_email="a@example.org" descriptio
   </node>
 </package>
 """
-MODEL = {model: Model(ROOT / model, ROOT) for model in MODELS}
+MODEL = {model: model_of(model) for model in MODELS}
 FUNCTIONS = load_functions(ROOT / "extensions/qos.py")
 KINDS = ("publisher", "subscriber", "directPublisher", "directSubscriber")
 SERVICES = ("serviceServer", "serviceClient")

@@ -5,8 +5,7 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from hooks.model import Model
-from support.packages import RUNTIME, all_kinds
+from support.packages import RUNTIME, all_kinds, model_of
 from support.repository import ROOT
 
 NAME = RUNTIME.stem
@@ -14,7 +13,7 @@ DISTROS = ("noetic", "humble", "kilted")
 
 
 def context(model, xml, distro):
-    return Model(ROOT / model, ROOT).context(xml.encode(), "spec", distro)
+    return model_of(model).context(xml.encode(), "spec", distro)
 
 
 def held(renderers, model, distro):

@@ -5,9 +5,7 @@ import re
 import pytest
 
 from hooks.faults import SpecError
-from hooks.model import Model
-from support.packages import MODELS
-from support.repository import ROOT
+from support.packages import MODELS, model_of
 from support.soundness import check_sound
 
 SPEC = """<package name="arm" author="A" author_email="a@example.org" description="d"
@@ -52,7 +50,7 @@ def test_it_must_be_a_text(model, type_):
     text = spec("topic", type_).replace('value="a"', "")
     message = 'topic_parameter: "topic" is no <parameter> of this <node> whose type is string'
     with pytest.raises(SpecError, match=re.escape(message)):
-        Model(ROOT / model, ROOT).context(text.encode(), "spec", "kilted")
+        model_of(model).context(text.encode(), "spec", "kilted")
 
 
 def listed(name, type_="string[]"):
@@ -111,10 +109,10 @@ def test_readme_names_the_list(render):
 def test_a_list_of_texts_alone(model, old, new, message):
     one = '<parameter name="one" type="string" value="1"/></node>'
     text = listed("topics").replace("</node>", one)
-    Model(ROOT / model, ROOT).context(text.encode(), "spec", "kilted")
+    model_of(model).context(text.encode(), "spec", "kilted")
     text = text.replace("topic0", "topic2").replace(old, new, 1)
     with pytest.raises(SpecError, match=re.escape(message)):
-        Model(ROOT / model, ROOT).context(text.encode(), "spec", "kilted")
+        model_of(model).context(text.encode(), "spec", "kilted")
 
 
 @pytest.mark.parametrize("topics", [spec, listed])

@@ -9,9 +9,8 @@ from types import SimpleNamespace
 import pytest
 import yaml
 
-from hooks.model import Model
 from support import ros
-from support.packages import DATA
+from support.packages import DATA, model_of
 from support.repository import ROOT
 from support.ros import PEERS
 
@@ -73,7 +72,7 @@ def test_values():
     items += [script["parameter"]("parameter", name, 1) for name in ("2nd", "a b", "a..b", "")]
     text = "\n".join(script["spec"]({"/arm/Driver2": items}))
     assert text.count("<!-- parameter ") == len(NOT_SAID) + 4
-    hook = Model(ROOT / "python_model", ROOT)
+    hook = model_of("python_model")
     context = hook.context(text.encode(), "spec", "kilted")
     assert (context["name"], context["nodes"][0]["name"]) == ("driver2", "Driver2")
     assert [each["value"] for each in context["nodes"][0]["parameters"]] == VALUES

@@ -1,11 +1,13 @@
 """Packages of the examples: their specs, where the logic of each model is, how to fill it in."""
 
+import functools
 import re
 import shutil
 
 import yaml
 
 from hooks import ros
+from hooks.model import Model
 from support.repository import EXAMPLES, ROOT, commit, git
 from support.ros import TF
 
@@ -25,6 +27,12 @@ MODELS = ["python_model", "cpp_model"]
 MADE_BY = {"contact_msgs": "interfaces_model", "driving": "mixed_model"}
 LOGIC = {"python_model": "all_kinds/worker_impl.py", "cpp_model": "src/worker_impl.cpp"}
 VOLUME = '    <subscriber name="volume" type="std_msgs::Float64" description="How loud"/>\n'
+
+
+@functools.cache
+def model_of(name):
+    """Return a model of the collection, whose dictionary is read once."""
+    return Model(ROOT / name, ROOT)
 
 
 def fill_in(package, model):
