@@ -425,6 +425,7 @@ def candidates(attribute, values):
     return [f"[{', '.join(dict.fromkeys(pair))}]" for pair in pairs]
 
 
+@cache
 def models():
     """Return the model of this repository, or those of a collection."""
     if (ROOT / "dictionary.yaml").exists():
