@@ -86,7 +86,7 @@ def test_dependency_has_each_kind_once(render, model):
 
 
 @pytest.mark.ros1
-@each_model
+@pytest.mark.parametrize("model", [*MODELS[:2], "mixed_model cpp"])
 def test_driver_in_ros1(ros1, render, tmp_path, model):
     package = make(render, model, "noetic")
     ros1.run("catkin_make install", tmp_path, timeout=1800)
@@ -103,7 +103,7 @@ def test_driver_in_ros1(ros1, render, tmp_path, model):
 
 
 @pytest.mark.ros2
-@each_model
+@pytest.mark.parametrize("model", [*MODELS[:2], "mixed_model python"])
 def test_driver_in_ros2(ros2, render, tmp_path, model):
     if "cpp" in model and not ros.has_package(ros2, "rclcpp"):
         pytest.skip("rclcpp is not installed")

@@ -6,8 +6,10 @@ import pytest
 import yaml
 
 from support import ros
+from support.repository import EXAMPLES
 from support.ros import PEERS
 
+SPECS = [EXAMPLES / f"{name}.ros_package" for name in ("contact_analysis", "serving")]
 HIDDEN = ("rcl_interfaces/", "type_description_interfaces/")
 TYPES = ["", "bool", "int", "double", "string", "byte_array", "bool_array", "int_array"]
 TYPES += ["double_array", "string_array"]
@@ -55,10 +57,18 @@ def differences(document, found, node):
             yield from sorted(f"{list_}: {each['name']} {key}" for key in wrong)
 
 
-@pytest.mark.parametrize("package", ["all_kinds", "contact_analysis", "serving"])
-def test_documents_say_what_nodes_are(ros2, ros2_with_logic, package):
+@pytest.fixture(scope="module")
+def workspace(ros2_spec, ros2_interfaces, put, model, tmp_path_factory):
+    workspace, ros2 = tmp_path_factory.mktemp("graph"), ros.ros2()
+    for spec in (ros2_spec[0], *SPECS):
+        put(spec, model, ros2.distro, workspace)
+    ros2.build(workspace, ros2_interfaces)
+    return workspace
+
+
+@pytest.mark.parametrize("package", ["all_kinds", *(spec.stem for spec in SPECS)])
+def test_documents_say_what_nodes_are(ros2, workspace, package):
     """No more and no less; and a node that has changed is noticed."""
-    workspace = ros2_with_logic.workspace
     documents = {
         file.name.partition(".")[0]: yaml.safe_load(file.read_text())
         for file in (workspace / "src" / package / "nodl").iterdir()

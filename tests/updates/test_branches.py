@@ -139,7 +139,7 @@ def elsewhere(team):
 
 
 @pytest.fixture(scope="session")
-def teams(collection, tmp_path_factory):
+def teams(published, tmp_path_factory):
     """Make a package, and what was done in it; each once."""
     known = {}
 
@@ -153,9 +153,10 @@ def teams(collection, tmp_path_factory):
                 return folder
             spec = folder.parent / "spec.xml"
             spec.write_text(SPEC)
-            data = {"model": model, "ros_distro": "kilted", "spec_file": str(spec)}
+            data = {"ros_distro": "kilted", "spec_file": str(spec)}
             options = {"defaults": True, "unsafe": True, "quiet": True}
-            copier.run_copy(str(collection), folder, data=data, **options)
+            source = str(published / f"{model}.git")
+            copier.run_copy(source, folder, data=data, **options)
             team = Team(folder, model)
             commit(folder, "Render")
             team.write(serve_load="first", serve_store="second", watch_serve_load="third")
@@ -422,7 +423,11 @@ def test_other_version_of_the_model_on_one_side(model, make_team, own_collection
         team.git("checkout", "-q", "-B", branch, "start")
         answers = team.package / ANSWERS
         answers.write_text(
-            re.sub("_src_path: .*", f"_src_path: {own_collection}", answers.read_text())
+            re.sub(
+                "_src_path: .*",
+                f"_src_path: {own_collection}\nmodel: {model}",
+                answers.read_text(),
+            )
         )
         commit(team.package, "Follow")
         if branch == "main":
