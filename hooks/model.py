@@ -56,7 +56,7 @@ class Model:
         checked = self._checked(root or parse(xml, file), file, distro)
         context = complete(checked, self.functions, distro)
         context["notes"] += contradictions(context, self.dictionary)
-        return {**context, "schema": root is not None or names_schema(xml)}
+        return {**context, "schema": names_schema(xml)}
 
     def places(self, xml: bytes, file: str) -> dict[str, str]:
         """Return where the elements of a spec are, by the labels of `hooks.changes`."""

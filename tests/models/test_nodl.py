@@ -62,10 +62,9 @@ def documents(model, context):
 def read(model, given):
     """Return the context of what a file or a folder says in NoDL, and the notes."""
     root, notes = model.hook.read_yaml(given, SOURCES)
-    context = model.hook.context(b"", str(given), "kilted", root)
-    assert context["schema"], "the spec that is written of it names the schema"
-    found = model.hook.context(trees.xml(root).encode(), "x", "kilted")
-    assert {**found, "schema": True} == context
+    xml = trees.xml(root).encode()
+    context = model.hook.context(xml, str(given), "kilted", root)
+    assert model.hook.context(xml, "x", "kilted") == context
     return context, notes
 
 
