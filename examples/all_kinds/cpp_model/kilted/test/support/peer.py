@@ -253,6 +253,8 @@ class SentGoal:
 class GoalServer:
     """An action server: `goals` are those it got, `cancels` the number of cancels."""
 
+    rejects = False
+
     def __init__(self, node, executor, action_type, name, feedback, result):
         """Serve an action."""
         self.goals = []
@@ -276,23 +278,25 @@ class GoalServer:
         if self._handle:
             self._handle.publish_feedback(self._feedback)
 
-    def finish(self):
-        """Let the goal succeed."""
-        self._executor.create_task(self._end.set_result, None)
+    def finish(self, outcome):
+        """End the goal: succeeded or aborted."""
+        self._executor.create_task(self._end.set_result, outcome)
 
     def _accept(self, goal):
         self.goals.append(goal)
+        if self.rejects:
+            return GoalResponse.REJECT
         self._end = Future(executor=self._executor)
         self._end.add_done_callback(lambda _: self._executor.wake())  # rclpy 9.1.2 does not
         return GoalResponse.ACCEPT
 
     def _cancel(self, _):
         self.cancels += 1
-        self._end.set_result(None)
+        self._end.set_result('canceled')
         return CancelResponse.ACCEPT
 
     async def _execute(self, handle):
         self._handle = handle
-        await self._end
-        handle.canceled() if handle.is_cancel_requested else handle.succeed()
+        ends = {'succeeded': handle.succeed, 'aborted': handle.abort, 'canceled': handle.canceled}
+        ends[await self._end]()
         return self._result

@@ -420,17 +420,24 @@ class NodeTests:
             server = self.peer.execute(type_, name, feedback, result)
             self.assertTrue(eventually(lambda: node.order('now', send)), name)
             comes('active', feedback, None)
-            server.finish()
-            comes('succeeded', feedback, result)
-            node.order('now', send)
-            comes('active', feedback, None)
+            for outcome in 'succeeded', 'aborted':
+                server.finish(outcome)
+                comes(outcome, feedback, result)
+                node.order('now', send)
+                comes('active', feedback, None)
             node.order('now', member + '=')
             comes('canceled', feedback, result)
+            server.rejects = True
+            node.order('now', send)
+            self.assertTrue(
+                eventually(lambda: node.order('now', 'state_' + member)[0] == 'rejected'), name
+            )
+            server.rejects = False
             node.order('now', send)
             comes('active', feedback, None)
             node.signal(INT)
             self.assertTrue(eventually(lambda: server.cancels == 2))
-            self.assertEqual(server.goals, [goal] * 3)
+            self.assertEqual(server.goals, [goal] * 5)
             self.assertEqual(node.exit_code(), 0)
 
     def test_rate(self):

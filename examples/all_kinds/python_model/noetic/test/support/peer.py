@@ -222,6 +222,8 @@ class SentGoal:
 class GoalServer:
     """An action server: `goals` are those it got, `cancels` the number of cancels."""
 
+    rejects = False
+
     def __init__(self, action_type, name, feedback, result):
         """Serve an action."""
         self.goals = []
@@ -236,12 +238,15 @@ class GoalServer:
         if self._handle:
             self._handle.publish_feedback(self._feedback)
 
-    def finish(self):
-        """Let the goal succeed."""
-        self._handle.set_succeeded(self._result)
+    def finish(self, outcome):
+        """End the goal: succeeded or aborted."""
+        getattr(self._handle, 'set_' + outcome)(self._result)
 
     def _accept(self, handle):
         self.goals.append(handle.get_goal())
+        if self.rejects:
+            handle.set_rejected()
+            return
         handle.set_accepted()
         self._handle = handle
 
