@@ -333,17 +333,20 @@ def test_condition_around_a_method_in_python_holds_that_alone(update, items):
         assert "serve_store" in str(result.removed)
 
 
-def test_renamed_node_whose_line_both_sides_changed_is_a_conflict(renders):
-    """The developer's side of it still has the name of before."""
+def test_renamed_node_whose_line_the_developer_has_changed(renders):
+    """It has both; in a conflict, the developer's side still has the name of before."""
     pair = renders([ARM, LEG], [ARM, {**LEG, "name": "foot", "was": "leg"}], "python_model")
     path = "launch/lab.launch.xml"
     mine, old, new = ({path: File(text[path].encode())} for text in (pair.old, pair.old, pair.new))
     line = 'name="leg" namespace="$(var namespace)"'
     assert line in pair.old[path]
     mine[path] = File(pair.old[path].replace(line, 'name="leg" namespace="mine"').encode())
-    for ways in ({}, {path: conflict}):
+    both = pair.new[path].replace(line.replace("leg", "foot"), 'name="foot" namespace="mine"')
+    for way in (None, conflict):
+        ways = {path: way} if way else {}
         result = merge_package(mine, old, new, pair.renaming, pair.is_kept, ways)
-        assert list(result.conflicts) == [path]
+        assert [*result.conflicts] == [*ways]
+        assert way or result.tree[path].text == both
         assert prove(mine, old, result, result.tree, pair.renaming).lost == []
 
 
