@@ -221,10 +221,11 @@ def test_every_mutant_dies(variant, request):
         assert re.search(failed, future.result(), re.M), f"{name} survives:\n{future.result()}"
 
 
-def other_packages(renderer, distro, has_tf):
+def other_packages(renderer, distro, lacking):
     """Yield pairs of packages, and what their specs differ in, which the tests of packages know.
 
-    Each day has an order of its own; a pair is rendered when its turn comes.
+    Each day has an order of its own; a pair is rendered when its turn comes. Those that import
+    what this ROS is lacking are left out.
     """
     model = Model(ROOT / "python_model")
     pairs = list(differences(model, UNTESTED))
@@ -232,9 +233,12 @@ def other_packages(renderer, distro, has_tf):
     for what, *elements in pairs:
         texts = [model.spec(each).replace("tf2_msgs::Lookup", "test_msgs::") for each in elements]
         texts = [text.replace("test_msgs::Transform", "test_msgs::Fibonacci") for text in texts]
-        if what in ("listener", "broadcaster") and not has_tf:
-            continue
         pair = [renderer.render(model.context(text, "kilted"), distro) for text in texts]
+        code = "".join(
+            text for files in pair for path, text in files.items() if path[-3:] == ".py"
+        )
+        if any(re.search(rf"^ *(from|import) {module}\b", code, re.M) for module in lacking):
+            continue
         tests = [{p: text for p, text in files.items() if "_node.py" in p} for files in pair]
         if tests[0] != tests[1]:  # else it is the same in other words, such as a default
             yield what.replace(" ", "_"), pair
@@ -242,9 +246,9 @@ def other_packages(renderer, distro, has_tf):
 
 def test_a_node_of_another_spec_dies(ros2, renderers, tmp_path):
     """Without an interface of the spec, or with another value of an attribute, tests fail."""
-    has_tf = ros.has(ros2, "tf2_ros")
+    lacking = [name for name in ("tf2_ros", "message_filters") if not ros.has(ros2, name)]
     tried = {}
-    for name, pair in other_packages(renderers["python_model"], ros2.distro, has_tf):
+    for name, pair in other_packages(renderers["python_model"], ros2.distro, lacking):
         if WANTED and not re.search(WANTED, name) or name in tried:
             continue
         tried[name] = pair
