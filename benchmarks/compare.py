@@ -252,8 +252,13 @@ def variants(stack: ExitStack, only: str = "") -> Iterator[Variant]:
     for ros in filter(None, (installed.ros2(), installed.ros1())):
         version = ros.environment["ROS_VERSION"]
         chosen = [each for each in MODELS if only in name_of(each, ros)]
-        if version == "2" and not installed.has_package(ros, "rclcpp"):
-            chosen = [each for each in chosen if each != "cpp_model"]
+        if version == "2":
+            del ros.environment[
+                "FASTDDS_DEFAULT_PROFILES_FILE"
+            ]  # with shared memory, as users have
+            ros.environment["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
+            if not installed.has_package(ros, "rclcpp"):
+                chosen = [each for each in chosen if each != "cpp_model"]
         if chosen and version == "1":
             stack.enter_context(master(ros))
         for model in chosen:

@@ -73,6 +73,14 @@ def test_node_that_is_destroyed_twice(ros2, ros2_with_logic, model):
     ros2.run(f"python3 -c '{code}'", workspace, workspace, timeout=60)
 
 
+@pytest.mark.parametrize("tests", ["of the package", "of the collection"])
+def test_broken_shared_memory(ros2, ros2_with_logic, tests):
+    """Tests kill nodes, and Fast DDS crashes where their shared memory is left broken."""
+    workspace = ros2_with_logic.workspace
+    folder = "src/serving/test" if tests == "of the package" else ""
+    ros2.run(f"python3 {PEERS}/broken_memory.py {folder}", workspace, workspace)
+
+
 def test_messages_are_not_copied(ros2, render, tmp_path):
     """python_model hands on the message that came; C++ moves what it owns."""
     render(DATA / "fast.ros_package", ros_distro=ros2.distro, name="src/fast")

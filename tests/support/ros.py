@@ -198,8 +198,8 @@ def ros2():
         "ROS_LOG_DIR": str(home),
         "ROS_DOMAIN_ID": str(_free_domain()),
         "ROS_VERSION": "2",
-        "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
-        "ROS_LOCALHOST_ONLY": "1",
+        "ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET",
+        "FASTDDS_DEFAULT_PROFILES_FILE": str(DATA / "loopback.xml"),
         "PYTHONUNBUFFERED": "1",
         "AMENT_CPPCHECK_ALLOW_SLOW_VERSIONS": "1",  # Debian's is one of them
     }

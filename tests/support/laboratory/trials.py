@@ -365,7 +365,7 @@ def moves(pair, edited):
         if path.startswith(("lab.ros_package", "launch/")):
             continue  # these are named like the package, as a node may be, too
         target = path
-        for node in pair.new_spec["nodes"]:
+        for node in newly_named(pair):
             was = node.get("was")
             if was in {n["name"] for n in pair.spec["nodes"]}:
                 form = rf"(^|/|test_){was}(?=(_{NODE_FILES})?(\.\w+)*$)"
@@ -380,9 +380,9 @@ def moves(pair, edited):
 
 def renamed(pair, edited):
     """Return the functions that have another name, by the path of before."""
-    nodes = {node["was"]: node["name"] for node in pair.new_spec["nodes"] if node.get("was")}
+    nodes = {node["was"]: node["name"] for node in newly_named(pair) if node.get("was")}
     found = dict.fromkeys(("CMakeLists.txt", "launch/lab.launch", "launch/lab.launch.xml"), nodes)
-    for node in pair.new_spec["nodes"]:
+    for node in newly_named(pair):
         names = {was: name for name, was in specs.callbacks(node).items() if was != name}
         before = node.get("was") or node["name"]
         constructors = {_class(before): _class(node["name"])}
@@ -394,6 +394,23 @@ def renamed(pair, edited):
         }
         found[f"src/{before}_impl.cpp"] = names | constructors
     return found | {path: found[o] for path, o in edited.moved.items() if o in found}
+
+
+def newly_named(pair):
+    """Return the nodes of the new spec; a name before that the old spec has, too, is no news."""
+    old = {node["name"]: node for node in pair.spec["nodes"]}
+    found = []
+    for node in _newly_named(pair.spec["nodes"], pair.new_spec["nodes"]):
+        before = old.get(node.get("was") or node["name"], {"items": []})
+        found.append(node | {"items": _newly_named(before["items"], node["items"])})
+    return found
+
+
+def _newly_named(old, new):
+    known = {(item["name"], item.get("was")) for item in old}
+    return [
+        item | {"was": None} if (item["name"], item.get("was")) in known else item for item in new
+    ]
 
 
 def _class(node):

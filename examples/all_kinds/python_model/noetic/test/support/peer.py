@@ -211,12 +211,8 @@ class SentGoal:
         """Return the outcome and the result, when they are there."""
         done = actionlib.CommState.DONE
         assert eventually(lambda: self._handle.get_comm_state() == done), 'the goal has no result'
-        words = {
-            GoalStatus.SUCCEEDED: 'succeeded',
-            GoalStatus.ABORTED: 'aborted',
-            GoalStatus.PREEMPTED: 'canceled',
-        }
-        return words[self.state()], self._handle.get_result()
+        state = GoalStatus.to_string(self.state()).lower()
+        return 'canceled' if state == 'preempted' else state, self._handle.get_result()
 
 
 class GoalServer:
