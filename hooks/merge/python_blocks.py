@@ -30,10 +30,15 @@ def blocks(text: str) -> list[Block]:
 
 def same(one: str, other: str) -> bool:
     """Say whether two texts differ in form alone: their code, their comments are the same."""
-    for end in _ENDS if one != other else ():
+    for end in _ENDS if one != other and _words(one) == _words(other) else ():
         with contextlib.suppress(ValueError):
             return _meaning(one, end) == _meaning(other, end)
     return "".join(one.split()) == "".join(other.split())
+
+
+def _words(text: str) -> list[str]:
+    """Return what no formatter changes: the words, but for the prefixes of strings."""
+    return [word for word in re.findall(r"[^\W\d]\w*", text.lower()) if len(word) > 2]
 
 
 _ENDS = ("", " pass\n", "\nclass _: pass\n")

@@ -126,7 +126,12 @@ class Renaming:
             return _with_nodes(_with_keys(text, self.keys.get(path, {})), self.components)
         if known is XML:
             values = self.attributes.get(path, {})
-            return xml_blocks.exchange(text, lambda *found: values.get(found, found[-1]))
+
+            def value(element: str, of_package: str, name: str, value: str) -> str:
+                found = values.get((element, name, value))  # or the developer has named it
+                return found or values.get((of_package, name, value), value)
+
+            return xml_blocks.exchange(text, value)
         exact = {**self.everywhere, **self.in_file.get(path, {})}
         members = self.members.get(path, {})
         if not exact and not members and not self.packages and not self.targets:
@@ -416,10 +421,11 @@ class _Reader:
         """Return each marked value by its element, its attribute and what it was."""
         found: dict[tuple[str, str, str], str] = {}
 
-        def keep(element: str, name: str, value: str) -> str:
+        def keep(element: str, of_package: str, name: str, value: str) -> str:
             if _MARK.search(value) and not self.is_gone(value):
                 before, after = self.both(value)
-                found[self.both(element)[0], name, before] = after
+                for one in (element, of_package):
+                    found[self.both(one)[0], name, before] = after
             return value
 
         xml_blocks.exchange(text, keep)

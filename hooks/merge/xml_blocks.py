@@ -79,21 +79,24 @@ def _tight_signs(text: str) -> str:
     return re.sub(r"\s*(/?>)\s*", r"\1", collapsed(text))
 
 
-def exchange(text: str, by: Callable[[str, str, str], str]) -> str:
+def exchange(text: str, by: Callable[[str, str, str, str], str]) -> str:
     """Return a text with the value of each attribute exchanged.
 
-    `by` is given the name of its element, as blocks have it, its own, and its value.
+    `by` is given its element, by its name as blocks have it and by its package, then its own name
+    and its value.
     """
 
     def element(match: re.Match[str]) -> str:
         if not match["open"]:
             return match[0]
-        name = _named(match["tag"], _attributes(match["attributes"]))
+        attributes = _attributes(match["attributes"])
+        name = _named(match["tag"], attributes)
+        package = f"{match['tag']} of {attributes['pkg']}" if "pkg" in attributes else name
 
         def attribute(found: re.Match[str]) -> str:
             which = 3 if found[2] is None else 2
             head = found[0][: found.start(which) - found.start()]
-            return f"{head}{by(name, found[1], found[which])}{found[0][-1]}"
+            return f"{head}{by(name, package, found[1], found[which])}{found[0][-1]}"
 
         return f"<{match['tag']}{_ATTRIBUTE.sub(attribute, match['attributes'])}>"
 

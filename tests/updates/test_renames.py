@@ -280,6 +280,7 @@ LAUNCH = """\
   <composable_node plugin='arm::{1}Node' name='{1}' ns="x"/>
 </launch>
 """
+LEFT = ("</launch>", '  <node pkg="arm" type="{}" name="left"/>\n</launch>')
 RESPAWN = ('output="screen"', 'output="screen" respawn="true"')
 OTHER = (
     "</launch>",
@@ -295,6 +296,12 @@ OTHER = (
         ("watch", f"watch{GONE}", RESPAWN, RESPAWN),
         (
             "grasp",
+            "watch",
+            [part.format("reach") for part in LEFT],
+            [part.format("grasp") for part in LEFT],
+        ),
+        (
+            "grasp",
             "see",
             (' name="reach"', '\n    name = "reach"'),
             (' name="g', '\n    name = "g'),
@@ -302,6 +309,7 @@ OTHER = (
         ("grasp", "see", ("'watch' ns", "'watch' if=\"1\" ns"), ("'see' ns", "'see' if=\"1\" ns")),
         # What the developer has written, and what only looks like the model's
         ("grasp", "watch", ('type="reach"', 'type="mine"'), ('type="grasp"', 'type="mine"')),
+        ("grasp", "watch", (' name="reach"', ' name="mine"'), (' name="grasp"', ' name="mine"')),
         ("grasp", "watch", OTHER, OTHER),
     ],
 )
