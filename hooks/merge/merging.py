@@ -223,6 +223,10 @@ class _Merger:
             new = Block(new.key, mine.lines, new.children, mine.tail)
         if self.is_same(new, old):
             return list(lines.split(mine.text))
+        if self.language is PYTHON and mine.key.startswith("from ") and not mine.children:
+            names = python_blocks.joined_import(mine.text, old.text, new.text)
+            if names is not None:
+                return list(lines.split(names))
         if self.is_same(mine, old):
             return list(lines.split(new.text))
         is_leaf = not new.children and new.lines and new.lines != old.lines

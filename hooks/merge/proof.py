@@ -13,7 +13,7 @@ from ..dictionary import WAS
 from ..names import class_name
 from ..package import SUFFIX
 from .blocks import Block, is_comment, walk
-from .languages import TEXT, XML, Language, language
+from .languages import PYTHON, TEXT, XML, Language, language
 from .lines import MARKS, plain, split
 from .matching import identify, wrap
 from .origins import is_holder
@@ -157,11 +157,13 @@ def _read_back(
 
     counts: dict[str, Counter[str]] = {}
     for scope, inside in _scopes(found).items():
-        counts.setdefault(place(scope), Counter()).update(map(known.key, inside))
+        pieces = counts.setdefault(place(scope), Counter())
+        pieces.update(piece for line in inside for piece in _pieces(known, scope, line))
     for scope, line, number in lines:
         have = counts.get(place(scope), Counter())
-        if have[known.key(line)]:
-            have[known.key(line)] -= 1
+        pieces = Counter(_pieces(known, scope, line))
+        if pieces <= have:
+            have -= pieces
             proof.in_place += 1
         elif shown[known.key(line)]:
             shown[known.key(line)] -= 1
@@ -170,6 +172,13 @@ def _read_back(
             proof.left.append((paths[0], number, line))
         else:
             proof.lost.append((paths[1], line.strip()))
+
+
+def _pieces(known: Language, scope: str, line: str) -> list[str]:
+    """Return a line as it is compared: of an import, the names, which one may lay out."""
+    if known is PYTHON and scope.rpartition(" > ")[2].startswith("from "):
+        return re.findall(r"#.*|\w+(?: as \w+)?", re.sub(r"^\s*from \S+ import", "", line))
+    return [known.key(line)]
 
 
 def _may_leave(scope: str, line: str, made: set[str]) -> bool:

@@ -132,6 +132,49 @@ def _import(key: str, start: int, end: int, names: tuple[Span, ...], spans: list
     return Span(key, start, end, (start, end), names)
 
 
+def joined_import(mine: str, old: str, new: str) -> str | None:
+    """Merge the names that an import has in three versions, laid out as in the developer's.
+
+    None where one of them is no single import of names, or has comments between these.
+    """
+    sides = [_imported(text) for text in (mine, old, new)]
+    if None in sides:
+        return None
+    (head, ours, comment), (_, base, _), (_, theirs, _) = filter(None, sides)
+    gone = {*base} - {*theirs}
+    names = [name for name in ours if name.split()[0] not in gone]
+    names += [name for name in theirs if name not in base and name not in ours]
+    if names == ours:
+        return mine
+    if ours == sorted(ours, key=str.lower):
+        names.sort(key=str.lower)
+    if not names:
+        return ""
+    line = f"{head}{', '.join(names)}{comment}\n"
+    if mine.count("\n") == 1 and len(line) <= _WIDTH:
+        return line
+    indent = head[: -len(head.lstrip())]
+    inside = "".join(f"{indent}    {name},\n" for name in names)
+    return f"{head}({comment}\n{inside}{indent})\n"
+
+
+_WIDTH = 100
+"""Of a line with its end, as the linters of ROS allow it."""
+
+
+def _imported(text: str) -> tuple[str, list[str], str] | None:
+    """Return what stands before the names of an import, the names, and the comment at an end."""
+    with contextlib.suppress(ValueError):
+        (statement,) = parse(textwrap.dedent(text)).body
+        comments = re.findall(r"#.*", text)
+        between = "".join(text.rstrip("\n").split("\n")[1:-1])
+        if isinstance(statement, ast.ImportFrom) and len(comments) < 2 and "#" not in between:
+            head = re.match(r"\s*from\s+\S+\s+import\s", text)
+            names = [ast.unparse(alias) for alias in statement.names]
+            return head and (head[0], names, "".join(f"  {each}" for each in comments))
+    return None
+
+
 def with_imports(merged: list[str | Conflict]) -> list[str | Conflict]:
     """Give each name an import of its own, where others have one."""
     heads = (re.match(r"\s*from \S+ import ", each) for each in merged if isinstance(each, str))

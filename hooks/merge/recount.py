@@ -29,6 +29,8 @@ _WORD = re.compile(r"(?<=\bfrom )\s*\w*\.(?=\w)|(\w+|[<>=!&|+.:~%${}-])")
 """What is no form: words and signs, without what makes an import relative."""
 _IMPORT = re.compile(r"\tfrom\n\t\w+\n(\t\.\n\t\w+\n)*\timport\n")
 """An import, which one may split; that each used name has one is looked for below."""
+_NAMES = re.compile(r"\bfrom \S+ import \([^)]*\)")
+"""Names that are imported, of which a line may have several."""
 Places = list[tuple[str, str]]
 
 
@@ -41,6 +43,7 @@ class _Text(dict[str, int]):
     """A text, and how often something stands in it, whatever the form of both."""
 
     def __init__(self, text: str) -> None:
+        text = _NAMES.sub(lambda found: re.sub(r",[ \t]*(?=\w)", ",\n", found[0]), text)
         self.tight = _tight(text)
         lines = ((line.strip(), _tight(line)) for line in text.split("\n"))
         self.lines = [(line, tight) for line, tight in lines if tight and not _IMPORT.match(tight)]

@@ -1,5 +1,6 @@
 """Where ROS is on this machine, and how to build and run packages in it."""
 
+import atexit
 import contextlib
 import functools
 import os
@@ -157,7 +158,9 @@ def _base(home):
 
 
 def _home():
-    return Path(tempfile.mkdtemp(prefix="ros-"))
+    home = Path(tempfile.mkdtemp(prefix="ros-"))
+    atexit.register(shutil.rmtree, home, ignore_errors=True)
+    return home
 
 
 def ros1():

@@ -285,12 +285,21 @@ def test_import_in_python_gets_new_names_wherever_it_is(form):
 
 LONG = "from arm.reach_interface import (\n    Load,\n    Reach,\n)\n\nuse(Load, Reach)\n"
 ONE_EACH = "from arm.reach_interface import Load\nfrom arm.reach_interface import Reach\n"
+IN_LINES = LONG[: LONG.index("\n\n") + 1]
+IN_A_LINE = "from arm.reach_interface import "
 LAYOUTS = {
-    "one import for each": (LONG[: LONG.index("\n\n") + 1], ONE_EACH),
+    "one import for each": (IN_LINES, ONE_EACH),
     "comment": ("    Reach,\n", "    Reach,  # noqa\n"),
     "comment above": ("    Reach,\n", "    # mine\n    Reach,\n"),
     "another name": ("    Reach,\n", "    Reach as R,\n    Reach,\n"),
     "other order": ("    Load,\n    Reach,\n", "    Reach,\n    Load,\n"),
+    "in a line": (IN_LINES, f"{IN_A_LINE}Load, Reach\n"),
+    "in a line, with a comment": (IN_LINES, f"{IN_A_LINE}Load, Reach  # noqa: F401\n"),
+    "in a line, with their own": (IN_LINES, f"{IN_A_LINE}Load, Reach, zoom\n"),
+    "in a line, without one": (IN_LINES + "\n", f"{IN_A_LINE}Reach, zoom\nLoad = 1\n\n"),
+    "in a line, with another name": (IN_LINES, f"{IN_A_LINE}Load, Reach, Reach as R\n"),
+    "in two lines": (IN_LINES, f"{IN_A_LINE}(Load,  # mine\n    Reach, zoom)\n"),
+    "in lines of its own and others'": (IN_LINES, f"{IN_A_LINE}Load\n{IN_A_LINE}Reach, zoom\n"),
     "without one": ("    Load,\n    Reach,\n)\n\n", "    Reach,\n)\nLoad = 1\n\n"),
 }
 OF_THE_MODEL = {
@@ -312,7 +321,8 @@ def test_import_gets_names_whatever_the_developer_made_of_it(edit, change):
     before, after = (imported(text) for text in (mine, found))
     assert after == sorted([*before, name])
     assert ("import (" in found) == ("import (" in mine)
-    assert all(line in found for line in mine.splitlines() if not line.startswith("use("))
+    assert all(comment in found for comment in re.findall("#.*", mine))
+    assert all(line in found for line in mine.splitlines() if re.match(r"    \w+,$|\w+ =", line))
 
 
 def imported(text):
