@@ -21,6 +21,7 @@ _KINDS = sorted(
     yaml.safe_load((_SHARED / "shared/dictionary.yaml").read_text("utf-8"))["node_interface"]
 )
 # A node that uses all of the runtime, as functions and templates of the other models ask for it.
+_TYPES = ("bool", "int", "double", "string")
 _PARAMETER = {"name": "", "type": "int", "value": 0, "min": 0, "max": 0, "choices": [0]}
 _REQUIRED = {**_PARAMETER, "name": "a.b", "type": "int[]", "value": None}
 _HEARD = {"topic_parameter": None, "for_each": None, "deadline": 1.0}
@@ -30,7 +31,7 @@ _NODE = {
     "diagnostics": True,
     "client_library": True,
     "reconfigure": True,
-    "parameters": [_PARAMETER, _REQUIRED],
+    "parameters": [*({**_PARAMETER, "type": each} for each in _TYPES), _REQUIRED],
     "dynParameters": [_PARAMETER],
     "publishers": [{"topic_parameter": "topic"}],
     "subscribers": [_HEARD],

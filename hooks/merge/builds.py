@@ -23,6 +23,7 @@ from .tree import File, Tree, encode
 
 _KNOWN = load_data("builds.yaml")
 _CMAKE, _SETUP = "CMakeLists.txt", "setup.py"
+_OWN = re.compile(r"(?im)^[ \t]*(?:function|macro)[ \t]*\([ \t]*(\w+)")
 _INSTALL = re.compile(
     r"install\(\s*(FILES|PROGRAMS|DIRECTORY)\s+([^()]*?)\s+DESTINATION\s+(\S+?)\s*\)\s*"
 )
@@ -111,6 +112,8 @@ class _Carrier:
         self.lines: _Lines = {}
         self.back: list[str] = []
         """What the developer had deleted."""
+        self.own: set[str] = set()
+        """The functions and macros of the developer's, which stay behind."""
 
     def texts(self) -> dict[str, str]:
         return {_CMAKE: "".join(b.text for b in self.new), _SETUP: "".join(self.setup)}
@@ -127,6 +130,7 @@ class _Carrier:
             gone = set(keys(base)) - set(keys(blocks))
             has = set(keys(CMAKE.blocks(self.texts()[_CMAKE])))
             self.back = sorted(key for key in gone & has if " " in key)
+            self.own = {name.lower() for name in _OWN.findall(mine)}
             self._commands(blocks, base, self.new, 1, is_top=True)
         return self.lines
 
@@ -165,7 +169,7 @@ class _Carrier:
         name = re.match(r"\w*", code)[0].lower()  # type: ignore[index]
         installed = _INSTALL.fullmatch(code)
         package = re.fullmatch(r"find_package\(\s*(\w+)[^()]*\)", code)
-        if re.search(_KNOWN["foreign"][3 - self.ros], code):
+        if name in self.own or re.search(_KNOWN["foreign"][3 - self.ros], code):
             return
         if package and self.ros == 1 and self._component(package[1]):
             self._note(number, block.text, package[1])

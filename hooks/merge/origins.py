@@ -8,9 +8,10 @@ from __future__ import annotations
 import ast
 import contextlib
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 
+from .cpp_blocks import tokenize
 from .languages import CPP, PYTHON, Language
 from .python_blocks import parse
 from .tokens import Word
@@ -38,6 +39,11 @@ class Origins:
     imports: dict[int, bool] = field(default_factory=dict)
     """By line of an import, the first counted 0, whether it is of the package."""
 
+    types: set[str] = field(default_factory=set)
+    """Names of the package that another class of the developer's may use, too."""
+    others: set[int] = field(default_factory=set)
+    """Lines of such classes, whose members are their own."""
+
     def is_holder(self, name: str) -> bool:
         """Say whether an object is of a class of the package."""
         return name in self.holders or is_holder(name, self.known_holders)
@@ -51,6 +57,8 @@ class Origins:
             return self.imports[word.line]
         if (word.chain or (word.text,))[0] in self.foreign:
             return False
+        if word.line in self.others and (not word.chain or word.chain[-1] in SELF):
+            return not word.chain and word.text in self.types
         if not word.chain:
             is_argument = word.after == "=" and word.text in self.keywords
             return is_argument or word.text in self.ours or word.text in known
@@ -118,11 +126,53 @@ def _python(
         elif isinstance(node, ast.Call) and _last(node.func) in classes:
             found.keywords |= {keyword.arg for keyword in node.keywords if keyword.arg}
     found.foreign -= found.ours
+    found.types = found.ours
+    found.others = _others(_python_classes(tree), classes)
     for target, value in _bindings(tree):
         if {*_words(value)} & {*classes} - found.foreign or (
             isinstance(value, ast.Name | ast.Attribute) and found.is_holder(_last(value))
         ):
             found.holders.add(target)
+
+
+_Class = tuple[str, set[str], range]
+"""A class: its name, what it derives from, its lines."""
+
+
+def _others(found: Iterable[_Class], classes: Collection[str]) -> set[int]:
+    """Return the lines of classes that are none of these, nor derive from one or the other way."""
+    known = [*found]
+    kin = {*classes}
+    kin |= {name for name, bases, _ in known if bases & kin}
+    for _ in known:
+        kin |= {base for name, bases, _ in known if name in kin for base in bases}
+    return {line for name, _, lines in known if name not in kin for line in lines}
+
+
+def _python_classes(tree: ast.Module) -> Iterator[_Class]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ClassDef):
+            bases = {word for base in node.bases for word in _words(base)}
+            yield node.name, bases, range(node.lineno - 1, node.end_lineno or node.lineno)
+
+
+def _cpp_classes(text: str) -> Iterator[_Class]:
+    tokens = [one for one in tokenize(text) if one.kind in ("word", "sign")]
+    for start, token in enumerate(tokens):
+        if token.text not in ("class", "struct"):
+            continue
+        end = next((i for i in range(start, len(tokens)) if tokens[i].text in "{;()=>"), start)
+        if tokens[end].text != "{":
+            continue
+        head = [one.text for one in tokens[start + 1 : end]]
+        at = head.index(":") if ":" in head else len(head)
+        depth, close = 0, end
+        for close in range(end, len(tokens)):
+            depth += {"{": 1, "}": -1}.get(tokens[close].text, 0)
+            if not depth:
+                break
+        names = [word for word in head[:at] if word != "final"]
+        yield "".join(names[-1:]), {*head[at:]}, range(token.line, tokens[close].line + 1)
 
 
 def _bindings(tree: ast.Module) -> Iterator[tuple[str, ast.expr]]:
@@ -167,6 +217,8 @@ def _cpp(
             found.foreign |= {alias or last} - {""}
     if is_user:
         found.ours |= {*names}
+    found.types = {*classes} | {*roots}
+    found.others = _others(_cpp_classes(text), classes)
     types = "|".join(map(re.escape, {*classes} - found.foreign)) or "(?!)"
     spaces = "|".join(map(re.escape, roots)) or "(?!)"
     ours = rf"(?<![\w:])(?:(?:::)?(?:{spaces})::)?(?:{types})\b"

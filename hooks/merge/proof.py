@@ -248,13 +248,13 @@ def _parses(known: Language, text: str) -> bool:
 
 def _sides(text: str) -> Iterator[tuple[str, str]]:
     """Yield the lines of a file, each with the side of a conflict that it is on."""
-    side = "both"
+    sides = ("both", "mine", "new")
+    at = 0
     for line in split(text):
-        sides = dict(zip(MARKS, ("mine", "new", "both"), strict=True))
-        if line.rstrip() in sides:
-            side = sides[line.rstrip()]
+        if line.rstrip() == MARKS[at]:  # one that nothing opens is the developer's
+            at = (at + 1) % len(MARKS)
         else:
-            yield side, line
+            yield sides[at], line
 
 
 def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> Iterator[str]:
@@ -294,22 +294,37 @@ def uses_of_left(
     names = "|".join(re.escape(name.strip("~/")) for _, name in gone)
     classes = "|".join(class_name(name) for _, name in gone)
     form = rf"(?:\w*_)?(?:{names})(?:_\w*)?|(?:\w*[a-z\d_])?(?:{classes})(?:[A-Z_]\w*)?"
-    before, after = (
-        {w for f in tree.values() for w in re.findall(r"\w+", f.text or "")} if gone else set()
-        for tree in (old, new)
-    )
     bare = {name for _, name in gone}
-    left = {word for word in before - after - bare if re.fullmatch(form, word)}
+
+    def lost(owner: str = "") -> set[str]:
+        before, after = (_words(tree, owner) for tree in (old, new))
+        return {word for word in before - after - bare if re.fullmatch(form, word)}
+
+    after = _words(new) if gone else set()
+    left = lost() if gone else set()
+    left_of = {owner: lost(owner) - left for owner, _ in gone}
     for path, file in sorted(found.items()) if gone else ():
         generated = set(split((new.get(path) or File(b"")).text or ""))
         text = plain(file.text or "")
         lines, stem = split(text), PurePosixPath(path).stem
+        near = [
+            left_of[owner]
+            for owner in left_of
+            if owner in stem or re.search(rf"\b{owner}_(?:interface|impl|types)\b", text)
+        ]
         for word in words(language(path, text), text):
             is_member = bool(word.chain) and is_holder(word.chain[-1], holders)
             owners = {owner for owner, name in gone if name == word.text and is_member}
             is_own = bool(owners) and (word.text not in after or any(o in stem for o in owners))
-            if (word.text in left or is_own) and lines[word.line] not in generated:
+            is_left = word.text in left or any(word.text in one for one in near)
+            if (is_left or is_own) and lines[word.line] not in generated:
                 yield f"{path}:{word.line + 1}: {word.text}, which has left"
+
+
+def _words(tree: Tree, owner: str = "") -> set[str]:
+    """Return the words of files, of those alone that have the name of a component in theirs."""
+    files = (file for path, file in tree.items() if owner in PurePosixPath(path).stem)
+    return {word for file in files for word in re.findall(r"\w+", file.text or "")}
 
 
 def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str, str], list[str]]:

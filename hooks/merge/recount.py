@@ -129,7 +129,7 @@ def _files(
             yield path, "the file"
     for path, file in have.items():
         there = found.get(path, file)
-        is_windows = [b"\r\n" in one.data for one in (file, there)]
+        is_windows = [0 < d.count(b"\n") == d.count(b"\r\n") for d in (file.data, there.data)]
         wanted = new.get(path) if file == had.get(path) else file
         if LINK in (file.mode, there.mode) and there != wanted:
             yield path, "the link"
@@ -140,7 +140,13 @@ def _files(
 def _about(text: str, parts: Iterable[str]) -> str:
     """Return the paragraphs of a text that have the names of parts."""
     names = {name for part in parts for name in re.findall(r"\w+", part)[-1:]}
-    found = [p for p in re.split(r"\n\s*\n", text) if names & {*re.findall(r"\w+", p)}]
+    found: list[str] = []
+    is_inside = False  # what a first line with a name opens
+    for paragraph in re.split(r"\n\s*\n", text):
+        head, *_ = paragraph.split("\n")
+        is_inside = bool(names & {*re.findall(r"\w+", head)} or (is_inside and head[:1] == " "))
+        if is_inside or names & {*re.findall(r"\w+", paragraph)}:
+            found.append(paragraph)
     return "\n".join(found)
 
 
@@ -286,13 +292,17 @@ def _halves(
             (name in names, _declared(code, name))
             for names, code in zip(defined, codes, strict=True)
         ]
-        if (True, True) in has[1:3] and has[3][0] != has[3][1] and has[0][0] == has[0][1]:
+        is_half = [one != other for one, other in has]
+        if (True, True) in has[1:3] and is_half[3] and not (is_half[0] or is_half[2]):
             places = {renaming.path(defined[1].get(name, "")), defined[2].get(name, "")}
+            places = {defined[3][name]} if name in defined[3] else places
             wrong += ((path, f"{'::'.join(name)} is but half there") for path in places if path)
     return wrong
 
 
-_DEFINITION = re.compile(r"(?m)^[A-Za-z_][^\n;={}#]*?\b(\w+)::(~?\w+)\s*\(")
+_DEFINITION = re.compile(
+    r"(?m)^(?:\[\[[^\]\n]*\]\]\s*)*[A-Za-z_][^\n;={}#]*?\b(\w+)::(~?\w+)\s*\("
+)
 
 
 def _defined(code: dict[str, str]) -> dict[tuple[str, str], str]:

@@ -6,17 +6,21 @@ out, there the model has used the name, and in which form.
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 from typing import Any
 
+import yaml
+
 from ..changes import GONE, Mark, marked
+from ..data import LOADER
 from ..dictionary import Dictionary
 from ..package import SUFFIX
 from . import xml_blocks
-from .blocks import Block, collapsed
+from .blocks import Block, collapsed, unicode
 from .depth import Shift, shifts
 from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
 from .lines import split
@@ -39,6 +43,8 @@ class Renaming:
     paths: dict[str, str] = field(default_factory=dict)
     folders: dict[str, str] = field(default_factory=dict)
     keys: dict[str, dict[str, str]] = field(default_factory=dict)
+    key_holders: dict[str, set[tuple[str, ...]]] = field(default_factory=dict)
+    """By file, the mappings that have generated keys, each by the keys it is in."""
     in_file: dict[str, dict[str, str]] = field(default_factory=dict)
     everywhere: dict[str, str] = field(default_factory=dict)
     members: dict[str, dict[str, str]] = field(default_factory=dict)
@@ -123,15 +129,11 @@ class Renaming:
     def _exchanged(self, path: str, text: str) -> str:
         known = language(path, text)
         if known is YAML:
-            return _with_nodes(_with_keys(text, self.keys.get(path, {})), self.components)
+            keys, holders = self.keys.get(path, {}), self.key_holders.get(path)
+            return _with_nodes(_with_keys(text, keys, holders), self.components)
         if known is XML:
             values = self.attributes.get(path, {})
-
-            def value(element: str, of_package: str, name: str, value: str) -> str:
-                found = values.get((element, name, value))  # or the developer has named it
-                return found or values.get((of_package, name, value), value)
-
-            return xml_blocks.exchange(text, value)
+            return xml_blocks.exchange(text, lambda *found: values.get(found, found[-1]))
         exact = {**self.everywhere, **self.in_file.get(path, {})}
         members = self.members.get(path, {})
         if not exact and not members and not self.packages and not self.targets:
@@ -258,7 +260,10 @@ def plan_renames(
 def rename(blocks: Iterable[Block], before: Iterable[Block], keys: Mapping[str, str]) -> None:
     """Give blocks the names that they have after the update; `before` are the same ones."""
     for block, same in zip(blocks, before, strict=True):
-        block.key = keys.get(same.key, block.key)
+        if (
+            block.lines != same.lines
+        ):  # else it is the developer's, and only looks like the model's
+            block.key = keys.get(same.key, block.key)
         rename(block.children, same.children, keys)
 
 
@@ -272,12 +277,51 @@ def _with_nodes(text: str, names: Mapping[str, str]) -> str:
     return re.sub(form, lambda m: m[1] + names[m[2]], text) if names else text
 
 
-def _with_keys(text: str, keys: Mapping[str, str]) -> str:
-    """Exchange the keys of YAML, not its values; those of what left stay."""
+def _with_keys(text: str, keys: Mapping[str, str], holders: Collection[_Holder] | None) -> str:
+    """Exchange the keys of YAML, not its values, in `holders` alone; those of what left stay."""
     exact = {before: after for before, after in keys.items() if not after.endswith(GONE)}
     pattern = "|".join(map(re.escape, exact))
     form = rf"(?m)^(?P<margin>\s*)(?P<quote>[\"']?)(?P<key>{pattern})(?P=quote)(?=:)"
-    return re.sub(form, lambda m: m[1] + m[2] + exact[m[3]] + m[2], text) if exact else text
+    if not exact or not re.search(form, text):
+        return text
+    found = _key_nodes(text)
+    tops = {holder[0] for holder, _ in found if holder}
+    made = {holder[0] for holder in holders or () if holder}
+    others = tops - made if made and not made & tops else set()  # the developer has named the node
+    foreign = {
+        node.start_mark.line
+        for holder, node in found
+        if holders is not None
+        and holder not in holders
+        and not (holder and holder[0] in others and (*made, *holder[1:]) in holders)
+    }
+
+    def exchanged(match: re.Match[str]) -> str:
+        is_foreign = text.count("\n", 0, match.start("key")) in foreign
+        return match[0] if is_foreign else match[1] + match[2] + exact[match[3]] + match[2]
+
+    return re.sub(form, exchanged, text)
+
+
+_Holder = tuple[str, ...]
+
+
+def _key_nodes(text: str) -> list[tuple[_Holder, yaml.ScalarNode]]:
+    """Return the keys of YAML, each with those that it is in; none of a text that is no YAML."""
+    found: list[tuple[_Holder, yaml.ScalarNode]] = []
+
+    def visit(node: yaml.Node, holder: _Holder) -> None:
+        if isinstance(node, yaml.SequenceNode):
+            for item in node.value:
+                visit(item, (*holder, ""))
+        for key, value in node.value if isinstance(node, yaml.MappingNode) else ():
+            if isinstance(key, yaml.ScalarNode):
+                found.append((holder, key))
+                visit(value, (*holder, str(key.value)))
+
+    with contextlib.suppress(yaml.YAMLError, ValueError):
+        visit(yaml.compose(unicode(text), LOADER) or yaml.MappingNode("", []), ())
+    return found
 
 
 def plan(
@@ -316,6 +360,9 @@ def plan(
         if known in (CPP, PYTHON):
             renaming.roots |= {*PurePosixPath(before).parts[:-1][known is CPP :][:1]}
         renaming.keys[before] = _keys(reader, before, text)
+        if known is YAML:
+            made = _key_nodes(old[before].text or "")
+            renaming.key_holders[before] = {holder for holder, _ in made}
         if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
             renaming.attributes[before] = reader.attributes(text)
     _exchanges(renaming, reader, owned, tokens, {*old, *mine})
@@ -421,11 +468,10 @@ class _Reader:
         """Return each marked value by its element, its attribute and what it was."""
         found: dict[tuple[str, str, str], str] = {}
 
-        def keep(element: str, of_package: str, name: str, value: str) -> str:
+        def keep(element: str, name: str, value: str) -> str:
             if _MARK.search(value) and not self.is_gone(value):
                 before, after = self.both(value)
-                for one in (element, of_package):
-                    found[self.both(one)[0], name, before] = after
+                found[self.both(element)[0], name, before] = after
             return value
 
         xml_blocks.exchange(text, keep)

@@ -79,11 +79,11 @@ def _tight_signs(text: str) -> str:
     return re.sub(r"\s*(/?>)\s*", r"\1", collapsed(text))
 
 
-def exchange(text: str, by: Callable[[str, str, str, str], str]) -> str:
+def exchange(text: str, by: Callable[[str, str, str], str]) -> str:
     """Return a text with the value of each attribute exchanged.
 
-    `by` is given its element, by its name as blocks have it and by its package, then its own name
-    and its value.
+    `by` is given the name of its element, its own, and its value. An element of a package is known
+    by that: it may have another name, and another package's the same one.
     """
 
     def element(match: re.Match[str]) -> str:
@@ -91,12 +91,12 @@ def exchange(text: str, by: Callable[[str, str, str, str], str]) -> str:
             return match[0]
         attributes = _attributes(match["attributes"])
         name = _named(match["tag"], attributes)
-        package = f"{match['tag']} of {attributes['pkg']}" if "pkg" in attributes else name
+        name = f"{match['tag']} of {attributes['pkg']}" if "pkg" in attributes else name
 
         def attribute(found: re.Match[str]) -> str:
             which = 3 if found[2] is None else 2
             head = found[0][: found.start(which) - found.start()]
-            return f"{head}{by(name, package, found[1], found[which])}{found[0][-1]}"
+            return f"{head}{by(name, found[1], found[which])}{found[0][-1]}"
 
         return f"<{match['tag']}{_ATTRIBUTE.sub(attribute, match['attributes'])}>"
 

@@ -19,7 +19,8 @@ OBJECTS = {
     "goal": ("Goal", "goal.hpp", "Goal"),
 }
 
-ROS_NEUTRAL = "protocols", "logic_status"
+LEVELS = "debug", "info", "warning", "error"
+ROS_NEUTRAL = "protocols", "logic_status", "log"
 
 
 @pytest.fixture(scope="module")
@@ -45,6 +46,9 @@ def python_calls(tree, name):
         if isinstance(item, ast.AnnAssign):
             is_method = ast.unparse(item.annotation).startswith("Callable")
             yield item.target.id + ("()" if is_method else "")
+        if isinstance(item, ast.FunctionDef) and item.name == "__init__":  # what writes to the log
+            members = (x for x in ast.walk(item) if isinstance(x, ast.AnnAssign))
+            yield from (f"{x.target.attr}(text)" for x in members if x.target.attr in LEVELS)
         if isinstance(item, ast.FunctionDef) and not item.name.startswith("_"):
             arguments = [*item.args.posonlyargs, *item.args.args][1:]
             names = ", ".join(each.arg for each in arguments)

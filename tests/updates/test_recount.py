@@ -328,3 +328,25 @@ def test_own_function_has_a_line_of_one_that_leaves():
     assert (
         "def filled(self, response):\n        return response\n" in result.tree["a/impl.py"].text
     )
+
+
+def test_one_windows_line_end_makes_no_conflict():
+    old = "class A:\n    def a(self):\n        return True\n\n    def c(self):\n        return 1\n"
+    new = old.replace("    def c", "    def b(self):\n        return 3\n\n    def c")
+    texts = (old.replace("True\n", "True\r\n"), old, new)
+    result, doubts = Versions(*({"a.py": File(encode(text))} for text in texts)).merged()
+    assert (doubts, [*result.conflicts]) == ([], [])
+
+
+@pytest.mark.parametrize("head", ["[[gnu::cold]] void A::load(", "void\nA::load("])
+@pytest.mark.parametrize("turned", [False, True])
+def test_head_of_a_function_that_a_branch_writes_in_another_way(head, turned):
+    source = "void A::load(int a)\n{\n}\n\nvoid A::cleanup()\n{\n}\n"
+    header = "class A\n{\npublic:\n  void load(int a);\n\n  void cleanup();\n};\n"
+    sides = source.replace("cleanup()\n{", "cleanup()\n{\n  release();"), source, source
+    sides = [*sides[:2], source.replace("void A::load(", head)][:: -1 if turned else 1]
+    files = [
+        {"src/a.cpp": File(encode(text)), "include/a.hpp": File(encode(header))} for text in sides
+    ]
+    result, doubts = Versions(*files, of_people=True).merged()
+    assert (doubts, [*result.conflicts]) == ([], [])

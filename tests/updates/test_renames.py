@@ -284,7 +284,7 @@ LEFT = ("</launch>", '  <node pkg="arm" type="{}" name="left"/>\n</launch>')
 RESPAWN = ('output="screen"', 'output="screen" respawn="true"')
 OTHER = (
     "</launch>",
-    '  <node pkg="b" type="reach" name="b"/><!-- <node name="reach"/> -->\n</launch>',
+    '  <node pkg="b" type="reach" name="reach"/><!-- <node name="reach"/> -->\n</launch>',
 )
 
 

@@ -32,7 +32,7 @@ constexpr double FREQUENCY = 12.5;  // Hz
 class ObserverSession : public Session
 {
 public:
-  /// The parameters, replaced as a whole: to be read by atomic_load.
+  /// The current parameters: replaced by atomic_store, read by atomic_load.
   using SharedConfig = std::shared_ptr<std::shared_ptr<const ObserverConfig>>;
 
   /// Create publishers and clients, then the logic.

@@ -51,7 +51,7 @@ constexpr double FREQUENCY = 20.0;  // Hz
 class WorkerSession : public Session
 {
 public:
-  /// The parameters, replaced as a whole: to be read by atomic_load.
+  /// The current parameters: replaced by atomic_store, read by atomic_load.
   using SharedConfig = std::shared_ptr<std::shared_ptr<const WorkerConfig>>;
 
   /// Create publishers and clients, then the logic.
@@ -396,14 +396,14 @@ private:
     declare(
       "gain",
       config.gain,
-      between<double>(
+      between(
         0.0,
         10.0,
         Descriptor().set__description("Gain of the output")));
     declare(
       "step",
       config.step,
-      between<std::int64_t>(
+      between_integers(
         1,
         std::numeric_limits<std::int64_t>::max(),
         Descriptor().set__description("How far to count in a cycle")));

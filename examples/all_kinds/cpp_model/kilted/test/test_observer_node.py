@@ -14,7 +14,7 @@ from support.node_tests import NodeTests
 
 @unittest.skipIf('RECORDER' not in os.environ, 'ctest runs this, as CMakeLists.txt says')
 class TestObserverNode(NodeTests, unittest.TestCase):
-    """The node in a process of its own, with a logic that obeys the tests, and with its own."""
+    """Runs the node with the recorder as its logic, and with its own logic."""
 
     name = 'observer'
     recorder = [os.environ.get('RECORDER')]

@@ -14,7 +14,7 @@ from support.node_tests import NodeTests
 
 
 class TestObserverNode(NodeTests, unittest.TestCase):
-    """The node in a process of its own, with a logic that obeys the tests, and with its own."""
+    """Runs the node with the recorder as its logic, and with its own logic."""
 
     name = 'observer'
     recorder = find_node('all_kinds', 'test_observer_recorder')

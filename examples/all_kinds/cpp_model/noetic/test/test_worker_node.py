@@ -16,7 +16,7 @@ import test_msgs.msg
 
 
 class TestWorkerNode(NodeTests, unittest.TestCase):
-    """The node in a process of its own, with a logic that obeys the tests, and with its own."""
+    """Runs the node with the recorder as its logic, and with its own logic."""
 
     name = 'worker'
     recorder = find_node('all_kinds', 'test_worker_recorder')

@@ -10,23 +10,23 @@ Generated from all_kinds.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable, Mapping, Sequence
 
+from all_kinds.ros.log import Log
 from all_kinds.ros.logic_status import LogicStatus
 from all_kinds.ros.protocols import (
     ActionClient,
     Goal,
-    Log,
     Publisher,
     ServiceClient,
-    Stamp,
     TransformBroadcaster,
     TransformListener,
 )
+import builtin_interfaces.msg
 import geometry_msgs.msg
 import std_msgs.msg
 import std_srvs.srv
 import test_msgs.action
 
-# Message, service and action types, under the same names in ROS 1 and ROS 2.
+# Types of messages, services and actions, under the same names in ROS 1 and ROS 2.
 InSpeed = geometry_msgs.msg.Twist
 InCounter = std_msgs.msg.Int64
 OutCounter = std_msgs.msg.Int64
@@ -137,7 +137,7 @@ class SightingMessages:
 
 @dataclass
 class WorkerPassthrough:
-    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
+    """What the logic can use of ROS, in any of its methods."""
 
     # The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
     # log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
@@ -147,7 +147,7 @@ class WorkerPassthrough:
     now: Callable[[], float]
 
     # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Stamp]
+    stamp: Callable[[], builtin_interfaces.msg.Time]
 
     # Waits that many seconds of ROS time; returns False at once when the node stops.
     sleep: Callable[[float], bool]

@@ -10,14 +10,12 @@ Generated from all_kinds.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable
 
-from all_kinds.ros.protocols import (
-    Log,
-    Stamp,
-)
+from all_kinds.ros.log import Log
 import geometry_msgs.msg
+import rospy
 import std_msgs.msg
 
-# Message, service and action types, under the same names in ROS 1 and ROS 2.
+# Types of messages, under the same names in ROS 1 and ROS 2.
 InStatus = std_msgs.msg.String
 PairLeft = geometry_msgs.msg.PointStamped
 PairRight = geometry_msgs.msg.PointStamped
@@ -58,7 +56,7 @@ class PairMessages:
 
 @dataclass
 class ObserverPassthrough:
-    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
+    """What the logic can use of ROS, in any of its methods."""
 
     # The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
     # log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
@@ -68,7 +66,7 @@ class ObserverPassthrough:
     now: Callable[[], float]
 
     # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Stamp]
+    stamp: Callable[[], rospy.Time]
 
     # Waits that many seconds of ROS time; returns False at once when the node stops.
     sleep: Callable[[float], bool]

@@ -36,7 +36,7 @@ constexpr double FREQUENCY = 1000.0;  // Hz
 class ContactEvaluateSession : public Session
 {
 public:
-  /// The parameters, replaced as a whole: to be read by atomic_load.
+  /// The current parameters: replaced by atomic_store, read by atomic_load.
   using SharedConfig = std::shared_ptr<std::shared_ptr<const ContactEvaluateConfig>>;
 
   /// Create publishers and clients, then the logic.

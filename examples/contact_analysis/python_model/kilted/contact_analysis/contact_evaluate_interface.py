@@ -10,18 +10,18 @@ Generated from contact_analysis.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable
 
+import builtin_interfaces.msg
+from contact_analysis.ros.log import Log
 from contact_analysis.ros.protocols import (
     Goal,
-    Log,
     Publisher,
-    Stamp,
 )
 import contact_msgs.action
 import contact_msgs.msg
 import contact_msgs.srv
 import geometry_msgs.msg
 
-# Message, service and action types, under the same names in ROS 1 and ROS 2.
+# Types of messages, services and actions, under the same names in ROS 1 and ROS 2.
 InCop = geometry_msgs.msg.Point
 PubPlotLearnCop = contact_msgs.msg.PointArray
 LoadRequest = contact_msgs.srv.SetString.Request
@@ -73,7 +73,7 @@ class ContactEvaluateData:
 
 @dataclass
 class ContactEvaluatePassthrough:
-    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
+    """What the logic can use of ROS, in any of its methods."""
 
     # The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
     # log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
@@ -83,7 +83,7 @@ class ContactEvaluatePassthrough:
     now: Callable[[], float]
 
     # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Stamp]
+    stamp: Callable[[], builtin_interfaces.msg.Time]
 
     # Waits that many seconds of ROS time; returns False at once when the node stops.
     sleep: Callable[[float], bool]

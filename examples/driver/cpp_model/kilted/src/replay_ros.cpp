@@ -30,7 +30,7 @@ namespace driver
 class ReplaySession : public Session
 {
 public:
-  /// The parameters, replaced as a whole: to be read by atomic_load.
+  /// The current parameters: replaced by atomic_store, read by atomic_load.
   using SharedConfig = std::shared_ptr<std::shared_ptr<const ReplayConfig>>;
 
   /// Create publishers and clients, then the logic.

@@ -32,7 +32,7 @@ namespace driver
 class SensorSession : public Session
 {
 public:
-  /// The parameters, replaced as a whole: to be read by atomic_load.
+  /// The current parameters: replaced by atomic_store, read by atomic_load.
   using SharedConfig = std::shared_ptr<std::shared_ptr<const SensorConfig>>;
 
   /// Create publishers and clients, then the logic.
@@ -141,7 +141,7 @@ private:
     declare(
       "serial.timeout",
       config.serial_timeout,
-      between<double>(
+      between(
         0.01,
         10.0,
         Descriptor().set__description("How long a reading may take, s")));

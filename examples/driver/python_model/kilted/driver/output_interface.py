@@ -10,14 +10,14 @@ Generated from driver.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable
 
+import builtin_interfaces.msg
+from driver.ros.log import Log
 from driver.ros.protocols import (
-    Log,
     Publisher,
-    Stamp,
 )
 import std_msgs.msg
 
-# Message, service and action types, under the same names in ROS 1 and ROS 2.
+# Types of messages, under the same names in ROS 1 and ROS 2.
 PubReading = std_msgs.msg.Float64
 
 
@@ -31,7 +31,7 @@ class OutputConfig:
 
 @dataclass
 class OutputPassthrough:
-    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
+    """What the logic can use of ROS, in any of its methods."""
 
     # The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
     # log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
@@ -41,7 +41,7 @@ class OutputPassthrough:
     now: Callable[[], float]
 
     # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Stamp]
+    stamp: Callable[[], builtin_interfaces.msg.Time]
 
     # Waits that many seconds of ROS time; returns False at once when the node stops.
     sleep: Callable[[float], bool]

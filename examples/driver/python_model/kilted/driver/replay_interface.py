@@ -15,7 +15,7 @@ from driver.output_interface import (
 )
 import std_msgs.msg
 
-# Message, service and action types, under the same names in ROS 1 and ROS 2.
+# Types of messages, under the same names in ROS 1 and ROS 2.
 PubReading = std_msgs.msg.Float64
 
 
@@ -29,4 +29,4 @@ class ReplayConfig(OutputConfig):
 
 @dataclass
 class ReplayPassthrough(OutputPassthrough):
-    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
+    """What the logic can use of ROS, in any of its methods."""

@@ -19,7 +19,7 @@ from driver.ros.protocols import (
 )
 import std_msgs.msg
 
-# Message, service and action types, under the same names in ROS 1 and ROS 2.
+# Types of messages, under the same names in ROS 1 and ROS 2.
 PubReading = std_msgs.msg.Float64
 
 
@@ -39,7 +39,7 @@ class SensorConfig(OutputConfig):
 
 @dataclass
 class SensorPassthrough(OutputPassthrough):
-    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
+    """What the logic can use of ROS, in any of its methods."""
 
     # What the logic says of itself on /diagnostics, from any thread.
     diagnostics: LogicStatus

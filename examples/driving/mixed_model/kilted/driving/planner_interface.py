@@ -10,13 +10,11 @@ Generated from driving.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable
 
-from driving.ros.protocols import (
-    Log,
-    Stamp,
-)
+import builtin_interfaces.msg
+from driving.ros.log import Log
 import std_msgs.msg
 
-# Message, service and action types, under the same names in ROS 1 and ROS 2.
+# Types of messages, under the same names in ROS 1 and ROS 2.
 InSpeed = std_msgs.msg.Float64
 OutTargetSpeed = std_msgs.msg.Float64
 
@@ -51,7 +49,7 @@ class PlannerData:
 
 @dataclass
 class PlannerPassthrough:
-    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
+    """What the logic can use of ROS, in any of its methods."""
 
     # The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
     # log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
@@ -61,7 +59,7 @@ class PlannerPassthrough:
     now: Callable[[], float]
 
     # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Stamp]
+    stamp: Callable[[], builtin_interfaces.msg.Time]
 
     # Waits that many seconds of ROS time; returns False at once when the node stops.
     sleep: Callable[[float], bool]

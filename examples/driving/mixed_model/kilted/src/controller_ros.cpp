@@ -34,7 +34,7 @@ constexpr double FREQUENCY = 100.0;  // Hz
 class ControllerSession : public Session
 {
 public:
-  /// The parameters, replaced as a whole: to be read by atomic_load.
+  /// The current parameters: replaced by atomic_store, read by atomic_load.
   using SharedConfig = std::shared_ptr<std::shared_ptr<const ControllerConfig>>;
 
   /// Create publishers and clients, then the logic.

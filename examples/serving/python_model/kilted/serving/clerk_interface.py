@@ -10,15 +10,15 @@ Generated from serving.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable
 
+import builtin_interfaces.msg
+from serving.ros.log import Log
 from serving.ros.protocols import (
     Goal,
-    Log,
-    Stamp,
 )
 import std_srvs.srv
 import test_msgs.action
 
-# Message, service and action types, under the same names in ROS 1 and ROS 2.
+# Types of messages, services and actions, under the same names in ROS 1 and ROS 2.
 GreetRequest = std_srvs.srv.Trigger.Request
 GreetResponse = std_srvs.srv.Trigger.Response
 OpenRequest = std_srvs.srv.SetBool.Request
@@ -46,7 +46,7 @@ class ClerkConfig:
 
 @dataclass
 class ClerkPassthrough:
-    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
+    """What the logic can use of ROS, in any of its methods."""
 
     # The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
     # log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
@@ -56,7 +56,7 @@ class ClerkPassthrough:
     now: Callable[[], float]
 
     # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Stamp]
+    stamp: Callable[[], builtin_interfaces.msg.Time]
 
     # Waits that many seconds of ROS time; returns False at once when the node stops.
     sleep: Callable[[float], bool]

@@ -10,10 +10,8 @@ Generated from serving.ros_package; change the interface there.
 from dataclasses import dataclass
 from typing import Callable
 
-from serving.ros.protocols import (
-    Log,
-    Stamp,
-)
+import builtin_interfaces.msg
+from serving.ros.log import Log
 
 
 @dataclass(frozen=True)
@@ -23,7 +21,7 @@ class IdlerConfig:
 
 @dataclass
 class IdlerPassthrough:
-    """Publishers, clients, transforms, clock and logger, for use in any method of the logic."""
+    """What the logic can use of ROS, in any of its methods."""
 
     # The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:
     # log.info_once(text); at most every two seconds: log.info_throttle(2.0, text).
@@ -33,7 +31,7 @@ class IdlerPassthrough:
     now: Callable[[], float]
 
     # Returns the ROS time as a stamp for messages.
-    stamp: Callable[[], Stamp]
+    stamp: Callable[[], builtin_interfaces.msg.Time]
 
     # Waits that many seconds of ROS time; returns False at once when the node stops.
     sleep: Callable[[float], bool]

@@ -24,7 +24,7 @@
 namespace all_kinds
 {
 
-/// The calls of the logic that are running; thread-safe. No exception of the logic passes it.
+/// The calls of the logic that are running; thread-safe. Reports exceptions of the logic.
 class Calls
 {
 public:

@@ -11,7 +11,7 @@
 namespace all_kinds
 {
 
-/// Holds the latest message of a topic until the next cycle; copies share it.
+/// Holds the latest message of a topic until the next cycle; copies refer to the same message.
 template<typename Message>
 class Inbox
 {
@@ -26,7 +26,7 @@ public:
     slot_->is_new = true;
   }
 
-  /// Swap a new message into `destination`, which frees no memory; return whether there was one.
+  /// Swap a new message into `destination`, to free none under the lock; return if there was one.
   bool take(Message & destination) const
   {
     const std::lock_guard<std::mutex> lock(slot_->mutex);

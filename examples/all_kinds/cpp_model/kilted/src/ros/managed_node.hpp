@@ -119,7 +119,7 @@ public:
     }
   }
 
-  /// Shut the context down after a failure.
+  /// The node has the process for itself: a failure shuts the context down.
   void be_alone() {is_alone_ = true;}
 
   /// Return whether the node failed, or could not stop.
@@ -431,7 +431,7 @@ private:
   /// Return whether the logic has thrown, or said that it fails, since it was configured.
   bool has_thrown() const {return calls_->failures() != known_failures_;}
 
-  /// Recover in a thread of the node, as the transition waits for the calling thread.
+  /// Recover in the thread of transitions: one may be waiting for the caller.
   void fail()
   {
     has_failed_ = true;

@@ -4,8 +4,6 @@
 #ifndef ROS__PARAMETERS_HPP_
 #define ROS__PARAMETERS_HPP_
 
-#include <type_traits>
-
 #include "rcl_interfaces/msg/floating_point_range.hpp"
 #include "rcl_interfaces/msg/integer_range.hpp"
 #include "rcl_interfaces/msg/parameter_descriptor.hpp"
@@ -14,24 +12,27 @@ namespace all_kinds
 {
 
 /// Add the range of a parameter to its descriptor.
-template<typename Number>
-rcl_interfaces::msg::ParameterDescriptor between(
-  Number from,
-  Number to,
+inline rcl_interfaces::msg::ParameterDescriptor between(
+  double from,
+  double to,
   rcl_interfaces::msg::ParameterDescriptor descriptor)
 {
-  if constexpr (std::is_floating_point_v<Number>) {
-    rcl_interfaces::msg::FloatingPointRange range;
-    range.from_value = from;
-    range.to_value = to;
-    descriptor.floating_point_range.push_back(range);
-  } else {
-    rcl_interfaces::msg::IntegerRange range;
-    range.from_value = from;
-    range.to_value = to;
-    range.step = 1;
-    descriptor.integer_range.push_back(range);
-  }
+  descriptor.floating_point_range.resize(1);
+  descriptor.floating_point_range[0].from_value = from;
+  descriptor.floating_point_range[0].to_value = to;
+  return descriptor;
+}
+
+/// Add the range of a parameter to its descriptor.
+inline rcl_interfaces::msg::ParameterDescriptor between_integers(
+  std::int64_t from,
+  std::int64_t to,
+  rcl_interfaces::msg::ParameterDescriptor descriptor)
+{
+  descriptor.integer_range.resize(1);
+  descriptor.integer_range[0].from_value = from;
+  descriptor.integer_range[0].to_value = to;
+  descriptor.integer_range[0].step = 1;
   return descriptor;
 }
 

@@ -65,7 +65,7 @@ public:
 
   /// End all waits, and at once those that begin before `clear`.
   ///
-  /// Those of `deactivate` and `cleanup` go on unless `also_last`.
+  /// Waits in `deactivate` and `cleanup`, after `clear(true)`, end only if `also_last`.
   void request(bool also_last = true)
   {
     change(

@@ -170,7 +170,7 @@ private:
     try {
       return create_endpoint(options);
     } catch (const std::invalid_argument &) {
-      // Intra-process, rclcpp 29.3 refuses keep_all, and rclcpp 16 (Humble) transient_local.
+      // Intra-process, rclcpp refuses keep_all (29.3) and transient_local (16).
       options.use_intra_process_comm = rclcpp::IntraProcessSetting::Disable;
       return create_endpoint(options);
     }

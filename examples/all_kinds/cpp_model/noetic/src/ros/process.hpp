@@ -60,7 +60,7 @@ public:
     thread_.join();
   }
 
-  /// Limit the time that the process has left, also where nothing has requested its stop.
+  /// Limit the time that the process has left, also after a failure.
   void start_limit() const {sem_post(&wake_up());}
 
 private:

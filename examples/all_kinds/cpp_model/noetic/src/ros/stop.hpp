@@ -61,7 +61,7 @@ public:
 
   /// End all waits, and at once those that begin before `clear`.
   ///
-  /// Those of `deactivate` and `cleanup` go on unless `also_last`.
+  /// Waits in `deactivate` and `cleanup`, after `clear(true)`, end only if `also_last`.
   void request(bool also_last = true)
   {
     change(
@@ -80,8 +80,6 @@ public:
     requested_ = false;
     is_last_ = is_last;
   }
-
-  bool requested() const {return requested_;}
 
   /// Wait until a condition holds; return false when no time is left, or when the node stops.
   template<typename Condition, typename TimeLeft>

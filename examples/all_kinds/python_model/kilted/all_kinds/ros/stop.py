@@ -51,7 +51,7 @@ class Stop:
             return None if self.requested else begin()
 
     def wake(self) -> None:
-        """Have every wait check its condition again, as after a response has arrived."""
+        """Have every wait check its condition again."""
         with self._changed:
             self._changed.notify_all()
 

@@ -6,7 +6,7 @@ Runs a node with a logic that obeys the test: recorder.py NODE CLASS_OF_THE_LOGI
 
 A line of stdin, METHOD STEP=VALUE STEP..., says what to do when a method is called next; `now`, at
 once. Calls and the results of steps are reported to stdout: name and value, in JSON. Messages are
-serialized, in hexadecimal. What is not ordered is not done: no output is active.
+serialized, in hexadecimal. Without an order nothing is published.
 """
 
 from collections import Counter, defaultdict, deque

@@ -9,18 +9,18 @@ from math import inf
 import sys
 from threading import Lock
 from time import monotonic
-from typing import Any, Dict, Tuple
+from typing import Any, Callable, Dict, Tuple
 
 
 class Log:
-    """Writes to the ROS log; each line of code of the logic counts by itself."""
+    """Writes to the ROS log; `_once` and `_throttle` count by the line that calls."""
 
     def __init__(self, logger: Any) -> None:
         """Write by a logger of ROS."""
-        self.debug = logger.debug
-        self.info = logger.info
-        self.warning = logger.warning
-        self.error = logger.error
+        self.debug: Callable[[str], object] = logger.debug
+        self.info: Callable[[str], object] = logger.info
+        self.warning: Callable[[str], object] = logger.warning
+        self.error: Callable[[str], object] = logger.error
         self._written: Dict[Tuple[str, int], float] = {}
         self._lock = Lock()
 

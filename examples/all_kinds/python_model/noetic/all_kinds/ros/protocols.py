@@ -12,7 +12,6 @@ from typing import Literal, Optional, Protocol, Tuple, TypeVar
 import geometry_msgs.msg
 import rospy
 
-Stamp = rospy.Time
 Transform = geometry_msgs.msg.TransformStamped
 Translation = Tuple[float, float, float]
 Rotation = Tuple[float, float, float, float]
@@ -40,46 +39,6 @@ GoalState = Literal[
 GoalRequest = TypeVar('GoalRequest', covariant=True)
 Feedback = TypeVar('Feedback')
 Result = TypeVar('Result')
-
-
-class Log(Protocol):
-    """Writes to the ROS log; each line of code counts by itself."""
-
-    def debug(self, text: str, /) -> object:
-        """Write a debug message."""
-
-    def debug_once(self, text: str, /) -> object:
-        """Write a debug message, once."""
-
-    def debug_throttle(self, seconds: float, text: str, /) -> object:
-        """Write a debug message, at most once in that many seconds of wall time."""
-
-    def info(self, text: str, /) -> object:
-        """Write a message."""
-
-    def info_once(self, text: str, /) -> object:
-        """Write a message, once."""
-
-    def info_throttle(self, seconds: float, text: str, /) -> object:
-        """Write a message, at most once in that many seconds of wall time."""
-
-    def warning(self, text: str, /) -> object:
-        """Write a warning."""
-
-    def warning_once(self, text: str, /) -> object:
-        """Write a warning, once."""
-
-    def warning_throttle(self, seconds: float, text: str, /) -> object:
-        """Write a warning, at most once in that many seconds of wall time."""
-
-    def error(self, text: str, /) -> object:
-        """Write an error."""
-
-    def error_once(self, text: str, /) -> object:
-        """Write an error, once."""
-
-    def error_throttle(self, seconds: float, text: str, /) -> object:
-        """Write an error, at most once in that many seconds of wall time."""
 
 
 class Publisher(Protocol[Message]):
@@ -166,7 +125,7 @@ class TransformListener(Protocol):
         target: str,
         source: str,
         timeout: float = 0.0,
-        stamp: Optional[Stamp] = None,
+        stamp: Optional[rospy.Time] = None,
     ) -> Optional[Transform]:
         """
         Return the transform that takes coordinates from frame `source` to frame `target`.

@@ -19,11 +19,14 @@ Tests of the logic without ROS: fakes that record, and a clock that the test set
 from collections import defaultdict
 from collections.abc import Mapping
 from copy import deepcopy
+from functools import partial
+from types import SimpleNamespace
 from typing import get_args, get_origin, get_type_hints
 
 from all_kinds.ros.log import Log
 from all_kinds.ros.logic_status import LogicStatus
 import all_kinds.ros.protocols as protocols
+import rospy
 
 
 class Clock:
@@ -43,7 +46,7 @@ class Clock:
     def stamp(self):
         """Return the time as a stamp for messages."""
         seconds, fraction = divmod(self.time, 1.0)
-        return protocols.Stamp(int(seconds), int(fraction * 1e9))
+        return rospy.Time(int(seconds), int(fraction * 1e9))
 
     def sleep(self, seconds):
         """Advance the clock without waiting, unless the node stops."""
@@ -57,24 +60,12 @@ class FakeLog(Log):
 
     def __init__(self):
         """Start without lines."""
-        super().__init__(self)
         self.lines = []
+        levels = ('debug', 'info', 'warning', 'error')
+        super().__init__(SimpleNamespace(**{each: partial(self._record, each) for each in levels}))
 
-    def debug(self, text):
-        """Record a line."""
-        self.lines.append(('debug', text))
-
-    def info(self, text):
-        """Record a line."""
-        self.lines.append(('info', text))
-
-    def warning(self, text):
-        """Record a line."""
-        self.lines.append(('warning', text))
-
-    def error(self, text):
-        """Record a line."""
-        self.lines.append(('error', text))
+    def _record(self, level, text):
+        self.lines.append((level, text))
 
 
 class FakePublisher:
@@ -226,7 +217,6 @@ class FakeTransformBroadcaster:
 
 
 FAKES = {
-    protocols.Log: FakeLog,
     LogicStatus: LogicStatus,
     protocols.Publisher: FakePublisher,
     protocols.ServiceClient: FakeServiceClient,
@@ -240,7 +230,7 @@ def fake(passthrough_type):
     """Return a passthrough of fakes; `clock` gives the time, `failures` has those reported."""
     clock, failures = Clock(), []
     members = {'now': clock.now, 'stamp': clock.stamp, 'sleep': clock.sleep}
-    members['fail'] = failures.append
+    members.update(log=FakeLog(), fail=failures.append)
     for name, type_ in get_type_hints(passthrough_type).items():
         if get_origin(type_) is Mapping:  # each is made when the test or the logic asks
             members[name] = defaultdict(FakePublisher)

@@ -35,7 +35,7 @@ class NodeTests:
 
     @classmethod
     def setUpClass(cls):
-        """Join the graph; start the node as it is, and with all that can be given."""
+        """Start a node as it is, and one with all its parameters set."""
         cls.numbers = itertools.count(1)
         cls.peer = Peer()
         cls.given = cls.start(override=True)
@@ -483,7 +483,7 @@ class NodeTests:
             self.assertEqual(self.cycles(self.given), last)
 
     def cycles(self, node=None, more=0):
-        """Return the number of a cycle, `more` after the last, and its wall time and ROS time."""
+        """Wait for `more` cycles; return how many there were."""
 
         def count():
             return (node or self.node).order('now', 'cycles')

@@ -99,7 +99,9 @@ class Peer:
         publisher = rospy.Publisher(topic, message_type, queue_size=1000)
         assert eventually(publisher.get_num_connections), f'{topic} has no subscription'
         publish = publisher.publish
-        publisher.publish = lambda message: publish(deepcopy(message))  # for it gets a number
+        publisher.publish = lambda message: publish(
+            deepcopy(message)
+        )  # publish() numbers its message
         return publisher
 
     def call(self, node, service_type, name, request):
@@ -171,7 +173,9 @@ def sample(message_type, number=3):
         elif isinstance(value, str):
             value = f's{number}'
         setattr(message, name, value)
-    return decode(encode(message), message_type)  # for its arrays are of other types then
+    return decode(
+        encode(message), message_type
+    )  # its arrays then have the types of a received one
 
 
 def stamped(message_type, seconds):

@@ -54,7 +54,7 @@ public:
   void warning(Text text, Place place = Place::here()) const {write(Level::warning, text, place);}
   void error(Text text, Place place = Place::here()) const {write(Level::error, text, place);}
 
-  /// Write once; every line of code counts by itself.
+  /// Write once; counted by the line that calls.
   void debug_once(Text text, Place place = Place::here()) const
   {
     write(Level::debug, text, place, FOR_EVER);
@@ -75,7 +75,7 @@ public:
     write(Level::error, text, place, FOR_EVER);
   }
 
-  /// Write at most once in that many seconds of wall time; every line of code counts by itself.
+  /// Write at most once in that many seconds of wall time; counted by the line that calls.
   void debug_throttle(double seconds, Text text, Place place = Place::here()) const
   {
     write(Level::debug, text, place, seconds);

@@ -5,7 +5,7 @@
 //
 // A line of stdin, METHOD STEP=VALUE STEP..., says what to do when a method is called next; `now`,
 // at once. Calls and the results of steps are reported to stdout: name and value, in JSON. Messages
-// are serialized, in hexadecimal. What is not ordered is not done: no output is active.
+// are serialized, in hexadecimal. Without an order nothing is published.
 
 #ifndef SUPPORT__RECORDER__RECORDER_HPP_
 #define SUPPORT__RECORDER__RECORDER_HPP_
@@ -211,7 +211,7 @@ public:
 private:
   struct Shared
   {
-    std::ifstream input{"/dev/stdin"};  // not std::cin, whose lock a process needs that ends
+    std::ifstream input{"/dev/stdin"};  // not std::cin: exit() would wait for the thread that reads
     std::mutex mutex;
     std::map<std::string, std::deque<Words>> orders;
     std::map<std::string, int> turns;
