@@ -296,7 +296,7 @@ def judged(sides, joined, new_spec, fresh, together, counts):
         edited.texts = texts
         parts.append(edited)
     for part, other in zip(parts, reversed(parts), strict=True):
-        _take_over_moves(part, other)
+        _take_over_moves(part, other, joined.result.tree)
     both, result = union(*parts, together), joined.result
     tree = result.tree
     conflicts = {*result.conflicts} | {p for p, text in _texts(tree).items() if CONFLICT in text}
@@ -333,15 +333,19 @@ def seen_from(spec, new_spec):
     return new_spec
 
 
-def _take_over_moves(part, other):
-    """Put what a developer has done in the files that the other one has moved."""
+def _take_over_moves(part, other, tree):
+    """Put what a developer has done in the files that the other one has moved.
+
+    Of a file that both have moved, it goes to the place that is there.
+    """
+    at = {origin: path for path, origin in part.moved.items() if path not in tree}
     moves = {
-        origin: path
+        at.get(origin, origin): path
         for path, origin in other.moved.items()
-        if path not in part.texts and origin in part.texts
+        if path not in part.texts and (origin in part.texts or origin in at) and path in tree
     }
     texts = {moves.get(path, path): text for path, text in part.texts.items()}
-    moved = part.moved
+    moved = {moves.get(path, path): origin for path, origin in part.moved.items()}
     part.follow(texts, moves, {})
     part.texts, part.moved = texts, moved
 

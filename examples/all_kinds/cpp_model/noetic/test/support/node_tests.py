@@ -317,6 +317,9 @@ class NodeTests:
             self.assertTrue(eventually(lambda: 'service ' in self.node.log), name)
             self.assertIsNone(self.node.order('now', f'{member}={encode(request)},0.1'))
             requests = self.peer.serve(type_, name, response)
+            order = f'{member}={encode(request)},0.5'  # the first response comes later
+            self.assertTrue(eventually(lambda: not self.node.order('now', order) and requests))
+            requests.clear()
             got = self.node.order('now', f'{member}={encode(request)},1000')
             self.assertEqual((decode(got, type(response)), requests), (response, [request]))
 
@@ -339,6 +342,7 @@ class NodeTests:
             self.assertEqual(send('end=succeed').end(), ('succeeded', result))
             self.assertEqual(send('end=abort').end(), ('aborted', result))
             self.assertEqual(send().end(), ('aborted', result))
+            self.assertIn('without an outcome', self.node.log)
             goal = send('await', 'end=canceled')
             goal.cancel()
             self.assertEqual(goal.end(), ('canceled', result))
@@ -350,7 +354,7 @@ class NodeTests:
             self.assertEqual(other is None, policy == 'reject')
             other = other or self.peer.goal(self.node, type_, name, request)
             self.assertEqual(other.end()[0], 'succeeded')
-            node = self.start(' '.join((member, *steps, 'await')))
+            node = self.start(' '.join((member, *steps, 'await', 'end=canceled')))
             goal = self.peer.goal(node, type_, self.name_of(member, node), request)
             self.assertTrue(eventually(lambda: node.got(member)), name)
             node.signal(INT)
@@ -417,6 +421,7 @@ class NodeTests:
             comes('idle', None, None)
             self.assertFalse(node.order('now', send))
             comes('lost', None, None)
+            self.assertTrue(eventually(lambda: 'action ' in node.log), name)
             server = self.peer.execute(type_, name, feedback, result)
             self.assertTrue(eventually(lambda: node.order('now', send)), name)
             comes('active', feedback, None)
@@ -464,6 +469,7 @@ class NodeTests:
 
     def test_simulated_time(self):
         """The loop follows /clock, where it goes on, jumps back and stands still."""
+        self.assertEqual(self.cycles(self.given)[0], 0)
         for time in (1000.0, 10.0) if self.frequency else ():
             ticks = []
 
@@ -635,6 +641,9 @@ class NodeTests:
             ('configure raise', 2.0, [], 1, LIFE[:1], 'told to raise'),
             ('activate refuse', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'refuse'),
             ('activate raise', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'told to raise'),
+            ('configure sleep=1000', 2.0, [TERM], 0, [LIFE[0], 'cleanup'], '["sleep", false]'),
+            ('configure block', 0.1, [TERM], 1, LIFE[:1], 'till running'),
+            ('deactivate sleep=1000', 0.1, [TERM], None, LIFE, '["sleep", false]'),
             ('deactivate raise', 2.0, [INT], 1, LIFE, 'told to raise'),
             ('configure fail=lost', 2.0, [], 1, [LIFE[0], 'cleanup'], 'The logic failed: lost'),
             ('activate fail=lost', 2.0, [], 1, LIFE, 'The logic failed: lost'),
@@ -648,8 +657,11 @@ class NodeTests:
         if self.frequency:
             ends.append(('update raise', 2.0, [], 1, LIFE, 'told to raise'))
             ends.append(('update sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
-        for member in self.callbacks():
+        callbacks = self.callbacks()
+        for member in callbacks:
             ends.append((f'{member} raise', 2.0, [], 1, LIFE, 'told to raise'))
+        for member in callbacks[:1]:
+            ends.append((f'{member} block', 0.1, [TERM], 1, LIFE, 'till running'))
         for member, *_ in self.each(*self.can_refuse):
             ends.append((f'{member} refuse', 2.0, [], 1, LIFE, 'no response'))
         for member, _, type_ in self.each('client_') if self.frequency else ():
@@ -673,14 +685,15 @@ class NodeTests:
         if order.startswith(('receive_', 'serve_', 'execute_')):
             self.trigger(node, order.split()[0])
         method = order.split()[0]
-        events = ('activate' if method in LIFE else 'begun', 'deactivate')
+        events = ('activate' if method in LIFE[1:] else 'begun', 'deactivate')
         for number, event in zip(signals, events):
             self.assertTrue(eventually(lambda: node.got(event)), node.log)
-            self.assertTrue(
-                eventually(lambda: not self.frequency or node.order('now', 'cycles')[0])
-            )
+            loops = self.frequency and method != 'configure'
+            self.assertTrue(eventually(lambda: not loops or node.order('now', 'cycles')[0]))
             self.peer.kill(node) if number == 'rosnode kill' else node.signal(number)
-        self.assertEqual((node.exit_code(), node.life()), (code, calls), (order, node.log))
+        ended = node.exit_code()
+        self.assertEqual(ended if code is not None else None, code, (order, node.log))
+        self.assertEqual(node.life(), calls, (order, node.log))
         self.assertIn(text, node.log, order)
 
     def test_failure(self):

@@ -8,6 +8,7 @@ from contextlib import suppress
 from copy import deepcopy
 from io import BytesIO
 from threading import Thread
+from time import sleep
 from xmlrpc.client import ServerProxy
 
 import actionlib
@@ -115,9 +116,15 @@ class Peer:
         return self._pool.submit(rospy.ServiceProxy(name, service_type), request)
 
     def serve(self, service_type, name, response):
-        """Serve with a response; return a list that grows by the requests."""
+        """Respond, the first time after 1 s; return a list that grows by the requests."""
         requests = []
-        rospy.Service(name, service_type, lambda request: requests.append(request) or response)
+
+        def serve(request):
+            requests.append(request)
+            sleep(1.0 if len(requests) == 1 else 0.0)
+            return response
+
+        rospy.Service(name, service_type, serve)
         return requests
 
     def goal(self, _, action_type, name, goal):

@@ -344,6 +344,9 @@ class NodeTests:
             self.assertTrue(eventually(lambda: 'service ' in self.node.log), name)
             self.assertIsNone(self.node.order('now', f'{member}={encode(request)},0.1'))
             requests = self.peer.serve(type_, name, response)
+            order = f'{member}={encode(request)},0.5'  # the first response comes later
+            self.assertTrue(eventually(lambda: not self.node.order('now', order) and requests))
+            requests.clear()
             got = self.node.order('now', f'{member}={encode(request)},1000')
             self.assertEqual((decode(got, type(response)), requests), (response, [request]))
 
@@ -366,6 +369,7 @@ class NodeTests:
             self.assertEqual(send('end=succeed').end(), ('succeeded', result))
             self.assertEqual(send('end=abort').end(), ('aborted', result))
             self.assertEqual(send().end(), ('aborted', result))
+            self.assertIn('without an outcome', self.node.log)
             goal = send('await', 'end=canceled')
             goal.cancel()
             self.assertEqual(goal.end(), ('canceled', result))
@@ -377,7 +381,7 @@ class NodeTests:
             self.assertEqual(other is None, policy == 'reject')
             other = other or self.peer.goal(self.node, type_, name, request)
             self.assertEqual(other.end()[0], 'succeeded')
-            goal = send('await')
+            goal = send('await', 'end=canceled')
             self.peer.change(self.node, 'deactivate')
             self.assertEqual(goal.end(), ('aborted', result))
             self.assertIsNone(self.peer.goal(self.node, type_, name, request))
@@ -442,6 +446,7 @@ class NodeTests:
             comes('idle', None, None)
             self.assertFalse(node.order('now', send))
             comes('lost', None, None)
+            self.assertTrue(eventually(lambda: 'action ' in node.log), name)
             server = self.peer.execute(type_, name, feedback, result)
             self.assertTrue(eventually(lambda: node.order('now', send)), name)
             comes('active', feedback, None)
@@ -464,6 +469,10 @@ class NodeTests:
             self.assertTrue(eventually(lambda: server.cancels == 2))
             self.assertEqual(server.goals, [goal] * 5)
             self.peer.change(node, 'activate')
+            node.order('now', send)
+            comes('active', feedback, None)
+            server.close()
+            comes('lost', feedback, None)
 
     def test_rate(self):
         """Update is called at the frequency; cycles missed are skipped, and the log says so."""
@@ -489,6 +498,7 @@ class NodeTests:
 
     def test_simulated_time(self):
         """The loop follows /clock, where it goes on, jumps back and stands still."""
+        self.assertEqual(self.cycles(self.given)[0], 0)
         for time in (1000.0, 10.0) if self.frequency else ():
             ticks = []
 
@@ -686,6 +696,7 @@ class NodeTests:
             ('cleanup', 'unconfigured'),
             ('configure', 'inactive'),
             ('activate', 'active'),
+            ('deactivate', 'inactive'),
         ):
             calls.append(transition)
             is_obeyed = calls not in (['configure'], ['configure', 'configure', 'activate'])
@@ -696,7 +707,7 @@ class NodeTests:
                 self.refuses(node, name, *others)
         self.assertTrue(self.peer.change(node, 'shutdown'))
         self.assertEqual(self.peer.state(node), 'finalized')
-        calls += LIFE[2:]
+        calls.append('cleanup')
         self.assertTrue(eventually(lambda: node.life() == calls), (node.life(), calls))
         for name, (value, others, _) in self.parameters.items():
             self.assertEqual(node.got('config')[-1][name], [*others, value][0], name)
@@ -708,6 +719,9 @@ class NodeTests:
             ('configure raise', 2.0, [], 1, LIFE[:1], 'told to raise'),
             ('activate refuse', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'refuse'),
             ('activate raise', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'told to raise'),
+            ('configure sleep=1000', 2.0, [TERM], 0, [LIFE[0], 'cleanup'], '["sleep", false]'),
+            ('configure block', 0.1, [TERM], 1, LIFE[:1], 'till running'),
+            ('deactivate sleep=1000', 0.1, [TERM], None, LIFE, '["sleep", false]'),
             ('deactivate raise', 2.0, [INT], 1, LIFE, 'told to raise'),
             ('configure fail=lost', 2.0, [], 1, [LIFE[0], 'cleanup'], 'The logic failed: lost'),
             ('activate fail=lost', 2.0, [], 1, LIFE, 'The logic failed: lost'),
@@ -720,8 +734,11 @@ class NodeTests:
         if self.frequency:
             ends.append(('update raise', 2.0, [], 1, LIFE, 'told to raise'))
             ends.append(('update sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
-        for member in self.callbacks():
+        callbacks = self.callbacks()
+        for member in callbacks:
             ends.append((f'{member} raise', 2.0, [], 1, LIFE, 'told to raise'))
+        for member in callbacks[:1]:
+            ends.append((f'{member} block', 0.1, [TERM], 1, LIFE, 'till running'))
         for member, *_ in self.each(*self.can_refuse):
             ends.append((f'{member} refuse', 2.0, [], 1, LIFE, 'no response'))
         for member, _, type_ in self.each('client_') if self.frequency else ():
@@ -746,11 +763,13 @@ class NodeTests:
             self.assertTrue(eventually(lambda: self.peer.state(node) == 'active'))
             self.trigger(node, order.split()[0])
         method = order.split()[0]
-        events = ('activate' if method in LIFE else 'begun', 'deactivate')
+        events = ('activate' if method in LIFE[1:] else 'begun', 'deactivate')
         for number, event in zip(signals, events):
             self.assertTrue(eventually(lambda: node.got(event)), node.log)
             node.signal(number)
-        self.assertEqual((node.exit_code(), node.life()), (code, calls), (order, node.log))
+        ended = node.exit_code()
+        self.assertEqual(ended if code is not None else None, code, (order, node.log))
+        self.assertEqual(node.life(), calls, (order, node.log))
         self.assertIn(text, node.log, order)
 
     def test_failure(self):

@@ -9,6 +9,7 @@ from math import modf
 import os
 import socket
 from threading import Thread
+from time import sleep
 
 from action_msgs.msg import GoalStatus
 from builtin_interfaces.msg import Time
@@ -168,11 +169,12 @@ class Peer:
         return publisher
 
     def serve(self, service_type, name, response):
-        """Serve with a response; return a list that grows by the requests."""
+        """Respond, the first time after 1 s; return a list that grows by the requests."""
         requests = []
 
         def serve(request, _):
             requests.append(request)
+            sleep(1.0 if len(requests) == 1 else 0.0)
             return response
 
         self._node.create_service(service_type, name, serve)
@@ -279,6 +281,10 @@ class GoalServer:
         """Send feedback, which a client that is not yet discovered does not get."""
         if self._handle:
             self._handle.publish_feedback(self._feedback)
+
+    def close(self):
+        """Serve the action no longer."""
+        self._executor.create_task(self._server.destroy)
 
     def finish(self, outcome):
         """End the goal: succeeded or aborted."""

@@ -51,6 +51,7 @@ class _Recorder:
         self.passthrough = passthrough
         self._config = None
         self._released = Event()
+        self._taken = {}
         self._cycles = 0, 0.0, 0.0
         is_first = not _Recorder._current
         _Recorder._current = self
@@ -112,8 +113,11 @@ class _Recorder:
         steps = ORDERS['update'].popleft() if ORDERS['update'] else []
         for name, value in list(vars(data).items()):
             member, _, kind = name.rpartition('_')
-            if kind == 'updated' and value is True:
-                report(member, encode(getattr(data, member)))
+            if kind == 'updated':  # new, or not the message of the cycle before
+                text = encode(getattr(data, member))
+                if value or text != self._taken.get(member, text):
+                    report(member, text)
+                self._taken[member] = text
             if kind == 'active' and f'{member}=' not in ' '.join(steps) and value is True:
                 setattr(data, name, False)
         self._do(steps, data)

@@ -229,8 +229,8 @@ FAKES = {
 def fake(passthrough_type):
     """Return a passthrough of fakes; `clock` gives the time, `failures` has those reported."""
     clock, failures = Clock(), []
-    members = {'now': clock.now, 'stamp': clock.stamp, 'sleep': clock.sleep}
-    members.update(log=FakeLog(), fail=failures.append)
+    members = {'log': FakeLog(), 'now': clock.now, 'stamp': clock.stamp, 'sleep': clock.sleep}
+    members['fail'] = failures.append
     for name, type_ in get_type_hints(passthrough_type).items():
         if get_origin(type_) is Mapping:  # each is made when the test or the logic asks
             members[name] = defaultdict(FakePublisher)

@@ -192,6 +192,16 @@ public:
     return shared().turns[method];
   }
 
+  /// Report a message that is new, or not that of the cycle before.
+  void take(const std::string & name, const std::string & message, bool is_new)
+  {
+    const auto last = taken_.try_emplace(name, message).first;
+    if (is_new || last->second != message) {
+      report(name, message);
+    }
+    last->second = message;
+  }
+
   /// Return what was ordered for a call of a method.
   Words next(const std::string & method)
   {
@@ -263,6 +273,7 @@ private:
   }
 
   std::shared_ptr<Steps> steps_;
+  std::map<std::string, std::string> taken_;
 };
 
 /// The step that sets a message.

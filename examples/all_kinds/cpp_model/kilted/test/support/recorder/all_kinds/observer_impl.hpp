@@ -55,9 +55,7 @@ public:
       cycles_ = "[" + to_json(++count_) + ", " + times + "]";
     }
     record(config);
-    if (data.in_status_updated) {
-      report("in_status", encode(data.in_status));
-    }
+    recorder_.take("in_status", encode(data.in_status), data.in_status_updated);
     const auto words = recorder_.next("update");
     recorder_.run(words);
   }

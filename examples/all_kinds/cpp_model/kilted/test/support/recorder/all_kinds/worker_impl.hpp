@@ -93,12 +93,8 @@ public:
       cycles_ = "[" + to_json(++count_) + ", " + times + "]";
     }
     record(config);
-    if (data.in_speed_updated) {
-      report("in_speed", encode(data.in_speed));
-    }
-    if (data.in_counter_updated) {
-      report("in_counter", encode(data.in_counter));
-    }
+    recorder_.take("in_speed", encode(data.in_speed), data.in_speed_updated);
+    recorder_.take("in_counter", encode(data.in_counter), data.in_counter_updated);
     const auto words = recorder_.next("update");
     data.out_counter_active = data.out_counter_active && has(words, "out_counter=");
     data.out_status_active = data.out_status_active && has(words, "out_status=");
