@@ -63,6 +63,9 @@ public:
 
   const rclcpp::CallbackGroup::SharedPtr & group() const {return spinner_->group;}
 
+  /// Have the executor let go of what is destroyed, which one of rclcpp 29.3 owns while it waits.
+  void wake() {spinner_->group->trigger_notify_guard_condition();}
+
 private:
   struct Spinner
   {

@@ -580,6 +580,9 @@ private:
       report_running();
     }
     session_->disconnect();
+    for (const auto & [name, thread] : callback_threads_) {
+      thread->wake();
+    }
     end_logic("deactivate", &Session::deactivate);
     session_->cancel_goals(Stop::deadline(stop_timeout()));
   }
