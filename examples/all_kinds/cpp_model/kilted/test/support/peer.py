@@ -7,6 +7,7 @@ from array import array
 from contextlib import suppress
 from math import modf
 import os
+from pathlib import Path
 import socket
 from threading import Thread
 from time import sleep
@@ -38,8 +39,9 @@ def free_domain():
 
 # Isolate the test from other nodes on this machine.
 os.environ['ROS_DOMAIN_ID'] = str(free_domain())
-# Fast DDS 3.6.1 crashes on shared memory that a killed process has left (Fast-DDS issue 6501).
-os.environ.setdefault('FASTDDS_BUILTIN_TRANSPORTS', 'UDPv4')
+os.environ.setdefault(
+    'FASTDDS_DEFAULT_PROFILES_FILE', str(Path(__file__).with_name('fastdds.xml'))
+)
 
 
 class Peer:

@@ -369,7 +369,7 @@ class NodeTests:
             self.assertEqual(send('end=succeed').end(), ('succeeded', result))
             self.assertEqual(send('end=abort').end(), ('aborted', result))
             self.assertEqual(send().end(), ('aborted', result))
-            self.assertIn('without an outcome', self.node.log)
+            self.assertTrue(eventually(lambda: 'without an outcome' in self.node.log), name)
             goal = send('await', 'end=canceled')
             goal.cancel()
             self.assertEqual(goal.end(), ('canceled', result))
