@@ -223,12 +223,13 @@ class _Merger:
             new = Block(new.key, mine.lines, new.children, mine.tail)
         if self.is_same(new, old):
             return list(lines.split(mine.text))
-        if self.language is PYTHON and mine.key.startswith("from ") and not mine.children:
-            names = python_blocks.joined_import(mine.text, old.text, new.text)
-            if names is not None:
-                return list(lines.split(names))
-        if self.is_same(mine, old):
+        is_import = self.language is PYTHON and mine.key.startswith("from ") and not mine.children
+        is_joined = is_import and mine.text.count("\n") == 1
+        if self.is_same(mine, old) and not is_joined:
             return list(lines.split(new.text))
+        names = python_blocks.joined_import(mine.text, old.text, new.text) if is_import else None
+        if names is not None:
+            return list(lines.split(names))
         is_leaf = not new.children and new.lines and new.lines != old.lines
         if not mine.children or is_leaf:
             return self.lines(*(lines.split(block.text) for block in (mine, old, new)))
