@@ -260,8 +260,8 @@ def plan_renames(
 def rename(blocks: Iterable[Block], before: Iterable[Block], keys: Mapping[str, str]) -> None:
     """Give blocks the names that they have after the update; `before` are the same ones."""
     for block, same in zip(blocks, before, strict=True):
-        # One that stays as it is is the developer's, and only looks like the model's.
-        block.key = block.key if block.lines == same.lines else keys.get(same.key, block.key)
+        if block.text != same.text:  # else it only looks like the model's
+            block.key = keys.get(same.key, block.key)
         rename(block.children, same.children, keys)
 
 

@@ -417,6 +417,13 @@ def _class(node):
     return "".join(word.capitalize() for word in node.split("_")) + "Impl"
 
 
+def _is_due(path, text):
+    """Say whether all conflicts in YAML are of keys to which both sides give another value."""
+    form = r"(?ms)^<<<<<<< before updating\n(.*?)^=======\n(.*?)^>>>>>>> after updating\n"
+    sides = ((re.findall(r"\w+(?=:)", side) for side in hunk) for hunk in re.findall(form, text))
+    return path.endswith(".yaml") and all(mine == new for mine, new in sides)
+
+
 def count(counts, pair, edited, texts, complaints):
     counts.updates += 1
     counts.lines += len(edited.lines)
@@ -428,7 +435,7 @@ def count(counts, pair, edited, texts, complaints):
             target = pair.renaming.path(path)
             generated = pair.renaming.path(origin)
             counts.both_changed += pair.new.get(generated) != pair.old[origin]
-            if CONFLICT in texts.get(target, ""):
+            if CONFLICT in texts.get(target, "") and not _is_due(target, texts[target]):
                 where = counts.moved if pair.to_ros else counts.conflicts
                 where[re.sub(r"\w+(?=_(impl|ros|interface|node))", "node", path)] += 1
 
