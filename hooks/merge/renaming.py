@@ -187,7 +187,8 @@ class Renaming:
         exchanged = known.blocks(self.text(path, text))
         if path in self.keys:
             # Only the names of before tell two blocks apart, one of which has the other's name.
-            rename(exchanged, known.blocks(self._shifted(path, text)), self.keys[path])
+            before = known.blocks(self._shifted(path, text))
+            rename(exchanged, before, self.keys[path], known in (CPP, PYTHON, XML, YAML))
         return exchanged
 
     def words(self) -> dict[str, str]:
@@ -257,12 +258,20 @@ def plan_renames(
     return plan(old, render.tree, marks, mine, dictionary.holders)
 
 
-def rename(blocks: Iterable[Block], before: Iterable[Block], keys: Mapping[str, str]) -> None:
-    """Give blocks the names that they have after the update; `before` are the same ones."""
+def rename(
+    blocks: Iterable[Block],
+    before: Iterable[Block],
+    keys: Mapping[str, str],
+    shows: bool = False,
+) -> None:
+    """Give blocks the names that they have after the update; `before` are the same ones.
+
+    `shows`: their texts show it, and one that stays only looks like the model's.
+    """
     for block, same in zip(blocks, before, strict=True):
-        if block.text != same.text:  # else it only looks like the model's
+        if not shows or block.text != same.text:
             block.key = keys.get(same.key, block.key)
-        rename(block.children, same.children, keys)
+        rename(block.children, same.children, keys, shows)
 
 
 _ABOVE_PARAMETERS = r"[^\n]*\n(?:\s*#[^\n]*\n)*\s+ros__parameters:"
