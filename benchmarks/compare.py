@@ -253,9 +253,8 @@ def variants(stack: ExitStack, only: str = "") -> Iterator[Variant]:
         version = ros.environment["ROS_VERSION"]
         chosen = [each for each in MODELS if only in name_of(each, ros)]
         if version == "2":
-            del ros.environment[
-                "FASTDDS_DEFAULT_PROFILES_FILE"
-            ]  # with shared memory, as users have
+            # With shared memory, as for users.
+            del ros.environment["FASTDDS_DEFAULT_PROFILES_FILE"]
             ros.environment["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
             if not installed.has_package(ros, "rclcpp"):
                 chosen = [each for each in chosen if each != "cpp_model"]

@@ -74,7 +74,7 @@ def _key(line: str) -> str:
 
 def _others(text: str, names: Sequence[str]) -> set[int]:
     """Return the lines, from 0, of what is beside the first of some keys that a text has."""
-    node = _compose(text)
+    node = compose(text)
     if node is None or node.flow_style:
         return set()
     lines = split(text)
@@ -90,7 +90,7 @@ def _others(text: str, names: Sequence[str]) -> set[int]:
 
 def _lower(above: Sequence[str], head: Sequence[str], column: int) -> Shift:
     def shift(text: str) -> tuple[str, list[int]]:
-        node = _compose(text)
+        node = compose(text)
         if node is None or node.flow_style:
             return text, []
         lines, first = split(text), node.start_mark.line
@@ -103,7 +103,8 @@ def _lower(above: Sequence[str], head: Sequence[str], column: int) -> Shift:
     return shift
 
 
-def _compose(text: str) -> yaml.MappingNode | None:
+def compose(text: str) -> yaml.MappingNode | None:
+    """Read a mapping of YAML; None where a text is none, or is empty."""
     try:
         node = yaml.compose(unicode(text), LOADER)
     except yaml.YAMLError:
@@ -114,7 +115,7 @@ def _compose(text: str) -> yaml.MappingNode | None:
 def _above(text: str) -> list[int]:
     """Return the lines of the keys that stand above all others, each alone on its line."""
     found: list[int] = []
-    node = _compose(text)
+    node = compose(text)
     while node and not node.flow_style and len(node.value) == 1:
         key, value = node.value[0]
         if not isinstance(value, yaml.MappingNode) or value.flow_style or not value.value:
@@ -127,7 +128,7 @@ def _above(text: str) -> list[int]:
 
 def _column(text: str) -> int:
     """Return where the keys begin that stand below those."""
-    node = _compose(text)
+    node = compose(text)
     for _ in _above(text):
         node = node.value[0][1]  # type: ignore[union-attr]
     return node.start_mark.column if node else 0

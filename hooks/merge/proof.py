@@ -291,6 +291,8 @@ def uses_of_left(
     `gone` has the names, each after that of its component; `holders` is the dictionary's.
     """
     gone = set(gone)
+    if not gone:
+        return
     names = "|".join(re.escape(name.strip("~/")) for _, name in gone)
     classes = "|".join(class_name(name) for _, name in gone)
     form = rf"(?:\w*_)?(?:{names})(?:_\w*)?|(?:\w*[a-z\d_])?(?:{classes})(?:[A-Z_]\w*)?"
@@ -300,10 +302,9 @@ def uses_of_left(
         before, after = (_words(tree, owner) for tree in (old, new))
         return {word for word in before - after - bare if re.fullmatch(form, word)}
 
-    after = _words(new) if gone else set()
-    left = lost() if gone else set()
+    after, left = _words(new), lost()
     left_of = {owner: lost(owner) - left for owner, _ in gone}
-    for path, file in sorted(found.items()) if gone else ():
+    for path, file in sorted(found.items()):
         generated = set(split((new.get(path) or File(b"")).text or ""))
         text = plain(file.text or "")
         lines, stem = split(text), PurePosixPath(path).stem

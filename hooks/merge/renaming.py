@@ -6,7 +6,6 @@ out, there the model has used the name, and in which form.
 
 from __future__ import annotations
 
-import contextlib
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -16,12 +15,11 @@ from typing import Any
 import yaml
 
 from ..changes import GONE, Mark, marked
-from ..data import LOADER
 from ..dictionary import Dictionary
 from ..package import SUFFIX
 from . import xml_blocks
-from .blocks import Block, collapsed, unicode
-from .depth import Shift, shifts
+from .blocks import Block, collapsed
+from .depth import Shift, compose, shifts
 from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
 from .lines import split
 from .origins import SELF, origins
@@ -317,7 +315,7 @@ def _key_nodes(text: str) -> list[tuple[_Holder, yaml.ScalarNode]]:
     """Return the keys of YAML, each with those that it is in; none of a text that is no YAML."""
     found: list[tuple[_Holder, yaml.ScalarNode]] = []
 
-    def visit(node: yaml.Node, holder: _Holder) -> None:
+    def visit(node: yaml.Node | None, holder: _Holder) -> None:
         if isinstance(node, yaml.SequenceNode):
             for item in node.value:
                 visit(item, (*holder, ""))
@@ -326,8 +324,7 @@ def _key_nodes(text: str) -> list[tuple[_Holder, yaml.ScalarNode]]:
                 found.append((holder, key))
                 visit(value, (*holder, str(key.value)))
 
-    with contextlib.suppress(yaml.YAMLError, ValueError):
-        visit(yaml.compose(unicode(text), LOADER) or yaml.MappingNode("", []), ())
+    visit(compose(text), ())
     return found
 
 
