@@ -156,13 +156,22 @@ def _read_back(
         return scope.rpartition(" > ")[2] if of_people else scope
 
     counts: dict[str, Counter[str]] = {}
-    for scope, inside in _scopes(found).items():
+    scopes = _scopes(found)
+    around = {scope.rpartition(" > ")[0] for scope in scopes}
+    rest = {
+        scope: iter([known.key(line) for line in inside])
+        for scope, inside in scopes.items()
+        if scope not in around and not scope.endswith("> comment") and not _is_import(known, scope)
+    }
+    for scope, inside in scopes.items():
         pieces = counts.setdefault(place(scope), Counter())
         pieces.update(piece for line in inside for piece in _pieces(known, scope, line))
     for scope, line, number in lines:
         have = counts.get(place(scope), Counter())
         pieces = Counter(_pieces(known, scope, line))
-        if pieces <= have:
+        is_there = pieces <= have
+        is_next = of_people or scope not in rest or not is_there or known.key(line) in rest[scope]
+        if is_there and is_next:
             have -= pieces
             proof.in_place += 1
         elif shown[known.key(line)]:
@@ -174,9 +183,13 @@ def _read_back(
             proof.lost.append((paths[1], line.strip()))
 
 
+def _is_import(known: Language, scope: str) -> bool:
+    return known is PYTHON and scope.rpartition(" > ")[2].startswith("from ")
+
+
 def _pieces(known: Language, scope: str, line: str) -> list[str]:
     """Return a line as it is compared: of an import, the names, which one may lay out."""
-    if known is PYTHON and scope.rpartition(" > ")[2].startswith("from "):
+    if _is_import(known, scope):
         return re.findall(r"#.*|\w+(?: as \w+)?", re.sub(r"^\s*from \S+ import", "", line))
     return [known.key(line)]
 

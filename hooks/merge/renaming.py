@@ -264,11 +264,13 @@ def rename(
 ) -> None:
     """Give blocks the names that they have after the update; `before` are the same ones.
 
-    `shows`: their texts show it, and one that stays only looks like the model's.
+    `shows`: their texts show it, and one that stays only looks like the model's. What left shows
+    nothing.
     """
     for block, same in zip(blocks, before, strict=True):
-        if not shows or block.text != same.text:
-            block.key = keys.get(same.key, block.key)
+        key = keys.get(same.key, block.key)
+        if not shows or block.text != same.text or GONE in key:
+            block.key = key
         rename(block.children, same.children, keys, shows)
 
 
@@ -509,9 +511,10 @@ class _Reader:
 
 def _form(mark: str, name: str) -> str:
     """Write a name as a mark is written: as a word, as a class, in capitals."""
+    name, gone, _ = name.partition(GONE)
     plain = re.sub(r"\W+", "_", name).strip("_")
     if mark.startswith("ZQ"):
-        return plain.upper()
-    if mark.startswith("Zq"):
-        return "".join(word[:1].upper() + word[1:] for word in plain.split("_"))
-    return plain
+        plain = plain.upper()
+    elif mark.startswith("Zq"):
+        plain = "".join(word[:1].upper() + word[1:] for word in plain.split("_"))
+    return plain + gone

@@ -19,7 +19,8 @@ DRIVING = (EXAMPLES / "driving.ros_package").read_text()
 # What a package has once, whatever the languages of its nodes.
 WHOLE = re.compile(
     r"\.git|README|AGENTS|package\.xml|launch/|config/|CMakeLists|_copier_conf|ros_package"
-    r"|\{\{ ros2 \}\}/(setup\.|resource|nodl/)|test/support/(node_tests|peer|running)\.py"
+    r"|\{\{ ros2 \}\}/(setup\.|resource|nodl/)"
+    r"|test/support/(node_tests\.py|peer\.py|running\.py|fastdds\.xml)"
 )
 
 

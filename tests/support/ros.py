@@ -22,7 +22,6 @@ from xmlrpc.client import ServerProxy
 from xmlrpc.server import SimpleXMLRPCServer
 
 PEERS = Path(__file__).parents[1] / "ros/peers"
-DATA = Path(__file__).parents[1] / "data"
 WHEELS = Path(__file__).parents[2] / ".venv" / "ros2"
 NO_ROS1 = "ROS 1 (Debian's packages) is not installed"
 NO_ROS2 = "ROS 2 (sourced, or its wheels in .venv/ros2) is not there"
@@ -202,7 +201,7 @@ def ros2():
         "ROS_DOMAIN_ID": str(_free_domain()),
         "ROS_VERSION": "2",
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET",
-        "FASTDDS_DEFAULT_PROFILES_FILE": str(DATA / "loopback.xml"),
+        "FASTDDS_DEFAULT_PROFILES_FILE": str(Path(__file__).with_name("loopback.xml")),
         "PYTHONUNBUFFERED": "1",
         "AMENT_CPPCHECK_ALLOW_SLOW_VERSIONS": "1",  # Debian's is one of them
     }

@@ -173,6 +173,20 @@ def test_file_that_cannot_be_read_any_more_is_seen():
     assert prove(mine, old, result, found, Renaming()).lost == lost
 
 
+def test_lines_that_exchange_their_places_are_seen():
+    mine = {
+        PATH: File(
+            OLD.replace("    return", "    a = 1\n        b = a\n        return", 1).encode()
+        )
+    }
+    old = {PATH: File(OLD.encode())}
+    result = merge_package(mine, old, {PATH: File(NEW.encode())}, Renaming(), {""}.__contains__)
+    assert prove(mine, old, result, result.tree, Renaming()).lost == []
+    swapped = result.tree[PATH].text.replace("a = 1\n        b = a", "b = a\n        a = 1")
+    found = {PATH: File(swapped.encode())}
+    assert prove(mine, old, result, found, Renaming()).lost == [(PATH, "b = a")]
+
+
 @pytest.mark.parametrize("path", ["arm/reach_impl.py", "src/reach_impl.cpp", "arm/tools.py"])
 def test_uses_of_what_left(path):
     """A member of the logic's objects, and words made of the name; not look-alikes."""

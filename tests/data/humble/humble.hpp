@@ -154,7 +154,11 @@ public:
 class ServicesQoS : public QoS {};
 
 enum class CallbackGroupType {MutuallyExclusive, Reentrant};
-struct CallbackGroup {using SharedPtr = std::shared_ptr<CallbackGroup>;};
+struct CallbackGroup
+{
+  using SharedPtr = std::shared_ptr<CallbackGroup>;
+  void trigger_notify_guard_condition();
+};
 
 namespace node_interfaces
 {

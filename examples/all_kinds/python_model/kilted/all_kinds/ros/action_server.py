@@ -145,7 +145,10 @@ class ActionServer:
             goal.give_up()
 
     def flush(self) -> None:
-        """Wait for clients to ask for the results of the last goals."""
+        """Wait for the last goals to end, and for clients to ask for their results."""
+        end = monotonic() + timeouts.GOAL_TIMEOUT
+        while self._goals and monotonic() < end:
+            sleep(0.01)
         sleep(max(0.0, self._last_time + timeouts.RESULT_TIMEOUT - monotonic()))
 
     async def _answer(self, request: Any) -> GoalResponse:

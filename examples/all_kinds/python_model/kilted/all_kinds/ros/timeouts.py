@@ -7,6 +7,7 @@
 ACKNOWLEDGE_TIMEOUT = 0.5
 DIAGNOSTICS_PERIOD = 1.0  # between two messages on /diagnostics
 DISCOVERY_PERIOD = 0.02  # between two checks whether the server of a call is available
+GOAL_TIMEOUT = 1.0  # for a goal to end once its method has returned
 LATE_PERIOD = 5.0  # for which a late cycle makes the status a warning
 RECONFIGURE_TIMEOUT = 2.0  # for reconfigure to return, as the executor waits for it
 RESULT_TIMEOUT = 0.2  # for a client to ask for the result of its goal
