@@ -1,6 +1,7 @@
 """The fixtures of all tests: the collection, rendering, updating, and ROS."""
 
 import functools
+import gc
 import inspect
 import os
 import re
@@ -63,17 +64,29 @@ def pytest_terminal_summary(terminalreporter):
         terminalreporter.write_line(f"{rest} skipped for other causes (pytest -rs names them)")
 
 
-def pytest_collection_modifyitems(items):
+def pytest_collection_modifyitems(config, items):
     """Begin with the files that take minutes, so that no process is left with one at the end."""
     place = {name: number for number, name in enumerate(LONGEST)}
     items.sort(key=lambda item: place.get(item.path.stem, len(LONGEST)))
-    source = functools.cache(inspect.getsource)
     for item in items:
-        for need, fixture in NEEDS.items():
-            if any(re.match(rf"_?({fixture})(_|$)", name) for name in item.fixturenames):
-                item.add_marker(need)
-        if POSIX.search(item.name + source(item.function)):
+        for need in {need for name in item.fixturenames for need in _needs(name)}:
+            item.add_marker(need)
+        if "posix" in config.option.markexpr and POSIX.search(item.name + _source(item.function)):
             item.add_marker("posix")
+
+
+@functools.cache
+def _needs(fixture):
+    return [need for need, names in NEEDS.items() if re.match(rf"_?({names})(_|$)", fixture)]
+
+
+_source = functools.cache(inspect.getsource)
+
+
+def pytest_collection_finish():
+    """Have the garbage collector look seldom, and not at what lives as long as the tests."""
+    gc.freeze()
+    gc.set_threshold(100_000, 50, 50)
 
 
 def pytest_xdist_make_scheduler(config, log):

@@ -213,3 +213,19 @@ def test_pythons_and_copiers_of_the_workflow():
     assert matrix["copier"] == [low, f"{newest}.*"]
     others = workflow["jobs"]["other-systems"]["strategy"]["matrix"]["include"]
     assert {each["os"].partition("-")[0] for each in others} == {"windows", "macos"}
+
+
+def test_make_lab_runs_what_counts_by_its_numbers():
+    """Whatever the name of such a test, it has the mark."""
+    assert "-m lab" in re.search(r"(?m)^lab:.*\n(?:\t.*\n)+", (ROOT / "Makefile").read_text())[0]
+    marked = set()
+    for file in (ROOT / "tests").rglob("test_*.py"):
+        text = file.read_text(encoding="utf-8")
+        numbers = {"LAB_KILLS", *re.findall(r"(?m)^(\w+) = .*\"LAB_", text)}
+        for node in ast.parse(text).body if "LAB_" in text and file != Path(__file__) else ():
+            if isinstance(node, ast.FunctionDef) and node.name.startswith("test_"):
+                source = ast.get_source_segment(text, node)
+                is_marked = "pytest.mark.lab" in [ast.unparse(d) for d in node.decorator_list]
+                assert is_marked == bool(numbers & set(re.findall(r"\w+", source))), node.name
+                marked |= {node.name} if is_marked else set()
+    assert {"test_no_line_is_lost", "test_two_branches_become_one"} <= marked

@@ -142,8 +142,11 @@ def match(blocks: Blocks, *versions: Blocks) -> None:
 
 def _match(blocks: Blocks, free: dict[str, Block], known: Mapping[str, Blocks]) -> None:
     """Match blocks with those that are `free`, which become less."""
+    others: dict[str, list[Block]] = {}
+    for key, same in known.items():
+        others.setdefault(_name(key), []).append(same[0])
     for name, ours in _by_name(blocks).items():
-        namesakes = [same[0] for key, same in known.items() if _name(key) == name]
+        namesakes = others.get(name)
         if namesakes:
             pairs = _pairs(ours, namesakes, free)
             for place, block in enumerate(ours):

@@ -8,12 +8,12 @@ from __future__ import annotations
 import ast
 import contextlib
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from .cpp_blocks import tokenize
 from .languages import CPP, PYTHON, Language
-from .python_blocks import parse
+from .python_blocks import nodes
 from .tokens import Word
 
 SELF = ("self", "cls", "this")
@@ -93,7 +93,7 @@ def origins(
     found = Origins(known_holders=holders)
     if known is PYTHON:
         with contextlib.suppress(ValueError):
-            _python(found, parse(text), roots, names, classes)
+            _python(found, nodes(text), roots, names, classes)
     elif known is CPP:
         _cpp(found, text, roots, names, classes)
     return found
@@ -101,12 +101,12 @@ def origins(
 
 def _python(
     found: Origins,
-    tree: ast.Module,
+    tree: Sequence[ast.AST],
     roots: Collection[str],
     names: Collection[str],
     classes: Collection[str],
 ) -> None:
-    for node in ast.walk(tree):
+    for node in tree:
         if isinstance(node, ast.ImportFrom):
             is_ours = bool(node.level) or (node.module or "").split(".")[0] in roots
             bound = {alias.asname or alias.name for alias in node.names}
@@ -149,8 +149,8 @@ def _others(found: Iterable[_Class], classes: Collection[str]) -> set[int]:
     return {line for name, _, lines in known if name not in kin for line in lines}
 
 
-def _python_classes(tree: ast.Module) -> Iterator[_Class]:
-    for node in ast.walk(tree):
+def _python_classes(tree: Iterable[ast.AST]) -> Iterator[_Class]:
+    for node in tree:
         if isinstance(node, ast.ClassDef):
             bases = {word for base in node.bases for word in _words(base)}
             yield node.name, bases, range(node.lineno - 1, node.end_lineno or node.lineno)
@@ -175,9 +175,9 @@ def _cpp_classes(text: str) -> Iterator[_Class]:
         yield "".join(names[-1:]), {*head[at:]}, range(token.line, tokens[close].line + 1)
 
 
-def _bindings(tree: ast.Module) -> Iterator[tuple[str, ast.expr]]:
+def _bindings(tree: Iterable[ast.AST]) -> Iterator[tuple[str, ast.expr]]:
     """Yield the names of arguments and variables, each with its type or its value."""
-    for node in ast.walk(tree):
+    for node in tree:
         if isinstance(node, ast.arg) and node.annotation:
             yield node.arg, node.annotation
         elif isinstance(node, ast.AnnAssign):
@@ -189,14 +189,18 @@ def _bindings(tree: ast.Module) -> Iterator[tuple[str, ast.expr]]:
                 yield from ((_last(target), value) for target in node.targets)
 
 
-def _last(node: ast.expr) -> str:
+def _last(node: ast.AST) -> str:
     """Return the last word of a name with dots."""
     return str(getattr(node, "attr", getattr(node, "id", "")))
 
 
 def _words(node: ast.expr) -> Iterator[str]:
     """Yield the words of a type, those in quotes too."""
-    yield from re.findall(r"\w+", ast.unparse(node))
+    for inner in ast.walk(node):
+        if isinstance(inner, ast.Constant):
+            yield from re.findall(r"\w+", str(inner.value))
+        else:
+            yield _last(inner)
 
 
 _INCLUDE = re.compile(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"](\w+)/')

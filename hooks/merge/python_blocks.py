@@ -12,6 +12,7 @@ import textwrap
 import tokenize
 import warnings
 from collections.abc import Sequence
+from typing import cast
 
 from .blocks import THEN, Block, Span, arrange, squeezed, unicode
 from .lines import Conflict, split
@@ -25,7 +26,8 @@ def blocks(text: str) -> list[Block]:
 
     """
     lines = split(text)
-    return arrange(lines, _spans(parse(text).body, lines), 0, len(lines))
+    module = cast(ast.Module, nodes(text)[0])
+    return arrange(lines, _spans(module.body, lines), 0, len(lines))
 
 
 def same(one: str, other: str) -> bool:
@@ -43,6 +45,17 @@ def _words(text: str) -> list[str]:
 
 _ENDS = ("", " pass\n", "\nclass _: pass\n")
 """What makes code of a text: nothing, or it is a head without its body, or decorators alone."""
+
+
+@functools.lru_cache(maxsize=64)
+def nodes(text: str) -> tuple[ast.AST, ...]:
+    """Return the nodes of a module, itself the first.
+
+    Raises:
+        ValueError: it is not Python.
+
+    """
+    return (*ast.walk(parse(text)),)
 
 
 def parse(text: str) -> ast.Module:

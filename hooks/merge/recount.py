@@ -21,7 +21,7 @@ from ..data import LOADER
 from .blocks import unicode
 from .lines import plain
 from .package import Result
-from .python_blocks import parse
+from .python_blocks import nodes
 from .renaming import Renaming
 from .tree import LINK, File, Tree
 
@@ -191,34 +191,34 @@ def _faults(path: str, text: str) -> frozenset[str]:
 def _unbound(text: str) -> set[str]:
     """Return the names of Python that are used and bound nowhere."""
     try:
-        nodes = [*ast.walk(parse(text))]
+        found = nodes(text)
     except ValueError:
         return {"cannot be read any more"}
     bound = {*dir(builtins), "__file__", "*"}
-    for node in nodes:
+    for node in found:
         name = getattr(node, "asname", None) or getattr(node, "name", getattr(node, "arg", None))
         bound |= {name.split(".")[0]} if isinstance(name, str) else set()
         bound |= (
             {node.id} if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) else set()
         )
-    used = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
-    stars = any(isinstance(n, ast.alias) and n.name == "*" for n in nodes)
+    used = {n.id for n in found if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
+    stars = any(isinstance(n, ast.alias) and n.name == "*" for n in found)
     return set() if stars else {f"{name} is not defined" for name in used - bound}
 
 
 def _keys_twice(text: str) -> set[str]:
     try:
-        nodes = [*yaml.compose_all(unicode(text), LOADER)]
+        open_ = [*yaml.compose_all(unicode(text), LOADER)]
     except yaml.YAMLError:
         return {"cannot be read any more"}
     twice: set[str] = set()
-    while nodes:
-        node = nodes.pop()
+    while open_:
+        node = open_.pop()
         if isinstance(node, yaml.CollectionNode):
             is_map = isinstance(node, yaml.MappingNode)
             counts = Counter(str(key.value) for key, _ in node.value) if is_map else Counter()
             twice |= {f"{key} is there {n} times" for key, n in counts.items() if n > 1}
-            nodes += [value for _, value in node.value] if is_map else node.value
+            open_ += [value for _, value in node.value] if is_map else node.value
     return twice
 
 

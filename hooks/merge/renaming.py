@@ -75,6 +75,7 @@ class Renaming:
     shifts: dict[str, Shift] = field(default_factory=dict)
     """What gives a file the depth that its keys have in the new version."""
     _texts: dict[tuple[str, str], str] = field(default_factory=dict, repr=False, compare=False)
+    _heads: dict[str, dict[str, str]] = field(default_factory=dict, repr=False, compare=False)
 
     def follow(self, moved: Mapping[str, str], old: Iterable[str], new: Collection[str]) -> None:
         """Take files along that the new version of the model renames; `moved` says how."""
@@ -134,13 +135,16 @@ class Renaming:
             return xml_blocks.exchange(text, lambda *found: values.get(found, found[-1]))
         exact = {**self.everywhere, **self.in_file.get(path, {})}
         members = self.members.get(path, {})
-        if not exact and not members and not self.packages and not self.targets:
+        names = {*exact, *members, *self.packages, *self.targets}
+        generated, heads = self.generated.get(path, {}), self._heads_of(known, path)
+        lines = [line.strip() for line in split(text)]
+        is_same = all(generated.get(line) in (None, "", line) for line in lines)
+        if is_same and not heads and names.isdisjoint(re.findall(r"[A-Za-z_]\w*", text)):
             return text
 
         roots = self.roots | self.packages.keys()
         origin = origins(known, text, roots, exact.keys(), self.classes, self.holders)
-        generated = self.generated.get(path, {})
-        is_made = [line.strip() in generated for line in split(text)]
+        is_made = [line in generated for line in lines]
         vocabulary = (self.vocabulary.get(path, set()) & exact.keys()) | roots
 
         def by(word: Word) -> str:
@@ -163,9 +167,13 @@ class Renaming:
                 return self.packages[word.text] if is_root else word.text
             return word.text
 
-        lines = zip(split(text), split(exchange(known, text, by)), strict=True)
-        heads = _heads(known, generated)
-        return "".join(_as_made(known, *pair, generated, heads) for pair in lines)
+        pairs = zip(split(text), split(exchange(known, text, by, names)), strict=True)
+        return "".join(_as_made(known, *pair, generated, heads) for pair in pairs)
+
+    def _heads_of(self, known: Language, path: str) -> dict[str, str]:
+        if path not in self._heads:
+            self._heads[path] = _heads(known, self.generated.get(path, {}))
+        return self._heads[path]
 
     def uses_of_taken(self, path: str, text: str) -> Iterator[tuple[int, str]]:
         """Yield the line number, from 0, and the identifier of each use of what `taken` has."""
@@ -208,7 +216,7 @@ last cell of a table."""
 
 
 def _heads(known: Language, generated: Mapping[str, str]) -> dict[str, str]:
-    """Return the heads of generated lines, each as it will be; empty where in doubt."""
+    """Return the heads of generated lines that change, each as it will be."""
     found: dict[str, str] = {}
     ends = _ENDS.get(known.name)
     if not ends:
@@ -219,7 +227,7 @@ def _heads(known: Language, generated: Mapping[str, str]) -> dict[str, str]:
         if one and other and " " in line[: one.start()]:
             head, new = line[: one.start()], made[: other.start()]
             found[head] = new if found.get(head, new) == new else ""
-    return found
+    return {head: new for head, new in found.items() if new not in ("", head)}
 
 
 def _as_made(

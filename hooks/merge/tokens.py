@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Container, Iterator
+from typing import NamedTuple
 
 from .languages import CMAKE, CPP, PYTHON, Language
 
@@ -38,8 +38,7 @@ _CMAKE = re.compile(
 _PATTERNS = {PYTHON.name: _PYTHON, CPP.name: _CPP, CMAKE.name: _CMAKE}
 
 
-@dataclass(frozen=True)
-class Word:
+class Word(NamedTuple):
     """A word of code, and what stands before it and after it on its way through a name."""
 
     text: str
@@ -54,8 +53,17 @@ class Word:
 _JOINTS = (".", "->", "::")
 
 
-def exchange(known: Language, text: str, by: Callable[[Word], str], line: int = 0) -> str:
-    """Return a text with each word of its code exchanged; a text without code as it is."""
+def exchange(
+    known: Language,
+    text: str,
+    by: Callable[[Word], str],
+    among: Container[str] | None = None,
+    line: int = 0,
+) -> str:
+    """Return a text with each word of its code exchanged; a text without code as it is.
+
+    `by` says of a word, or of one that is `among` some, what it becomes.
+    """
     pattern = _PATTERNS.get(known.name)
     if pattern is None:
         return text
@@ -64,31 +72,29 @@ def exchange(known: Language, text: str, by: Callable[[Word], str], line: int = 
     signs = ("", "")
     chain: tuple[str, ...] = ()
     for match in pattern.finditer(text):
-        groups = match.groupdict()
-        found = match[0]
+        kind, found = match.lastgroup, match[0]
         line += text.count("\n", at, match.start())
-        if groups.get("word"):
-            after = text[match.end() : match.end() + 80].lstrip()
-            after = (
-                "::" if after.startswith("::") else after[:2] if after[:2] == "==" else after[:1]
-            )
+        if kind == "word":
             chain = chain if signs[1] in _JOINTS else ()
-            found = by(Word(found, signs, after, chain, line))
+            if among is None or found in among:
+                after = text[match.end() : match.end() + 80].lstrip()
+                after = after[:2] if after[:2] in ("::", "==") else after[:1]
+                found = by(Word(found, signs, after, chain, line))
             chain = (*chain, match[0]) if match[0] not in ("from", "import") else ()
-        elif groups.get("include"):
+        elif kind == "include":
             found = _path(found, by, line)
-        elif groups.get("string") and "f" in (groups.get("prefix") or "").lower():
+        elif kind == "string" and "f" in match["prefix"].lower():
             pieces = re.split(r"(\{[^{}]*\})", found)
-            pieces[1::2] = [exchange(known, part, by, line) for part in pieces[1::2]]
+            pieces[1::2] = [exchange(known, part, by, among, line) for part in pieces[1::2]]
             found = "".join(pieces)
         parts += [text[at : match.start()], found]
         if match[0] in (")", "]"):
             chain = (match[0],)
-        elif not groups.get("word") and match[0] not in _JOINTS and not groups.get("comment"):
+        elif kind not in ("word", "comment") and match[0] not in _JOINTS:
             chain = ()
         line += match[0].count("\n")
         at = match.end()
-        if not groups.get("comment"):
+        if kind != "comment":
             signs = (signs[1], match[0])
     return "".join(parts) + text[at:]
 

@@ -79,6 +79,7 @@ def checks(model, distro, has_ros1):
     return compiles if is_built else None
 
 
+@pytest.mark.lab
 @pytest.mark.parametrize(("model", "distro"), VARIANTS)
 def test_no_callback_changes_place(laboratory, has_ros1, model, distro):
     """Reorder, remove, add, replace, retype, rename callbacks: bodies stay with their names."""
@@ -89,6 +90,7 @@ def test_no_callback_changes_place(laboratory, has_ros1, model, distro):
     assert sum(counts.conflicts.values()) == 0
 
 
+@pytest.mark.lab
 @pytest.mark.parametrize("distro", DISTROS)
 @pytest.mark.parametrize("model", ALL_MODELS)
 def test_no_line_is_lost(laboratory, has_ros1, model, distro):
@@ -99,6 +101,7 @@ def test_no_line_is_lost(laboratory, has_ros1, model, distro):
     assert sum(counts.conflicts.values()) <= 0.01 * counts.edited_files
 
 
+@pytest.mark.lab
 @pytest.mark.parametrize(("model", "distro"), VARIANTS)
 def test_updates_follow_one_another(laboratory, has_ros1, model, distro):
     """Run Copier itself: other specs, models, ROS and settings of git, one after the other."""
@@ -110,6 +113,7 @@ def test_updates_follow_one_another(laboratory, has_ros1, model, distro):
     assert counts.wrong == []
 
 
+@pytest.mark.lab
 @pytest.mark.parametrize("distro", DISTROS)
 @pytest.mark.parametrize("model", ALL_MODELS)
 def test_moves_lose_nothing_in_silence(laboratory, has_ros1, model, distro):
@@ -119,6 +123,7 @@ def test_moves_lose_nothing_in_silence(laboratory, has_ros1, model, distro):
     assert counts.wrong == []
 
 
+@pytest.mark.lab
 @pytest.mark.parametrize("distro", DISTROS)
 @pytest.mark.parametrize("model", ALL_MODELS)
 def test_two_branches_become_one(laboratory, model, distro):

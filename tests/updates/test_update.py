@@ -217,6 +217,7 @@ def tree(package):
     return git(package, "rev-parse", "HEAD^{tree}")
 
 
+@pytest.mark.lab
 def test_killed_update_can_be_undone_and_done_again(arm, copier_command, tmp_path):
     """Kill an update at random moments; git brings the package back, and the next one works."""
     spec = arm / "arm.ros_package"
