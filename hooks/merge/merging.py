@@ -186,6 +186,9 @@ class _Merger:
                 merged += lines.split(theirs[key].text)
             elif self.of_people and key in theirs and not self.is_same(theirs[key], base[key]):
                 merged += self.disputed("", base[key].text, theirs[key].text)
+            elif self.language is PYTHON and key in theirs and key.startswith("from "):
+                names = python_blocks.import_of_new(base[key].text, theirs[key].text)
+                merged += lines.split(names)
             if is_comment(last) and last not in theirs and _touch(merged[end - 1 : end + 1]):
                 merged.insert(end, "\n")  # or the comment would be about what follows it now
             last = key

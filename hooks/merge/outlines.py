@@ -26,9 +26,10 @@ def yaml_blocks(text: str) -> list[Block]:
     except yaml.YAMLError as error:
         raise ValueError(str(error)) from error
     lines = split(text)
-    starts = [text.count("\n", 0, _index(node.start_mark)) for node in nodes if node]
     spans: list[Span] = []
-    for node, until in zip(filter(None, nodes), [*starts[1:], len(lines)], strict=False):
+    for node in filter(None, nodes):
+        end = _index(node.end_mark)  # of a document: before `---` or `...`
+        until = len(lines) if end == len(text) else text.count("\n", 0, end)
         spans += _keys(text, lines, node, until)
     return arrange(lines, spans, 0, len(lines))
 
@@ -204,6 +205,8 @@ def _meaning(text: str) -> list[object]:
         facts.append(getattr(event, "tag", None))
         if isinstance(event, yaml.DocumentStartEvent):
             facts += [event.explicit, event.version]
+        if isinstance(event, yaml.DocumentEndEvent):
+            facts.append(event.explicit)
         if isinstance(event, yaml.ScalarEvent):
             start, end = _index(event.start_mark), _index(event.end_mark)
             found += _comments(text[at:start])

@@ -161,10 +161,24 @@ def joined_import(mine: str, old: str, new: str) -> str | None:
         return mine
     if ours == sorted(ours, key=str.lower):
         names.sort(key=str.lower)
+    return _laid_out(head, names, comment, is_line=mine.count("\n") == 1)
+
+
+def import_of_new(old: str, new: str) -> str:
+    """Return an import of the names that the new version alone imports."""
+    sides = [_imported(text) for text in (old, new)]
+    if None in sides:
+        return ""
+    (_, base, _), (head, theirs, _) = filter(None, sides)
+    return _laid_out(head, [name for name in theirs if name not in base], "", is_line=True)
+
+
+def _laid_out(head: str, names: Sequence[str], comment: str, is_line: bool) -> str:
+    """Return an import of some names, in a line where it is to be one and has room."""
     if not names:
         return ""
     line = f"{head}{', '.join(names)}{comment}\n"
-    if mine.count("\n") == 1 and len(line) <= _WIDTH:
+    if is_line and len(line) <= _WIDTH:
         return line
     indent = head[: -len(head.lstrip())]
     inside = "".join(f"{indent}    {name},\n" for name in names)

@@ -325,10 +325,33 @@ def test_import_gets_names_whatever_the_developer_made_of_it(edit, change):
     assert all(line in found for line in mine.splitlines() if re.match(r"    \w+,$|\w+ =", line))
 
 
+@pytest.mark.parametrize(
+    "own", ["import arm.reach_interface as ri", "from arm import reach_interface as ri"]
+)
+def test_new_names_are_imported_where_the_developer_imports_the_module(own):
+    mine = LONG.replace(IN_LINES, f"{own}\n").replace("use(Load, Reach)", "use(ri.Load, ri.Reach)")
+    new = changed(LONG, OF_THE_MODEL["between"]) + "\nuse(Move)\n"
+    trees = [{"arm/reach_impl.py": File(encode(text))} for text in (mine, LONG, new)]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    found = result.tree["arm/reach_impl.py"].text
+    assert imported(found) == imported(f"{own}\n{IN_A_LINE}Move\n")
+    assert found.endswith("use(ri.Load, ri.Reach)\n\nuse(Move)\n")
+
+
 def imported(text):
     """Return the names that a text imports, and what it calls some of them."""
     nodes = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.ImportFrom))
     return sorted(ast.unparse(alias) for node in nodes for alias in node.names)
+
+
+@pytest.mark.parametrize("end", ["...\n", "...\n# mine\n", "---\nmine: 1\n"])
+def test_key_comes_before_the_end_of_its_document(end):
+    mine, new = YAML_FILE + end, YAML_FILE + "    depth: 3\n"
+    trees = [{"config/a.yaml": File(encode(text))} for text in (mine, YAML_FILE, new)]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree["config/a.yaml"].text == new + end
 
 
 YAML_FILE = "/**:\n  ros__parameters:\n    rate: 1.0  # Hz\n    gain: 2.0\n"
