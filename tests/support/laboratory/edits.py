@@ -54,8 +54,13 @@ class Edited:
         def at(path):
             return path if path in self.moved else moves.get(path, path)
 
+        def new_name(mark, name):
+            """Return nothing for what left, where another one has its name."""
+            names = renamed.get(self.lines[mark][0], {})
+            return names.get(name, "" if name in names.values() else name)
+
         self.around = {
-            first: (last, renamed.get(self.lines[first][0], {}).get(name, name))
+            first: (last, new_name(first, name))
             for first, (last, name) in self.around.items()
             if first in everything
         }
