@@ -46,6 +46,8 @@ def _rejoined(mine: Blocks, *versions: Blocks) -> list[Block]:
             _join(block, own[first:], above)
             whole = [part for part in whole if part.lines or part.children]
             block.children = _rejoined(block.children, *(was.children for was in known[block.key]))
+        else:
+            block.children = _rejoined(block.children, *versions)
         whole.append(block)
     return whole
 

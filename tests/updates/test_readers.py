@@ -252,6 +252,22 @@ def test_comment_above_the_condition_around_a_function_leaves_with_it(suffix, ma
     assert f"{macro}#if 1\n#endif\n" in found
 
 
+@pytest.mark.parametrize("around", ["{}", "#if 1\n{}#endif\n\n"])
+@pytest.mark.parametrize("suffix", ["hpp", "cpp"])
+def test_comment_leaves_with_its_function_where_a_line_parts_them(suffix, around):
+    """The line is the function's then: it leaves, too, and the summary says so."""
+    old = SOURCES[suffix]
+    before, _ = NO_RESET[suffix]
+    comment, _, rest = before.rpartition("// Service reset\n")
+    own = around.format(f"{comment}// Service reset\nint mine;\n{rest}")
+    mine = changed(old, (before, own))
+    merges, found, result = merge(f"arm/worker_impl.{suffix}", mine, old, old.replace(before, ""))
+    assert merges
+    assert "reset" not in found
+    assert "int mine;\n" not in found
+    assert [name.endswith("serve_reset") for names in result.removed.values() for name in names]
+
+
 IMPORT = "from arm.worker_interface import WorkerConfig, WorkerData\n"
 IMPORTS = {
     "try": "try:\n    {}except ImportError:\n    WorkerConfig = WorkerData = None\n",
