@@ -19,6 +19,7 @@ HERE = Path(__file__).parent
 ROOT = HERE.parent
 WORKSPACE = ROOT / "build/demo"
 PACKAGE = WORKSPACE / "src/spiral"
+COLLECTION = f"git+{ROOT.as_uri()}"  # of a folder, Copier 9 takes uncommitted changes, too
 LOGIC = "spiral/driver_impl.py"
 BATTERY = (
     '    <subscriber name="battery" type="std_msgs::Float64" description="Charge, 0 to 1"/>\n'
@@ -68,7 +69,7 @@ def make_package(ros: Ros | None) -> None:
     options = f"--trust --defaults --quiet --vcs-ref=HEAD {given}"
     show(
         "copier copy --trust -d spec_file=spiral.ros_package gh:org/python_model src/spiral",
-        f"{COPIER} copy {options} {shlex.quote(str(ROOT))} src/spiral",
+        f"{COPIER} copy {options} {shlex.quote(COLLECTION)} src/spiral",
     )
     run("git", "init", "--quiet", cwd=PACKAGE)
     commit("Make the package")

@@ -50,9 +50,13 @@ def test_update_keeps_the_logic(told):
     assert "driver_impl.py" not in updated.partition("--stat")[2]
 
 
-def test_without_ros(collection):
-    """The package is made, shown and updated; that it is not run is said."""
-    told = run_demo(collection, "--without-ros")
+def test_without_ros(own_collection):
+    """The package is made, shown and updated; that it is not run is said.
+
+    What is not committed in the collection does no harm.
+    """
+    (own_collection / "README.md").write_text("changed\n")
+    told = run_demo(own_collection, "--without-ros")
     assert "No ROS is found on this machine" in told
     assert "service enable" not in told
     test_update_keeps_the_logic(told)
