@@ -170,6 +170,7 @@ def _read_back(
         have = counts.get(place(scope), Counter())
         pieces = Counter(_pieces(known, scope, line))
         is_there = pieces <= have
+        # `in` reads on from where the line before was found: none has come before another one.
         is_next = of_people or scope not in rest or not is_there or known.key(line) in rest[scope]
         if is_there and is_next:
             have -= pieces
