@@ -144,9 +144,7 @@ def match(blocks: Blocks, *versions: Blocks) -> None:
 
 def _match(blocks: Blocks, free: dict[str, Block], known: Mapping[str, Blocks]) -> None:
     """Match blocks with those that are `free`, which become less."""
-    others: dict[str, list[Block]] = {}
-    for key, same in known.items():
-        others.setdefault(_name(key), []).append(same[0])
+    others = _by_name([same[0] for same in known.values()])
     for name, ours in _by_name(blocks).items():
         namesakes = others.get(name)
         if namesakes:

@@ -199,8 +199,8 @@ def _words(node: ast.expr) -> Iterator[str]:
     for inner in ast.walk(node):
         if isinstance(inner, ast.Constant):
             yield from re.findall(r"\w+", str(inner.value))
-        else:
-            yield _last(inner)
+        elif name := _last(inner):
+            yield name
 
 
 _INCLUDE = re.compile(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"](\w+)/')

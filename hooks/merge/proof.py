@@ -161,7 +161,8 @@ def _read_back(
     rest = {
         scope: iter([known.key(line) for line in inside])
         for scope, inside in scopes.items()
-        if scope not in around and not scope.endswith("> comment") and not _is_import(known, scope)
+        if not (of_people or scope in around or scope.endswith("> comment"))
+        and not _is_import(known, scope)
     }
     for scope, inside in scopes.items():
         pieces = counts.setdefault(place(scope), Counter())
@@ -169,10 +170,8 @@ def _read_back(
     for scope, line, number in lines:
         have = counts.get(place(scope), Counter())
         pieces = Counter(_pieces(known, scope, line))
-        is_there = pieces <= have
         # `in` reads on from where the line before was found: none has come before another one.
-        is_next = of_people or scope not in rest or not is_there or known.key(line) in rest[scope]
-        if is_there and is_next:
+        if pieces <= have and (scope not in rest or known.key(line) in rest[scope]):
             have -= pieces
             proof.in_place += 1
         elif shown[known.key(line)]:

@@ -174,12 +174,8 @@ def test_file_that_cannot_be_read_any_more_is_seen():
 
 
 def test_lines_that_exchange_their_places_are_seen():
-    mine = {
-        PATH: File(
-            OLD.replace("    return", "    a = 1\n        b = a\n        return", 1).encode()
-        )
-    }
-    old = {PATH: File(OLD.encode())}
+    own = OLD.replace("    return", "    a = 1\n        b = a\n        return", 1)
+    mine, old = ({PATH: File(text.encode())} for text in (own, OLD))
     result = merge_package(mine, old, {PATH: File(NEW.encode())}, Renaming(), {""}.__contains__)
     assert prove(mine, old, result, result.tree, Renaming()).lost == []
     swapped = result.tree[PATH].text.replace("a = 1\n        b = a", "b = a\n        a = 1")

@@ -237,18 +237,25 @@ def test_function_in_cpp_leaves_with_what_stands_before_it(suffix, head):
     ]
 
 
-@pytest.mark.parametrize("suffix", ["hpp", "cpp"])
-@pytest.mark.parametrize("macro", ["", "ARM_HOT\n"])
-def test_comment_above_the_condition_around_a_function_leaves_with_it(suffix, macro):
+def reset_leaves(suffix, form):
+    """Return a file that a function has left; `form` makes the developer's of its two parts."""
     old = SOURCES[suffix]
     before, _ = NO_RESET[suffix]
-    comment, _, rest = before.rpartition("// Service reset\n")
-    own = f"{macro}#if 1\n{rest.rstrip()}\n#endif\n\n"
-    mine = changed(old, (before, f"{comment}// Service reset\n{own}"))
+    *above, rest = before.rpartition("// Service reset\n")
+    mine = changed(old, (before, form("".join(above), rest)))
     merges, found, result = merge(f"arm/worker_impl.{suffix}", mine, old, old.replace(before, ""))
     assert merges
     assert "reset" not in found
     assert [name.endswith("serve_reset") for names in result.removed.values() for name in names]
+    return found
+
+
+@pytest.mark.parametrize("suffix", ["hpp", "cpp"])
+@pytest.mark.parametrize("macro", ["", "ARM_HOT\n"])
+def test_comment_above_the_condition_around_a_function_leaves_with_it(suffix, macro):
+    found = reset_leaves(
+        suffix, lambda above, rest: f"{above}{macro}#if 1\n{rest.rstrip()}\n#endif\n\n"
+    )
     assert f"{macro}#if 1\n#endif\n" in found
 
 
@@ -256,16 +263,8 @@ def test_comment_above_the_condition_around_a_function_leaves_with_it(suffix, ma
 @pytest.mark.parametrize("suffix", ["hpp", "cpp"])
 def test_comment_leaves_with_its_function_where_a_line_parts_them(suffix, around):
     """The line is the function's then: it leaves, too, and the summary says so."""
-    old = SOURCES[suffix]
-    before, _ = NO_RESET[suffix]
-    comment, _, rest = before.rpartition("// Service reset\n")
-    own = around.format(f"{comment}// Service reset\nint mine;\n{rest}")
-    mine = changed(old, (before, own))
-    merges, found, result = merge(f"arm/worker_impl.{suffix}", mine, old, old.replace(before, ""))
-    assert merges
-    assert "reset" not in found
+    found = reset_leaves(suffix, lambda above, rest: around.format(f"{above}int mine;\n{rest}"))
     assert "int mine;\n" not in found
-    assert [name.endswith("serve_reset") for names in result.removed.values() for name in names]
 
 
 IMPORT = "from arm.worker_interface import WorkerConfig, WorkerData\n"
