@@ -205,8 +205,6 @@ def _meaning(text: str) -> list[object]:
         facts.append(getattr(event, "tag", None))
         if isinstance(event, yaml.DocumentStartEvent):
             facts += [event.explicit, event.version]
-        if isinstance(event, yaml.DocumentEndEvent):
-            facts.append(event.explicit)
         if isinstance(event, yaml.ScalarEvent):
             start, end = _index(event.start_mark), _index(event.end_mark)
             found += _comments(text[at:start])
