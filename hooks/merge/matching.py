@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import count, takewhile
+from itertools import count, islice, takewhile
 
 from .blocks import Block, is_condition
 from .lines import margin, split
@@ -18,10 +18,20 @@ Blocks = Sequence[Block]
 _NUMBER = re.compile(r" #\d+$")
 
 
+class BothAroundError(ValueError):
+    """Both sides have put containers of their own around one thing: `if`, `#ifdef`, `<group>`."""
+
+
 def align(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Block], list[Block]]:
-    """Return three versions in which a key is that of one thing, at one place."""
+    """Return three versions in which a key is that of one thing, at one place.
+
+    Raises:
+        BothAroundError: both sides have put containers of their own around one thing.
+
+    """
     match(new, old)
     mine = identify(mine, old, new)
+    _tell_apart(mine, old, new)
     return mine, wrap(old, mine, old, new), wrap(new, mine, old, new)
 
 
@@ -48,8 +58,20 @@ def _rejoined(mine: Blocks, *versions: Blocks) -> list[Block]:
             block.children = _rejoined(block.children, *(was.children for was in known[block.key]))
         else:
             block.children = _rejoined(block.children, *versions)
+            _take_comment(block, whole, known)
         whole.append(block)
     return whole
+
+
+def _take_comment(container: Block, above: Blocks, known: Mapping[str, Blocks]) -> None:
+    """Take the comment of what leaves out of the lines above a container that begins with it."""
+    for key, (*_, first) in islice(_places([container], known, ()), 1):
+        generated = {line for was in known[key] for line in was.lines}
+        comments = {line for line in generated if line.lstrip().startswith(("// ", "# "))}
+        is_to_leave = len(known[key]) == 1
+        for part in takewhile(lambda part: _may_join(part, known), reversed(above)):
+            if is_to_leave:
+                part.lines = [line for line in part.lines if line not in comments - {*first.lines}]
 
 
 def _may_join(part: Block, known: Mapping[str, Blocks]) -> bool:
@@ -267,6 +289,34 @@ def _places(
             yield block.key, (*around, block)
         else:
             yield from _places(block.children, known, (*around, block))
+
+
+def _tell_apart(mine: Blocks, old: Blocks, new: Blocks) -> None:
+    """Give containers of one name, put around other things by either side, keys of their own."""
+    known = _by_key([old])
+    ours, theirs = (dict(_places(side, known, ())) for side in (mine, new))
+    inside, others = map(_by_container, (ours, theirs))
+    for key in inside.keys() & others.keys():
+        if not inside[key] & others[key]:
+            theirs[next(iter(others[key]))][0].key = _own_key(
+                _name(key), {*known, *(block.key for block in (*mine, *new))}
+            )
+    inside, others = map(_by_container, (ours, theirs))
+    for key in ours.keys() & theirs.keys():
+        around, other = ours[key][0].key, theirs[key][0].key
+        both = around != key != other
+        if both and (around != other or inside[around] != others[other]):
+            raise BothAroundError(key)
+        _tell_apart(ours[key][-1].children, known[key][0].children, theirs[key][-1].children)
+
+
+def _by_container(places: Mapping[str, tuple[Block, ...]]) -> dict[str, set[str]]:
+    """Return what each container holds that is around a generated block."""
+    found: dict[str, set[str]] = {}
+    for key, (outer, *inner) in places.items():
+        if inner:
+            found.setdefault(outer.key, set()).add(key)
+    return found
 
 
 def _inside(level: list[Block], key: str) -> list[Block]:

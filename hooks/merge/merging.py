@@ -16,7 +16,7 @@ from . import lines, python_blocks
 from .blocks import Block, is_comment, walk
 from .languages import CPP, MARKDOWN, PYTHON, TEXT, Language, language
 from .lines import Conflict, Merged
-from .matching import align
+from .matching import BothAroundError, align
 
 
 @dataclass
@@ -73,6 +73,9 @@ def merge(
             if readable(known, merged):
                 missing = [] if of_people else [*_deleted(*sides)]
                 return Outcome(merged, merger.removed, missing, merger.own)
+        except BothAroundError:
+            outcome = by_line(path, mine, old, new, of_people)
+            return outcome if outcome.conflict else conflict(path, mine, old, new)
         except (ValueError, RecursionError):
             pass
     return by_line(path, mine, old, new, of_people)

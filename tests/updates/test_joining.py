@@ -2,6 +2,7 @@
 
 import re
 import subprocess
+import textwrap
 
 import pytest
 import yaml
@@ -399,6 +400,63 @@ def test_both_wrap_a_node_and_one_has_the_line_ends_of_windows(is_ours):
     text = result.tree["launch/arm.launch"].data
     assert text.count(b"\r\n") == text.count(b"\n") > 0
     assert all(name in text for name in (b"<!-- a -->", b"<!-- b ends -->"))
+
+
+AROUND = {
+    "launch/arm.launch": (
+        "<launch>\n{}</launch>\n",
+        '  <node name="{0}"/>\n\n',
+        "  <group if={!r}>\n{}  </group>\n",
+    ),
+    "CMakeLists.txt": ("project(arm)\n\n{}", "add_{0}({0})\n\n", "if({})\n{}endif()\n"),
+    "src/arm_impl.cpp": ("{}", "void {0}()\n{{\n}}\n\n", "#ifdef {}\n{}#endif\n"),
+    "include/arm.hpp": ("{}", "void {0}()\n{{\n}}\n\n", "namespace {}\n{{\n{}}}\n"),
+    "arm/arm_impl.py": ("{}", "    def {0}(self):\n        pass\n\n\n", "class {}:\n{}"),
+    "arm/arm_ros.py": ("import a\n\n{}", "    import {0}\n\n\n", "if {}:\n{}"),
+}
+"""A file, a thing in it, and what a developer may put around it."""
+
+
+@pytest.mark.parametrize("path", AROUND)
+@pytest.mark.parametrize(
+    ("ours", "theirs"),
+    [
+        ("a[one]", "b[one]"),
+        ("a[one two]", "b[two three]"),
+        ("a[one two]", "b[two]"),
+        ("a[one two three]", "b[two]"),
+        ("a[one two]", "a[two]"),
+        ("a[one]", "a[two]"),
+        ("a[one]", "a[one]"),
+        ("c[four] a[one]", "c[four] b[one]"),
+    ],
+)
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_both_put_something_around_the_same(path, ours, theirs, is_ours):
+    """They choose, unless it is around different things, or the same."""
+    whole, thing, container = AROUND[path]
+
+    def written(side):
+        parts = {}
+        for head, inside in re.findall(r"(\w)\[(.*?)\]", side):
+            first, *others = inside.split()
+            text = "".join(thing.format(name) for name in inside.split())
+            parts |= {first: container.format(head, text), **dict.fromkeys(others, "")}
+        margin = textwrap.dedent if path.endswith(".py") else str
+        names = ("one", "two", "three", "four")
+        return whole.format("".join(parts.get(n, margin(thing.format(n))) for n in names))
+
+    base = written("c[four]" if "c" in ours else "")
+    sides = [{path: File(written(side).encode())} for side in (ours, theirs)]
+    first, second = sides if is_ours else sides[::-1]
+    result, wrong = people(first, {path: File(base.encode())}, second).merged()
+    assert not wrong
+    both = " ".join(sorted({ours, theirs}))
+    if both in ("a[one] a[two]", "a[one]"):
+        assert not result.conflicts
+        assert result.tree[path].text.split() == written(both).split()
+    else:
+        assert [*result.conflicts] == [path]
 
 
 FUNCTION = "int %s()\n{\n  return %s;\n}\n"

@@ -259,6 +259,14 @@ def test_comment_above_the_condition_around_a_function_leaves_with_it(suffix, ma
     assert f"{macro}#if 1\n#endif\n" in found
 
 
+@pytest.mark.parametrize("suffix", ["hpp", "cpp"])
+def test_comment_leaves_that_a_line_parts_from_the_condition_around_its_function(suffix):
+    found = reset_leaves(
+        suffix, lambda above, rest: f"{above}int mine;\n#if 1\n{rest.rstrip()}\n#endif\n\n"
+    )
+    assert "int mine;\n#if 1\n#endif\n" in found
+
+
 @pytest.mark.parametrize("around", ["{}", "#if 1\n{}#endif\n\n"])
 @pytest.mark.parametrize("suffix", ["hpp", "cpp"])
 def test_comment_leaves_with_its_function_where_a_line_parts_them(suffix, around):
