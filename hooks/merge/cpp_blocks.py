@@ -10,6 +10,7 @@ import functools
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import accumulate
 
 from .blocks import Block, Span, arrange, nested, squeezed
 from .lines import split
@@ -71,6 +72,8 @@ def blocks(text: str) -> list[Block]:
 
 def _directive(token: _Token) -> Span:
     key = re.sub(r"^#\s+", "#", squeezed(token.text))
+    if not key.startswith("#define"):
+        key = re.sub(r" ?(//|/\*).*", "", key)
     return Span(key, token.line, token.last + 1)
 
 
@@ -109,8 +112,11 @@ def _whole(tokens: Tokens, at: int) -> tuple[Tokens, int]:
                 raise ValueError(f"line {head.line + 1}: {head.text}, without end")
             branches.append([head, *([] if re.match(r"\s*#\s*if\s+0\s*$", head.text) else inside)])
         end, at = tokens[at], at + 1
-        around = "".join(token.text for token in (*kept[-1:], *tokens[at : at + 1]))
-        if all(map(_balanced, branches)) and not re.match(r"[=,(?+|&]|.*[{:=,;)]$", around):
+        before, after = (
+            "".join(token.text for token in part) for part in (kept[-1:], tokens[at:][:1])
+        )
+        is_inside = re.match(r"[=,(?+|&]", before) or re.search(r"[{:=,;)]$", after)
+        if all(map(_balanced, branches)) and not is_inside:
             kept += [*(token for branch in branches for token in branch), end]
         elif one := next((branch[1:] for branch in branches if branch[1:]), []):
             one[0] = replace(one[0], line=branches[0][0].line)
@@ -130,19 +136,22 @@ def _balanced(tokens: Tokens) -> bool:
 
 def _with_conditions(spans: list[Span]) -> list[Span]:
     """Put what stands in a condition inside of it; what a guard of a header holds stays."""
-    heads = [span.key.split() for span in spans[:2]]
-    if len(heads) < 2 or heads[0][:1] + heads[1] != ["#ifndef", "#define", *heads[0][1:]]:
-        return nested(spans, _role)
-    depth = 0
-    for at, span in enumerate(spans):
-        part = _role(span)[1]
-        depth += (part == "start") - (part == "end")
-        if not depth:
-            inside, rest = nested(spans[2:at], _role), nested(spans[at + 1 :], _role)
-            ends = (spans[0], spans[1], span)  # known without the word, which a move changes
-            first, second, last = (replace(one, key=one.key.split()[0]) for one in ends)
-            return [first, second, *inside, last, *rest]
+    heads = [span.key.split()[:2] for span in spans]
+    for start, (one, other) in enumerate(zip(heads, heads[1:], strict=False)):
+        if one[:1] + other != ["#ifndef", "#define", *one[1:]]:
+            continue
+        depths = accumulate(_DEPTHS.get(_role(span)[1], 0) for span in spans[start:])
+        end = start + next((i for i, depth in enumerate(depths) if not depth), 0)
+        if end > start + 2:  # else it is the default of a macro
+            words = (spans[at] for at in (start, start + 1, end))  # known without the macro's name
+            first, second, last = (replace(one, key=one.key.split()[0]) for one in words)
+            parts = (spans[:start], spans[start + 2 : end], spans[end + 1 :])
+            before, inside, rest = (nested(part, _role) for part in parts)
+            return [*before, first, second, *inside, last, *rest]
     return nested(spans, _role)
+
+
+_DEPTHS = {"start": 1, "end": -1}
 
 
 def same(one: str, other: str) -> bool:

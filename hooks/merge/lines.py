@@ -58,6 +58,11 @@ def margin(line: str) -> int:
     return len(line) - len(line.lstrip(" \t"))
 
 
+def depth(text: str) -> int:
+    """Return how many blanks the first line begins with that is not empty."""
+    return next((margin(line) for line in text.split("\n") if line.strip()), 0)
+
+
 def plain(text: str) -> str:
     """Return a text with line ends of one sort, and without a mark of its encoding."""
     return text.removeprefix("\ufeff").replace("\r\n", "\n")

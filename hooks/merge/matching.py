@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import count, islice, takewhile
 
 from .blocks import Block, is_condition
-from .lines import margin, split
+from .lines import depth, margin, split
 
 Blocks = Sequence[Block]
 _NUMBER = re.compile(r" #\d+$")
@@ -22,8 +22,12 @@ class BothAroundError(ValueError):
     """Both sides have put containers of their own around one thing: `if`, `#ifdef`, `<group>`."""
 
 
-def align(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Block], list[Block]]:
+def align(
+    mine: Blocks, old: Blocks, new: Blocks, of_people: bool = False
+) -> tuple[list[Block], list[Block], list[Block]]:
     """Return three versions in which a key is that of one thing, at one place.
+
+    `of_people`: both sides are developers', who may put containers around what is there.
 
     Raises:
         BothAroundError: both sides have put containers of their own around one thing.
@@ -32,7 +36,10 @@ def align(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Blo
     match(new, old)
     mine = identify(mine, old, new)
     _tell_apart(mine, old, new)
-    return mine, wrap(old, mine, old, new), wrap(new, mine, old, new)
+    base, theirs = (wrap(side, mine, old, new, is_between=of_people) for side in (old, new))
+    if of_people:
+        mine, base = (wrap(side, new, old, mine, is_between=True) for side in (mine, base))
+    return mine, base, theirs
 
 
 def identify(blocks: Blocks, old: Blocks, new: Blocks) -> list[Block]:
@@ -256,28 +263,55 @@ def _own_key(name: str, taken: set[str]) -> str:
     return next(key for n in count(2) if (key := f"{name} #{n}") not in taken)
 
 
-def wrap(blocks: Blocks, mine: Blocks, *versions: Blocks) -> list[Block]:
+def wrap(
+    blocks: Blocks, mine: Blocks, old: Blocks, *others: Blocks, is_between: bool = False
+) -> list[Block]:
     """Put blocks into the containers that the developer has put around them in `mine`.
 
-    `versions` have all that is generated. A container without lines stands for the developer's.
-    Decision 27: what is generated is merged as if they stood beside it.
+    All versions but `mine` have what is known; a container without lines stands for the
+    developer's. Decision 27: what is generated is merged as if they stood beside it. With
+    `is_between`, what `mine` has not goes where both its neighbours are.
     """
-    known = _by_key(versions)
+    known = _by_key((old, *others))
     places = dict(_places(mine, known, ()))
-    wrapped: list[Block] = []
-    for block in blocks:
-        level = wrapped
-        if block.key in places:
-            *around, same = places[block.key]
+    base = {block.key for block in old}
+
+    def level(blocks: Blocks) -> list[Block]:
+        wrapped: list[Block] = []
+        for at, block in enumerate(blocks):
+            inside = wrapped
+            if block.key in places:
+                *around, same = places[block.key]
+                versions = (version.children for version in known[block.key])
+                inner = wrap(block.children, same.children, *versions, is_between=is_between)
+                block = Block(block.key, block.lines, inner, block.tail)
+                if around and is_between:  # another one may be around them all
+                    moved = _shifted(block, depth(same.text) - depth(around[0].text))
+                    same = set_beside(same, moved)
+                if around or _RELATIVE.match(same.text):
+                    block = _set_like(same, block)
+            else:
+                around = _between(blocks, at, places) if is_between else []
+                if block.children and block.key not in base:
+                    block = Block(block.key, block.lines, level(block.children), block.tail)
+                if around:
+                    beside = next(b for b in reversed(blocks[:at]) if b.key in places)
+                    by = depth(places[beside.key][-1].text) - depth(beside.text)
+                    block = _shifted(block, by)
             for container in around:
-                level = _inside(level, container.key)
-            children = (version.children for version in known[block.key])
-            inner = wrap(block.children, same.children, *children)
-            block = Block(block.key, block.lines, inner, block.tail)
-            if around or _RELATIVE.match(same.text):
-                block = _set_like(same, block)
-        level.append(block)
-    return wrapped
+                inside = _inside(inside, container.key)
+            inside.append(block)
+        return wrapped
+
+    return level(blocks)
+
+
+def _between(blocks: Blocks, at: int, places: Mapping[str, tuple[Block, ...]]) -> list[Block]:
+    """Return the containers that both neighbours of a block are in."""
+    sides = (reversed(blocks[:at]), blocks[at + 1 :])
+    around = [next((places[b.key][:-1] for b in side if b.key in places), ()) for side in sides]
+    pairs = zip(*around, strict=False)
+    return [one for one, other in takewhile(lambda pair: pair[0] is pair[1], pairs)]
 
 
 def _places(
@@ -345,13 +379,9 @@ def _set_like(same: Block, block: Block) -> Block:
     return shifted
 
 
-def _margin(block: Block) -> int:
-    return next((margin(line) for line in block.text.split("\n") if line.strip()), 0)
-
-
 def set_beside(block: Block, other: Block) -> Block:
     """Return a block with the margin of another one."""
-    return _shifted(block, _margin(other) - _margin(block))
+    return _shifted(block, depth(other.text) - depth(block.text))
 
 
 def _shifted(block: Block, by: int) -> Block:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from ..changes import GONE
 from . import lines, python_blocks
 from .blocks import Block, is_comment, walk
-from .languages import CPP, MARKDOWN, PYTHON, TEXT, Language, language
+from .languages import CPP, MARKDOWN, PYTHON, TEXT, YAML, Language, language
 from .lines import Conflict, Merged
 from .matching import BothAroundError, align
 
@@ -68,7 +68,7 @@ def merge(
         try:
             merger = _Merger(known, of_people)
             base = old.read(known) if old else []
-            sides = align(mine.read(known), base, new.read(known))
+            sides = align(mine.read(known), base, new.read(known), of_people)
             merged = merger.sequence(*sides)
             if readable(known, merged):
                 missing = [] if of_people else [*_deleted(*sides)]
@@ -89,7 +89,12 @@ def by_line(
         return conflict(path, mine, old, new)
     known = language(path, new.text)
     ours, base, theirs = (lines.split(version.text) for version in (mine, old, new))
-    outcome = Outcome(lines.merge_lines(ours, base, theirs, known.key, known.same, of_people))
+
+    def same(one: str, other: str) -> bool:
+        is_moved = known in (PYTHON, YAML) and lines.depth(one) != lines.depth(other)
+        return not is_moved and known.same(one, other)
+
+    outcome = Outcome(lines.merge_lines(ours, base, theirs, known.key, same, of_people))
     could_be_read = readable(known, [*lines.split(mine.text)])
     is_known = known not in (CPP, PYTHON) or (of_people and could_be_read)
     if not is_known and _names(known, old) != _names(known, new):
@@ -133,8 +138,7 @@ def _names(known: Language, version: Version) -> set[str]:
 def _missing(known: Language, mine: Version, old: Version, new: Version) -> list[str]:
     """Return the parts that the developer has deleted: functions, elements, keys, sections."""
     try:
-        sides = (version.read(known) for version in (mine, old, new))
-        return list(_deleted(*align(*sides)))
+        return list(_deleted(*align(mine.read(known), old.read(known), new.read(known))))
     except (ValueError, RecursionError):
         return []
 
@@ -231,7 +235,7 @@ class _Merger:
             return list(lines.split(mine.text))
         is_import = self.language is PYTHON and mine.key.startswith("from ") and not mine.children
         is_joined = is_import and mine.text.count("\n") == 1
-        if self.is_same(mine, old) and not is_joined:
+        if mine.text == old.text or (self.is_same(mine, old) and not is_joined):
             return list(lines.split(new.text))
         names = python_blocks.joined_import(mine.text, old.text, new.text) if is_import else None
         if names is not None:

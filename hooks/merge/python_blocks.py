@@ -153,11 +153,12 @@ def joined_import(mine: str, old: str, new: str) -> str | None:
     sides = [_imported(text) for text in (mine, old, new)]
     if None in sides:
         return None
-    (head, ours, comment), (_, base, _), (_, theirs, _) = filter(None, sides)
+    (head, ours, own), (_, base, was), (_, theirs, now) = filter(None, sides)
+    comment = now if own == was else own
     gone = {*base} - {*theirs}
     names = [name for name in ours if name.split()[0] not in gone]
     names += [name for name in theirs if name not in base and name not in ours]
-    if names == ours:
+    if names == ours and comment == own:
         return mine
     if ours == sorted(ours, key=str.lower):
         names.sort(key=str.lower)

@@ -3,6 +3,7 @@
 import re
 import subprocess
 import textwrap
+from pathlib import PurePosixPath
 
 import pytest
 import yaml
@@ -457,6 +458,42 @@ def test_both_put_something_around_the_same(path, ours, theirs, is_ours):
         assert result.tree[path].text.split() == written(both).split()
     else:
         assert [*result.conflicts] == [path]
+
+
+OWN = {
+    ".launch": ('  <arg name="own"/>\n', "  <!-- own -->"),
+    ".txt": ("set(OWN 1)\n", "  # own"),
+    ".cpp": ("int own;\n", "  // own"),
+    ".hpp": ("int own;\n", "  // own"),
+    ".py": ("OWN = 1\n", "  # own"),
+}
+"""What a developer may write beside a thing, and at the end of a line of it."""
+
+
+@pytest.mark.parametrize("path", AROUND)
+@pytest.mark.parametrize("is_deeper", [False, True])
+@pytest.mark.parametrize("is_beside", [False, True])
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_what_one_writes_stays_in_what_the_other_puts_around(path, is_deeper, is_beside, is_ours):
+    whole, thing, container = AROUND[path]
+    margin = " " * 4 * path.endswith(".py")
+    own, comment = OWN[PurePosixPath(path).suffix]
+    one, two, three = (textwrap.dedent(thing.format(name)) for name in ("one", "two", "three"))
+
+    def file(text, *containers):
+        for head in (*containers, *"c" * is_deeper):
+            text = container.format(head, textwrap.indent(text, margin))
+        return whole.format(text)
+
+    base, wrapped = file(one + two + three), file(one + two + three, "a")
+    ours = two + own if is_beside else f"{two.rstrip()}{comment}{two[len(two.rstrip()) :]}"
+    written, expected = file(one + ours + three), file(one + ours + three, "a")
+    sides = [{path: File(text.encode())} for text in (wrapped, written)]
+    first, second = sides if is_ours else sides[::-1]
+    result, wrong = people(first, {path: File(base.encode())}, second).merged()
+    assert (wrong, result.conflicts) == ([], {})
+    lines = (text.split("\n") for text in (result.tree[path].text, expected))
+    assert len({tuple(filter(str.strip, each)) for each in lines}) == 1
 
 
 FUNCTION = "int %s()\n{\n  return %s;\n}\n"

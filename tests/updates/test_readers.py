@@ -275,6 +275,29 @@ def test_comment_leaves_with_its_function_where_a_line_parts_them(suffix, around
     assert "int mine;\n" not in found
 
 
+GUARD = "#ifndef ARM__WORKER_IMPL_HPP_\n"
+DEFAULT = "#ifndef RATE\n#define RATE 10\n#endif\n"
+INCLUDE = '#include "arm/worker_interface.hpp"\n'
+CLASS = "class WorkerImpl\n"
+AROUND_GUARDS = {
+    "code before it": (GUARD, f"int mine;\n{GUARD}"),
+    "a default before it": (GUARD, DEFAULT + GUARD),
+    "a comment behind its name": (GUARD, f"{GUARD[:-1]}  // mine\n"),
+    "a comment behind an include": (INCLUDE, f"{INCLUDE[:-1]}  // IWYU pragma: keep\n"),
+}
+
+
+@pytest.mark.parametrize("edit", AROUND_GUARDS.values(), ids=AROUND_GUARDS)
+@pytest.mark.parametrize("is_mine", [True, False])
+def test_what_is_written_around_the_guard_of_a_header_parts_nothing_in_it(edit, is_mine):
+    other = (CLASS, f"int other;\n\n{CLASS}")
+    mine, new = changed(HPP, edit), changed(HPP, other)
+    sides = (mine, HPP, new) if is_mine else (new, HPP, mine)
+    merges, found, _ = merge("arm/worker_impl.hpp", *sides)
+    assert merges
+    assert found == changed(HPP, edit, other)
+
+
 IMPORT = "from arm.worker_interface import WorkerConfig, WorkerData\n"
 IMPORTS = {
     "try": "try:\n    {}except ImportError:\n    WorkerConfig = WorkerData = None\n",
@@ -346,6 +369,16 @@ def test_import_gets_names_whatever_the_developer_made_of_it(edit, change):
     assert ("import (" in found) == ("import (" in mine)
     assert all(comment in found for comment in re.findall("#.*", mine))
     assert all(line in found for line in mine.splitlines() if re.match(r"    \w+,$|\w+ =", line))
+
+
+@pytest.mark.parametrize("edit", [("A, B", "A, B"), ("A, B", "A, B, mine")])
+def test_comment_of_the_model_behind_an_import_comes(edit):
+    old = "from arm import A, B\n\nuse(A)\n"
+    new = old.replace("A, B\n", "A, B, C  # noqa: F401\n")
+    merges, found, _ = merge("arm/arm_impl.py", changed(old, edit), old, new)
+    assert merges
+    names = edit[1].replace("A, B", "A, B, C")
+    assert found == f"from arm import {names}  # noqa: F401\n\nuse(A)\n"
 
 
 @pytest.mark.parametrize(
