@@ -36,9 +36,9 @@ def align(
     match(new, old)
     mine = identify(mine, old, new)
     _tell_apart(mine, old, new)
-    base, theirs = (wrap(side, mine, old, new, is_between=of_people) for side in (old, new))
+    base, theirs = (wrap(side, mine, old, new, of_people=of_people) for side in (old, new))
     if of_people:
-        mine, base = (wrap(side, new, old, mine, is_between=True) for side in (mine, base))
+        mine, base = (wrap(side, new, old, mine, of_people=True) for side in (mine, base))
     return mine, base, theirs
 
 
@@ -264,17 +264,26 @@ def _own_key(name: str, taken: set[str]) -> str:
 
 
 def wrap(
-    blocks: Blocks, mine: Blocks, old: Blocks, *others: Blocks, is_between: bool = False
+    blocks: Blocks,
+    mine: Blocks,
+    old: Blocks,
+    *others: Blocks,
+    of_people: bool = False,
+    by: int = 0,
 ) -> list[Block]:
     """Put blocks into the containers that the developer has put around them in `mine`.
 
     All versions but `mine` have what is known; a container without lines stands for the
-    developer's. Decision 27: what is generated is merged as if they stood beside it. With
-    `is_between`, what `mine` has not goes where both its neighbours are.
+    developer's. Decision 27: what is generated is merged as if they stood beside it. `of_people`:
+    what `mine` has not goes where both its neighbours are. `by` is how far to the right all of
+    `mine` is already.
     """
     known = _by_key((old, *others))
     places = dict(_places(mine, known, ()))
     base = {block.key for block in old}
+
+    def shift(key: str) -> int:
+        return depth(places[key][-1].text) - depth(known[key][0].text) - by
 
     def level(blocks: Blocks) -> list[Block]:
         wrapped: list[Block] = []
@@ -282,22 +291,22 @@ def wrap(
             inside = wrapped
             if block.key in places:
                 *around, same = places[block.key]
+                further = shift(block.key)
                 versions = (version.children for version in known[block.key])
-                inner = wrap(block.children, same.children, *versions, is_between=is_between)
+                inner = wrap(
+                    block.children, same.children, *versions, of_people=of_people, by=by + further
+                )
                 block = Block(block.key, block.lines, inner, block.tail)
-                if around and is_between:  # another one may be around them all
-                    moved = _shifted(block, depth(same.text) - depth(around[0].text))
-                    same = set_beside(same, moved)
                 if around or _RELATIVE.match(same.text):
-                    block = _set_like(same, block)
+                    like = set_beside(same, _shifted(block, further)) if of_people else same
+                    block = _set_like(like, block)
             else:
-                around = _between(blocks, at, places) if is_between else []
+                around = _between(blocks, at, places) if of_people else []
                 if block.children and block.key not in base:
                     block = Block(block.key, block.lines, level(block.children), block.tail)
                 if around:
-                    beside = next(b for b in reversed(blocks[:at]) if b.key in places)
-                    by = depth(places[beside.key][-1].text) - depth(beside.text)
-                    block = _shifted(block, by)
+                    beside = next(one.key for one in reversed(blocks[:at]) if one.key in places)
+                    block = _shifted(block, shift(beside))
             for container in around:
                 inside = _inside(inside, container.key)
             inside.append(block)
