@@ -36,10 +36,11 @@ def align(
     match(new, old)
     mine = identify(mine, old, new)
     _tell_apart(mine, old, new)
-    base, theirs = (wrap(side, mine, old, new, of_people=of_people) for side in (old, new))
-    if of_people:
-        mine, base = (wrap(side, new, old, mine, of_people=True) for side in (mine, base))
-    return mine, base, theirs
+    if not of_people:
+        return mine, wrap(old, mine, old, new), wrap(new, mine, old, new)
+    base, theirs = (wrap(side, mine, old, of_people=True) for side in (old, new))
+    ours, base = (wrap(side, new, old, of_people=True) for side in (mine, base))
+    return ours, base, theirs
 
 
 def identify(blocks: Blocks, old: Blocks, new: Blocks) -> list[Block]:

@@ -470,30 +470,57 @@ OWN = {
 """What a developer may write beside a thing, and at the end of a line of it."""
 
 
+def put_around(path, text, *heads):
+    """Return a text of things with containers around it, the first one inside."""
+    for head in heads:
+        text = AROUND[path][2].format(head, textwrap.indent(text, " " * 4 * path.endswith(".py")))
+    return text
+
+
+def joined(path, is_ours, base, *sides):
+    """Join two texts that developers have made of one, and return the lines of both."""
+    files = [{path: File(AROUND[path][0].format(text).encode())} for text in (base, *sides)]
+    first, second = files[1:] if is_ours else files[:0:-1]
+    result, wrong = people(first, files[0], second).merged()
+    assert (wrong, result.conflicts) == ([], {})
+    return [*filter(str.strip, result.tree[path].text.split("\n"))]
+
+
+def things(path):
+    return [textwrap.dedent(AROUND[path][1].format(name)) for name in ("one", "two", "three")]
+
+
+def lines_of(path, text):
+    return [*filter(str.strip, AROUND[path][0].format(text).split("\n"))]
+
+
 @pytest.mark.parametrize("path", AROUND)
-@pytest.mark.parametrize("is_deeper", [False, True])
+@pytest.mark.parametrize("around", ["", "c"])
 @pytest.mark.parametrize("is_beside", [False, True])
 @pytest.mark.parametrize("is_ours", [True, False])
-def test_what_one_writes_stays_in_what_the_other_puts_around(path, is_deeper, is_beside, is_ours):
-    whole, thing, container = AROUND[path]
-    margin = " " * 4 * path.endswith(".py")
+def test_what_one_writes_stays_in_what_the_other_puts_around(path, around, is_beside, is_ours):
+    one, two, three = things(path)
     own, comment = OWN[PurePosixPath(path).suffix]
-    one, two, three = (textwrap.dedent(thing.format(name)) for name in ("one", "two", "three"))
-
-    def file(text, *containers):
-        for head in (*containers, *"c" * is_deeper):
-            text = container.format(head, textwrap.indent(text, margin))
-        return whole.format(text)
-
-    base, wrapped = file(one + two + three), file(one + two + three, "a")
     ours = two + own if is_beside else f"{two.rstrip()}{comment}{two[len(two.rstrip()) :]}"
-    written, expected = file(one + ours + three), file(one + ours + three, "a")
-    sides = [{path: File(text.encode())} for text in (wrapped, written)]
-    first, second = sides if is_ours else sides[::-1]
-    result, wrong = people(first, {path: File(base.encode())}, second).merged()
-    assert (wrong, result.conflicts) == ([], {})
-    lines = (text.split("\n") for text in (result.tree[path].text, expected))
-    assert len({tuple(filter(str.strip, each)) for each in lines}) == 1
+    base, written = (
+        put_around(path, text, *around) for text in (one + two + three, one + ours + three)
+    )
+    wrapped, wanted = (
+        put_around(path, text, "a", *around) for text in (one + two + three, one + ours + three)
+    )
+    assert joined(path, is_ours, base, wrapped, written) == lines_of(path, wanted)
+
+
+@pytest.mark.parametrize("path", AROUND)
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_container_of_the_same_name_in_another_one_is_another(path, is_ours):
+    one, two, three = things(path)
+    own = put_around(path, OWN[PurePosixPath(path).suffix][0], "a", "c")
+    wrapped = put_around(path, one, "a")
+    found = joined(
+        path, is_ours, one + two + three, wrapped + two + three, one + two + own + three
+    )
+    assert found == lines_of(path, wrapped + two + own + three)
 
 
 FUNCTION = "int %s()\n{\n  return %s;\n}\n"
