@@ -81,7 +81,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     }
     threads = ('read',)
     timers = {'poll': 4}  # Hz
-    transforms = ['publisher', 'subscription']  # of /tf
+    transforms = ('broadcaster_pose', 'listener_frames')
     parameters = {  # default, other values, refused ones
         'prefix': ('it\'s "said" <so> & für immer', ['other', 'another'], [True]),
         'echo_topic': ('echo', ['other_echo_topic'], [True]),

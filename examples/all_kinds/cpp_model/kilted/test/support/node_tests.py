@@ -10,6 +10,7 @@ from signal import SIGINT as INT, SIGTERM as TERM
 from time import monotonic, sleep
 
 from diagnostic_msgs.msg import DiagnosticStatus
+from geometry_msgs.msg import TransformStamped
 from support.peer import decode, encode, Peer, sample, stamped
 from support.running import eventually, LIFE, RunningNode, TIMEOUT
 from tf2_msgs.msg import TFMessage
@@ -164,10 +165,48 @@ class NodeTests:
                 self.assertTrue(eventually(lambda: wanted <= offers(node, topic).items()), topic)
 
     def test_transforms(self):
-        """The node sends transforms, or listens to them."""
-        for kind in self.transforms:
-            wanted = (self.node, kind, '/tf', TFMessage)
-            self.assertTrue(eventually(lambda: self.peer.has(*wanted)), kind)
+        """Transforms are sent as the logic says, and found as others send them."""
+        for member in self.transforms:
+            for topic, durability in (('/tf', 'volatile'), ('/tf_static', 'transient_local')):
+                is_sent = member.startswith('broadcaster_')
+                test = self.sends_transforms if is_sent else self.finds_transforms
+                test(member, topic, 'reliable', durability)
+
+    def sends_transforms(self, member, topic, *qos):
+        """See that transforms are sent; static ones together, also to those who come later."""
+        step = 'static_' + member if topic == '/tf_static' else member
+        children = ['a', 'b'] if topic == '/tf_static' else ['a']
+        for child in children:
+            self.node.order('now', f'{step}=map,{child},2.5')
+        got = self.peer.subscribe(TFMessage, topic, *qos)
+
+        def is_sent():
+            if topic == '/tf':
+                self.node.order('now', f'{step}=map,a,2.5')
+            return [
+                [tf.child_frame_id, tf.header.frame_id, tf.transform.translation.x]
+                for tf in (got[-1].transforms if got else [])
+                if tf.header.stamp.sec
+            ] == [[child, 'map', 2.5] for child in children]
+
+        self.assertTrue(eventually(is_sent), (topic, got))
+
+    def finds_transforms(self, member, topic, *qos):
+        """See that a lookup finds a transform, waits for one, and no longer than it may."""
+        frame = topic.strip('/')
+        publisher = self.peer.publisher(TFMessage, topic, *qos)
+        self.assertIsNone(self.node.order('now', f'{member}=map,{frame},0.1'))
+        begun = len(self.node.got('begun'))
+        with ThreadPoolExecutor() as pool:
+            found = pool.submit(self.node.order, 'now', f'{member}=map,{frame},{TIMEOUT}')
+            self.assertTrue(eventually(lambda: len(self.node.got('begun')) > begun))
+            transform = TransformStamped(child_frame_id=frame)
+            transform.header.frame_id = 'map'
+            transform.transform.translation.x = 2.5
+            transform.transform.rotation.w = 1.0
+            message = TFMessage(transforms=[transform])
+            self.assertTrue(eventually(lambda: publisher.publish(message) or found.done()))
+            self.assertEqual(found.result(), 2.5)
 
     def test_messages_in(self):
         """Every message reaches the logic as it was sent, once."""

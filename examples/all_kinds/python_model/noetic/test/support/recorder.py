@@ -181,6 +181,19 @@ class _Recorder:
         self.passthrough.diagnostics.set('said', text)
         getattr(self.passthrough.diagnostics, level)(text)
 
+    def _do_broadcaster(self, name, value, _, send='broadcast'):
+        parent, child, x = value.split(',')
+        member = getattr(self.passthrough, name)
+        getattr(member, send)(parent, child, (float(x), 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+
+    def _do_static(self, name, *value):
+        self._do_broadcaster(name.partition('_')[2], *value, 'broadcast_static')
+
+    def _do_listener(self, name, value, _):
+        target, source, timeout = value.split(',')
+        found = getattr(self.passthrough, name).lookup(target, source, float(timeout))
+        return found and found.transform.translation.x
+
     def _do_cycles(self, *_):
         return self._cycles
 

@@ -286,6 +286,17 @@ Step sets(Message & message)
          };
 }
 
+/// Return the words of a text that commas part.
+inline Words split(const std::string & text)
+{
+  Words words;
+  std::istringstream rest(text);
+  for (std::string word; std::getline(rest, word, ','); ) {
+    words.push_back(word);
+  }
+  return words;
+}
+
 /// The step that tells how many subscribe.
 inline Step counts(std::size_t subscribers)
 {
@@ -321,6 +332,32 @@ Steps publishes_each(
     steps["subscribers_" + name + "." + topic] = counts(publisher);
   }
   return steps;
+}
+
+/// The step that broadcasts a transform along x: PARENT,CHILD,X.
+template<typename Broadcaster>
+Step broadcasts(const std::shared_ptr<Broadcaster> & broadcaster, bool is_static = false)
+{
+  return [broadcaster, is_static](const std::string & text) {
+           const auto words = split(text);
+           const typename Broadcaster::Translation along{std::stod(words[2]), 0.0, 0.0};
+           const typename Broadcaster::Rotation none{0.0, 0.0, 0.0, 1.0};
+           is_static ? broadcaster->broadcast_static(words[0], words[1], along, none) :
+           broadcaster->broadcast(words[0], words[1], along, none);
+           return "null";
+         };
+}
+
+/// The step that looks up a transform along x: TARGET,SOURCE,TIMEOUT.
+template<typename Listener>
+Step looks_up(const std::shared_ptr<Listener> & listener)
+{
+  return [listener](const std::string & text) {
+           const auto words = split(text);
+           const std::chrono::duration<double> timeout(std::stod(words[2]));
+           const auto found = listener->lookup(words[0], words[1], timeout);
+           return found ? to_json(found->transform.translation.x) : "null";
+         };
 }
 
 /// The step that calls a service: REQUEST,TIMEOUT.
