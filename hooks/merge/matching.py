@@ -74,12 +74,12 @@ def _rejoined(mine: Blocks, *versions: Blocks) -> list[Block]:
 def _take_comment(container: Block, above: Blocks, known: Mapping[str, Blocks]) -> None:
     """Take the comment of what leaves out of the lines above a container that begins with it."""
     for key, (*_, first) in islice(_places([container], known, ()), 1):
-        generated = {line for was in known[key] for line in was.lines}
+        if len(known[key]) > 1:  # it stays
+            return
+        generated = {*known[key][0].lines} - {*first.lines}
         comments = {line for line in generated if line.lstrip().startswith(("// ", "# "))}
-        is_to_leave = len(known[key]) == 1
         for part in takewhile(lambda part: _may_join(part, known), reversed(above)):
-            if is_to_leave:
-                part.lines = [line for line in part.lines if line not in comments - {*first.lines}]
+            part.lines = [line for line in part.lines if line not in comments]
 
 
 def _may_join(part: Block, known: Mapping[str, Blocks]) -> bool:
