@@ -36,10 +36,9 @@ def align(
     match(new, old)
     mine = identify(mine, old, new)
     _tell_apart(mine, old, new)
-    if not of_people:
-        return mine, wrap(old, mine, old, new), wrap(new, mine, old, new)
-    base, theirs = (wrap(side, mine, old, of_people=True) for side in (old, new))
-    ours, base = (wrap(side, new, old, of_people=True) for side in (mine, base))
+    known = (old,) if of_people else (old, new)
+    base, theirs = (wrap(side, mine, *known, is_between=of_people) for side in (old, new))
+    ours, base = (wrap(side, new, old, is_between=True) for side in (mine, base))
     return ours, base, theirs
 
 
@@ -269,18 +268,18 @@ def wrap(
     mine: Blocks,
     old: Blocks,
     *others: Blocks,
-    of_people: bool = False,
+    is_between: bool = False,
     by: int = 0,
 ) -> list[Block]:
     """Put blocks into the containers that the developer has put around them in `mine`.
 
     All versions but `mine` have what is known; a container without lines stands for the
-    developer's. Decision 27: what is generated is merged as if they stood beside it. `of_people`:
+    developer's. Decision 27: what is generated is merged as if they stood beside it. `is_between`:
     what `mine` has not goes where both its neighbours are. `by` is how far to the right all of
     `mine` is already.
     """
     known = _by_key((old, *others))
-    places = dict(_places(mine, known, ()))
+    places = dict(sorted(_places(mine, known, ()), key=lambda place: -len(place[1])))
     base = {block.key for block in old}
 
     def shift(key: str) -> int:
@@ -295,14 +294,18 @@ def wrap(
                 further = shift(block.key)
                 versions = (version.children for version in known[block.key])
                 inner = wrap(
-                    block.children, same.children, *versions, of_people=of_people, by=by + further
+                    block.children,
+                    same.children,
+                    *versions,
+                    is_between=is_between,
+                    by=by + further,
                 )
                 block = Block(block.key, block.lines, inner, block.tail)
                 if around or _RELATIVE.match(same.text):
-                    like = set_beside(same, _shifted(block, further)) if of_people else same
+                    like = set_beside(same, _shifted(block, further)) if is_between else same
                     block = _set_like(like, block)
             else:
-                around = _between(blocks, at, places) if of_people else []
+                around = _between(blocks, at, places) if is_between else []
                 if block.children and block.key not in base:
                     block = Block(block.key, block.lines, level(block.children), block.tail)
                 if around:

@@ -15,7 +15,7 @@ from ..package import SUFFIX
 from .blocks import Block, is_comment, walk
 from .languages import PYTHON, TEXT, XML, Language, language
 from .lines import MARKS, depth, margin, plain, split
-from .matching import identify, wrap
+from .matching import identify, match, wrap
 from .origins import is_holder
 from .package import Result
 from .renaming import Renaming
@@ -52,11 +52,13 @@ def prove(
     result: Result,
     found: Tree,
     renaming: Renaming,
+    new: Tree | None = None,
     of_people: bool = False,
 ) -> Proof:
     """Look for the lines of `mine` in `found`, which is the package as it is on the disk.
 
-    `of_people`: another developer may have put a block around theirs.
+    What is in a container of `new` is looked for there. `of_people`: another developer's is `new`,
+    who may have put a block around theirs.
     """
     proof = Proof()
     origins = {renaming.path(path): path for path in old}
@@ -64,7 +66,8 @@ def prove(
         target = renaming.path(path)
         origin = result.origins.get(target) or origins.get(target, path)
         paths = (path, origin, target)
-        _prove_file(proof, paths, file, old.get(origin), result, found, renaming, of_people)
+        made = (new or {}).get(target)
+        _prove_file(proof, paths, file, old.get(origin), made, result, found, renaming, of_people)
     return proof
 
 
@@ -73,6 +76,7 @@ def _prove_file(
     paths: tuple[str, str, str],
     mine: File,
     base: File | None,
+    made: File | None,
     result: Result,
     tree: Tree,
     renaming: Renaming,
@@ -92,6 +96,9 @@ def _prove_file(
         known = TEXT
     before, after = (_blocks(known, text, origin, renaming) for text in (old, ours))
     after = identify(after, before, before)
+    theirs = _blocks(known, made.text, "", Renaming()) if made and made.text else []
+    match(theirs, before)
+    before, after = (wrap(side, theirs, before, is_between=True) for side in (before, after))
     own = split(ours)
     lines = [
         (scope, line, _number(own, number, line))

@@ -73,7 +73,8 @@ class Versions:
 
     def proof(self, result: Result, found: Tree) -> Proof:
         """Look for the developer's lines in a merged package."""
-        return prove(self.mine, self.old, result, found, self.renaming, self.of_people)
+        about = (self.renaming, self.new, self.of_people)
+        return prove(self.mine, self.old, result, found, *about)
 
     def wrong(self, result: Result, found: Tree, proof: Proof) -> Places:
         """Count all lines of a merged package."""

@@ -2,6 +2,7 @@
 
 import ast
 import re
+import textwrap
 from xml.etree import ElementTree
 
 import pytest
@@ -12,6 +13,7 @@ from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
 from hooks.merge.renaming import Renaming
 from hooks.merge.tree import File, encode
+from hooks.merge.versions import Versions
 from support.laboratory.judge import nesting
 from support.laboratory.trials import Laboratory
 
@@ -460,3 +462,48 @@ def test_proof_sees_what_does_not_nest(path):
     assert prove(*trees, result, result.tree, Renaming()).lost == []
     found = {path: File(text + text.replace(end, b""))}
     assert (path, "cannot be read any more") in prove(*trees, result, found, Renaming()).lost
+
+
+OF_THE_MODEL = {
+    "CMakeLists.txt": (
+        "project(arm)\n\n{}\nament_package()\n",
+        "add_library(arm)\ntarget_link_libraries(arm\n  m\n)\n",
+        ("  m\n", "  m\n  mine\n"),
+        "if(UNIX)\n{}endif()\n",
+        "",
+    ),
+    "launch/arm.launch": (
+        "<launch>\n{}</launch>\n",
+        '  <node name="arm">\n    <param name="a"/>\n  </node>\n',
+        ('    <param name="a"/>\n', '    <param name="a"/>\n    <param name="mine"/>\n'),
+        '  <group if="a">\n{}  </group>\n',
+        "  ",
+    ),
+    "arm/arm_impl.py": (
+        "import a\n\n\nclass Arm:\n{}\n    def two(self):\n        pass\n",
+        "    def one(self):\n        pass\n",
+        ("        pass\n", "        mine()\n        pass\n"),
+        "    if a:\n{}",
+        "    ",
+    ),
+    "src/arm_impl.cpp": (
+        '#include "arm.hpp"\n\n{}\nvoid Arm::two()\n{{\n}}\n',
+        "void Arm::one()\n{\n}\n",
+        ("{\n", "{\n  mine();\n"),
+        "#ifdef A\n{}#endif\n",
+        "",
+    ),
+}
+"""A file, a thing in it, an edit of it, and what the new version puts around it, how deep."""
+
+
+@pytest.mark.parametrize("path", OF_THE_MODEL)
+def test_what_the_model_puts_something_around_keeps_what_the_developer_has_in_it(path):
+    """It has not left."""
+    whole, thing, edit, container, margin = OF_THE_MODEL[path]
+    mine = thing.replace(*edit)
+    new, wanted = (container.format(textwrap.indent(text, margin)) for text in (thing, mine))
+    texts = [whole.format(text) for text in (mine, thing, new)]
+    result, doubts = Versions(*({path: File(encode(text))} for text in texts)).merged()
+    assert (doubts, result.conflicts, result.removed) == ([], {}, {})
+    assert result.tree[path].text == whole.format(wanted)
