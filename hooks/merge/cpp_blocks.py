@@ -112,9 +112,8 @@ def _whole(tokens: Tokens, at: int) -> tuple[Tokens, int]:
                 raise ValueError(f"line {head.line + 1}: {head.text}, without end")
             branches.append([head, *([] if re.match(r"\s*#\s*if\s+0\s*$", head.text) else inside)])
         end, at = tokens[at], at + 1
-        before, after = (
-            "".join(token.text for token in part) for part in (kept[-1:], tokens[at:][:1])
-        )
+        before = kept[-1].text if kept else ""
+        after = tokens[at].text if at < len(tokens) else ""
         is_inside = re.match(r"[=,(?+|&]", before) or re.search(r"[{:=,;)]$", after)
         if all(map(_balanced, branches)) and not is_inside:
             kept += [*(token for branch in branches for token in branch), end]

@@ -14,7 +14,7 @@ from ..names import class_name
 from ..package import SUFFIX
 from .blocks import Block, is_comment, walk
 from .languages import PYTHON, TEXT, XML, Language, language
-from .lines import MARKS, depth, margin, plain, split
+from .lines import MARKS, plain, split
 from .matching import identify, match, wrap
 from .origins import is_holder
 from .package import Result
@@ -104,9 +104,6 @@ def _prove_file(
         (scope, line, _number(own, number, line))
         for scope, line, number in _developer_lines(known, after, before)
     ]
-    if of_people:
-        depths = {scope: depth("".join(inside)) for scope, inside in _scopes(after).items()}
-        lines = [(scope, _outdented(line, depths[scope]), number) for scope, line, number in lines]
     behind = [(path, number, own[number - 1]) for number in renaming.behind(origin, ours)]
     proof.left += behind
     proof.total += len(lines) + len(behind)
@@ -167,10 +164,6 @@ def _read_back(
 
     counts: dict[str, Counter[str]] = {}
     scopes = _scopes(found)
-    if of_people:  # the other may have put a block further to the right
-        for inside in scopes.values():
-            by = depth("".join(inside))
-            inside[:] = [_outdented(line, by) for line in inside]
     around = {scope.rpartition(" > ")[0] for scope in scopes}
     rest = {
         scope: iter([known.key(line) for line in inside])
@@ -245,10 +238,6 @@ def _blocks(known: Language, text: str, path: str, renaming: Renaming) -> list[B
         return renaming.blocks(known, path, text)
     except (ValueError, RecursionError):
         return [Block("text", split(renaming.text(path, text)))]
-
-
-def _outdented(line: str, by: int) -> str:
-    return line[min(by, margin(line)) :]
 
 
 def _scopes(blocks: list[Block]) -> _SCOPES:
