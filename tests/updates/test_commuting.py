@@ -27,8 +27,6 @@ AROUND = {
     CMAKE: ("if({})", "endif()", ""),
 }
 """What they may put around blocks: before, behind, and how far these move to the right."""
-
-
 GUARD = ("#ifndef", "#define")
 """The lines of a header that stay together."""
 

@@ -412,10 +412,17 @@ AROUND = {
     "CMakeLists.txt": ("project(arm)\n\n{}", "add_{0}({0})\n\n", "if({})\n{}endif()\n"),
     "src/arm_impl.cpp": ("{}", "void {0}()\n{{\n}}\n\n", "#ifdef {}\n{}#endif\n"),
     "include/arm.hpp": ("{}", "void {0}()\n{{\n}}\n\n", "namespace {}\n{{\n{}}}\n"),
-    "arm/arm_impl.py": ("{}", "    def {0}(self):\n        pass\n\n\n", "class {}:\n{}"),
-    "arm/arm_ros.py": ("import a\n\n{}", "    import {0}\n\n\n", "if {}:\n{}"),
+    "arm/arm_impl.py": ("{}", "def {0}(self):\n    pass\n\n\n", "class {}:\n{}"),
+    "arm/arm_ros.py": ("import a\n\n{}", "import {0}\n\n\n", "if {}:\n{}"),
 }
 """A file, a thing in it, and what a developer may put around it."""
+
+
+def put_around(path, text, *heads):
+    """Return a text of things with containers around it, the first one inside."""
+    for head in heads:
+        text = AROUND[path][2].format(head, textwrap.indent(text, " " * 4 * path.endswith(".py")))
+    return text
 
 
 @pytest.mark.parametrize("path", AROUND)
@@ -435,17 +442,15 @@ AROUND = {
 @pytest.mark.parametrize("is_ours", [True, False])
 def test_both_put_something_around_the_same(path, ours, theirs, is_ours):
     """They choose, unless it is around different things, or the same."""
-    whole, thing, container = AROUND[path]
+    whole, thing, _ = AROUND[path]
 
     def written(side):
-        parts = {}
+        parts = {name: thing.format(name) for name in ("one", "two", "three", "four")}
         for head, inside in re.findall(r"(\w)\[(.*?)\]", side):
-            first, *others = inside.split()
-            text = "".join(thing.format(name) for name in inside.split())
-            parts |= {first: container.format(head, text), **dict.fromkeys(others, "")}
-        margin = textwrap.dedent if path.endswith(".py") else str
-        names = ("one", "two", "three", "four")
-        return whole.format("".join(parts.get(n, margin(thing.format(n))) for n in names))
+            names = inside.split()
+            text = put_around(path, "".join(parts[name] for name in names), head)
+            parts |= {**dict.fromkeys(names, ""), names[0]: text}
+        return whole.format("".join(parts.values()))
 
     base = written("c[four]" if "c" in ours else "")
     sides = [{path: File(written(side).encode())} for side in (ours, theirs)]
@@ -470,13 +475,6 @@ OWN = {
 """What a developer may write beside a thing, and at the end of a line of it."""
 
 
-def put_around(path, text, *heads):
-    """Return a text of things with containers around it, the first one inside."""
-    for head in heads:
-        text = AROUND[path][2].format(head, textwrap.indent(text, " " * 4 * path.endswith(".py")))
-    return text
-
-
 def joined(path, is_ours, base, *sides):
     """Join two texts that developers have made of one, and return the lines of both."""
     files = [{path: File(AROUND[path][0].format(text).encode())} for text in (base, *sides)]
@@ -487,7 +485,7 @@ def joined(path, is_ours, base, *sides):
 
 
 def things(path):
-    return [textwrap.dedent(AROUND[path][1].format(name)) for name in ("one", "two", "three")]
+    return [AROUND[path][1].format(name) for name in ("one", "two", "three")]
 
 
 def lines_of(path, text):
