@@ -7,7 +7,7 @@ may change beside one that the other side changed. Only changes of the same line
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 from os.path import commonprefix
@@ -58,9 +58,9 @@ def margin(line: str) -> int:
     return len(line) - len(line.lstrip(" \t"))
 
 
-def depth(text: str) -> int:
+def depth(lines: Iterable[str]) -> int:
     """Return how many blanks the first line begins with that is not empty."""
-    return next((margin(line) for line in text.split("\n") if line.strip()), 0)
+    return next((margin(line) for line in lines if line.strip()), 0)
 
 
 def plain(text: str) -> str:

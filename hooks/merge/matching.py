@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import count, islice, takewhile
 
-from .blocks import Block, is_condition
+from .blocks import Block, is_condition, walk
 from .lines import depth, margin, split
 
 Blocks = Sequence[Block]
@@ -283,7 +283,8 @@ def wrap(
     base = {block.key for block in old}
 
     def shift(key: str) -> int:
-        return depth(places[key][-1].text) - depth(known[key][0].text) - by
+        """Return how much further to the right the developer has a block."""
+        return _depth(places[key][-1]) - _depth(known[key][0]) - by
 
     def level(blocks: Blocks) -> list[Block]:
         wrapped: list[Block] = []
@@ -291,17 +292,13 @@ def wrap(
             inside = wrapped
             if block.key in places:
                 *around, same = places[block.key]
-                further = shift(block.key)
-                versions = (version.children for version in known[block.key])
-                inner = wrap(
-                    block.children,
-                    same.children,
-                    *versions,
-                    is_between=is_between,
-                    by=by + further,
-                )
-                block = Block(block.key, block.lines, inner, block.tail)
-                if around or _RELATIVE.match(same.text):
+                moves = around or _RELATIVE.match(same.text)
+                further = shift(block.key) if moves or block.children else 0
+                if block.children:
+                    sides = (same.children, *(side.children for side in known[block.key]))
+                    inner = wrap(block.children, *sides, is_between=is_between, by=by + further)
+                    block = Block(block.key, block.lines, inner, block.tail)
+                if moves:
                     like = set_beside(same, _shifted(block, further)) if is_between else same
                     block = _set_like(like, block)
             else:
@@ -397,9 +394,13 @@ def _set_like(same: Block, block: Block) -> Block:
     return shifted
 
 
+def _depth(block: Block) -> int:
+    return depth(line for _, line in walk([block]))
+
+
 def set_beside(block: Block, other: Block) -> Block:
     """Return a block with the margin of another one."""
-    return _shifted(block, depth(other.text) - depth(block.text))
+    return _shifted(block, _depth(other) - _depth(block))
 
 
 def _shifted(block: Block, by: int) -> Block:

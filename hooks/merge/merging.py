@@ -91,7 +91,9 @@ def by_line(
     ours, base, theirs = (lines.split(version.text) for version in (mine, old, new))
 
     def same(one: str, other: str) -> bool:
-        is_moved = known in (PYTHON, YAML) and lines.depth(one) != lines.depth(other)
+        is_moved = known in (PYTHON, YAML) and lines.depth(one.split("\n")) != lines.depth(
+            other.split("\n")
+        )
         return not is_moved and known.same(one, other)
 
     outcome = Outcome(lines.merge_lines(ours, base, theirs, known.key, same, of_people))
