@@ -237,7 +237,7 @@ class _Merger:
             return list(lines.split(mine.text))
         is_import = self.language is PYTHON and mine.key.startswith("from ") and not mine.children
         is_joined = is_import and mine.text.count("\n") == 1
-        if mine.text == old.text or (self.is_same(mine, old) and not is_joined):
+        if self.is_same(mine, old) and not is_joined:
             return list(lines.split(new.text))
         names = python_blocks.joined_import(mine.text, old.text, new.text) if is_import else None
         if names is not None:

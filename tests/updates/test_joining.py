@@ -11,6 +11,7 @@ import yaml
 from hooks.dictionary import load
 from hooks.faults import SpecError
 from hooks.merge.branches import Branches, Joiner, Side, people, under_way, wrong_merge
+from hooks.merge.merging import Version, by_line
 from hooks.merge.tree import LINK, File, read_folder, read_paths, write
 from hooks.merge.update import Update
 from hooks.merge.versions import Versions
@@ -507,6 +508,26 @@ def test_what_one_writes_stays_in_what_the_other_puts_around(path, around, is_be
         put_around(path, text, "a", *around) for text in (one + two + three, one + ours + three)
     )
     assert joined(path, is_ours, base, wrapped, written) == lines_of(path, wanted)
+
+
+@pytest.mark.parametrize("path", AROUND)
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_what_stands_again_in_a_container_is_still_there(path, is_ours):
+    """A line in it is where it was written."""
+    one, two, three = things(path)
+    _, comment = OWN[PurePosixPath(path).suffix]
+    ours = f"{two.rstrip()}{comment}{two[len(two.rstrip()) :]}"
+    again = put_around(path, two, "a")
+    found = joined(path, is_ours, one + two + three, one + ours + three, one + two + three + again)
+    assert found == lines_of(path, one + ours + three + again)
+
+
+def test_lines_alone_do_not_tell_how_deep_they_are_in_what_the_other_puts_around():
+    old = "class A:\n    x = 1\n\n    y = 2\n    z = 3\n"
+    mine, new = old.replace("y = 2", "y = 2  # mine"), put_around("arm/arm_ros.py", old, "a")
+    for sides in ((mine, new), (new, mine)):
+        versions = [Version(text, lambda known: []) for text in (sides[0], old, sides[1])]
+        assert by_line("arm/a.py", *versions, of_people=True).conflict
 
 
 @pytest.mark.parametrize("path", AROUND)

@@ -507,3 +507,17 @@ def test_what_the_model_puts_something_around_keeps_what_the_developer_has_in_it
     result, doubts = Versions(*({path: File(encode(text))} for text in texts)).merged()
     assert (doubts, result.conflicts, result.removed) == ([], {}, {})
     assert result.tree[path].text == whole.format(wanted)
+
+
+def test_which_of_several_the_model_puts_something_around():
+    """Of one name, where another one of it has come, too."""
+    one, two, came = (
+        f"install(TARGETS {name}\n  DESTINATION lib\n)\n" for name in ("a", "b", "c")
+    )
+    mine = one.replace("lib\n", "lib\n  OPTIONAL\n")
+    around = "if(UNIX)\n{}endif()\n"
+    sides = (mine + two, one + two, came + around.format(one) + two)
+    trees = ({"CMakeLists.txt": File(encode(text))} for text in sides)
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts, result.removed) == ([], {}, {})
+    assert result.tree["CMakeLists.txt"].text == came + around.format(mine) + two
