@@ -279,7 +279,7 @@ def wrap(
     `mine` is already.
     """
     known = _by_key((old, *others))
-    places = _by_place(mine, known)
+    places = dict(_places(mine, known, ()))
     base = {block.key for block in old}
 
     def shift(key: str) -> int:
@@ -324,11 +324,6 @@ def _between(blocks: Blocks, at: int, places: Mapping[str, tuple[Block, ...]]) -
     return [one for one, other in takewhile(lambda pair: pair[0] is pair[1], pairs)]
 
 
-def _by_place(mine: Blocks, known: Mapping[str, Blocks]) -> dict[str, tuple[Block, ...]]:
-    """Return what `_places` yields; of one that is there twice, that with less around it."""
-    return dict(sorted(_places(mine, known, ()), key=lambda place: -len(place[1])))
-
-
 def _places(
     mine: Blocks, known: Mapping[str, Blocks], around: tuple[Block, ...]
 ) -> Iterator[tuple[str, tuple[Block, ...]]]:
@@ -343,7 +338,7 @@ def _places(
 def _tell_apart(mine: Blocks, old: Blocks, new: Blocks) -> None:
     """Give containers of one name, put around other things by either side, keys of their own."""
     known = _by_key([old])
-    ours, theirs = (_by_place(side, known) for side in (mine, new))
+    ours, theirs = (dict(_places(side, known, ())) for side in (mine, new))
     inside, others = map(_by_container, (ours, theirs))
     for key in inside.keys() & others.keys():
         if not inside[key] & others[key]:
