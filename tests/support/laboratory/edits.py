@@ -197,7 +197,7 @@ def write_logic(random, edited, path):
 
 
 def put_in_condition(random, edited, path):
-    """Put `#if` and `#endif` around a callback, and the comment above it."""
+    """Put `#if` and `#endif` around a callback, with the comment, macro and attribute above it."""
     lines = edited.texts[path].split("\n")
     found = [
         (name, first, last)
@@ -206,7 +206,7 @@ def put_in_condition(random, edited, path):
     ]
     if found:
         name, first, last = random.choice(found)
-        while lines[first - 1].startswith("//"):
+        while lines[first - 1].startswith(("//", "LAB_", "[[")):
             first -= 1
         if not lines[first - 1].startswith("#if"):
             form = "#if 1  // {}", "#endif  // {}"
