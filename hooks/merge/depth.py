@@ -19,8 +19,11 @@ from .languages import YAML, language
 from .lines import margin, split
 from .tree import File, Tree
 
-Shift = Callable[[str], tuple[str, list[int]]]
-"""Returns a text, and the numbers of the lines that cannot come along, from 1."""
+Shift = Callable[[str], "tuple[str, list[int]] | None"]
+"""Returns a text, and the numbers of the lines that cannot come along, from 1.
+
+Nothing where it does not see what belongs to the node.
+"""
 
 
 def shifts(old: Tree, new: Tree, path_of: Callable[[str], str]) -> dict[str, Shift]:
@@ -30,33 +33,43 @@ def shifts(old: Tree, new: Tree, path_of: Callable[[str], str]) -> dict[str, Shi
         other = new.get(path_of(path), File(b""))
         before, after = file.text or "", other.text or ""
         if language(path, before) is YAML and before and after:
-            above, below = _above(before), _above(after)
+            above, below = map(_close, (before, after))
             if above and not below:
                 found[path] = _raise(split(before)[above[0] : above[-1] + 1], path)
             elif below and not above:
                 lines = split(after)
                 head = split(before)[: below[0]]
-                found[path] = _lower(lines[below[0] : below[-1] + 1], head, _column(after))
+                column = _column(after, len(below))
+                found[path] = _lower(lines[below[0] : below[-1] + 1], head, column)
     return found
 
 
 def _raise(above: Sequence[str], path: str) -> Shift:
-    names = _names(_key(above[0]), path)
+    first, *others = map(_key, above)
+    names = [_names(first, path), *([key] for key in others)]
 
-    def shift(text: str) -> tuple[str, list[int]]:
-        lines, others = split(text), _others(text, names)
-        kept = [line for number, line in enumerate(lines) if number not in others]
-        found = _above("".join(kept))
-        if not found or _key(kept[found[0]]) not in names:
+    def shift(text: str) -> tuple[str, list[int]] | None:
+        if not all(key in text for key in others):
             return text, []
-        if kept[found[0] + 1 : found[-1] + 1] != above[1:]:
-            return text, []
-        column = _column("".join(kept))
-        rest = [line[min(column, margin(line)) :] for line in kept[found[-1] + 1 :]]
-        behind = [number + 1 for number in sorted(others) if lines[number].strip()]
-        return "".join([*kept[: found[0]], *rest]), behind
+        lines, beside = split(text), _beside(text, names[0])
+        places = [number for number in range(len(lines)) if number not in beside]
+        kept = "".join(lines[number] for number in places)
+        head = [places[number] for number in _above(kept)[: len(above)]]
+        if not head or [_key(lines[number]) for number in head[1:]] != others:
+            return None
+        column = _column(kept, len(above))
+        rest = [lines[number] for number in places if number > head[0] and number not in head]
+        own = {n for n, keys in zip(head, names, strict=True) if _is_own(lines[n], keys)}
+        behind = [number + 1 for number in sorted(beside | own) if lines[number].strip()]
+        start = [lines[number] for number in places if number < head[0]]
+        return "".join([*start, *(line[min(column, margin(line)) :] for line in rest)]), behind
 
     return shift
+
+
+def _is_own(line: str, keys: Sequence[str]) -> bool:
+    """Say whether a line has another key than these, or something behind it."""
+    return _key(line) not in keys or not line.rstrip().endswith(":")
 
 
 def _names(key: str, path: str) -> list[str]:
@@ -67,12 +80,12 @@ def _names(key: str, path: str) -> list[str]:
 
 
 def _key(line: str) -> str:
-    """Return the key that is alone on a line."""
-    found = re.fullmatch(r"""(["']?)(.+)\1:\s*""", line)
+    """Return the key that a line has, and no value."""
+    found = re.fullmatch(r"""\s*(["']?)(.+?)\1\s*:\s*(#.*)?""", line.rstrip())
     return found[2] if found else ""
 
 
-def _others(text: str, names: Sequence[str]) -> set[int]:
+def _beside(text: str, names: Sequence[str]) -> set[int]:
     """Return the lines, from 0, of what is beside the first of some keys that a text has."""
     node = compose(text)
     if node is None or node.flow_style:
@@ -89,10 +102,12 @@ def _others(text: str, names: Sequence[str]) -> set[int]:
 
 
 def _lower(above: Sequence[str], head: Sequence[str], column: int) -> Shift:
-    def shift(text: str) -> tuple[str, list[int]]:
+    def shift(text: str) -> tuple[str, list[int]] | None:
         node = compose(text)
-        if node is None or node.flow_style:
+        if node is None:
             return text, []
+        if node.flow_style:
+            return None
         lines, first = split(text), node.start_mark.line
         at = first
         while at and lines[at - 1].startswith("#") and lines[at - 1] not in head[-1:]:
@@ -112,6 +127,12 @@ def compose(text: str) -> yaml.MappingNode | None:
     return node if isinstance(node, yaml.MappingNode) and node.value else None
 
 
+def _close(text: str) -> list[int]:
+    """Return the lines of the keys above all others where nothing stands between them."""
+    found = _above(text)
+    return found if found and found == [*range(found[0], found[-1] + 1)] else []
+
+
 def _above(text: str) -> list[int]:
     """Return the lines of the keys that stand above all others, each alone on its line."""
     found: list[int] = []
@@ -122,13 +143,12 @@ def _above(text: str) -> list[int]:
             break
         found.append(key.start_mark.line)
         node = value
-    is_close = not found or found == list(range(found[0], found[-1] + 1))
-    return found if is_close else []
+    return found
 
 
-def _column(text: str) -> int:
-    """Return where the keys begin that stand below those."""
+def _column(text: str, depth: int) -> int:
+    """Return where the keys begin that stand below so many."""
     node = compose(text)
-    for _ in _above(text):
+    for _ in range(depth):
         node = node.value[0][1]  # type: ignore[union-attr]
     return node.start_mark.column if node else 0

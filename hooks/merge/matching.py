@@ -35,7 +35,8 @@ def align(
     """
     match(new, old)
     mine = identify(mine, old, new)
-    _tell_apart(mine, old, new)
+    tell_apart(mine, old, new)
+    _refuse_both(mine, old, new)
     known = (old,) if of_people else (old, new)
     base, theirs = (wrap(side, mine, *known, is_between=of_people) for side in (old, new))
     ours, base = (wrap(side, new, old, is_between=True) for side in (mine, base))
@@ -335,32 +336,46 @@ def _places(
             yield from _places(block.children, known, (*around, block))
 
 
-def _tell_apart(mine: Blocks, old: Blocks, new: Blocks) -> None:
+def tell_apart(mine: Blocks, old: Blocks, new: Blocks) -> None:
     """Give containers of one name, put around other things by either side, keys of their own."""
     known = _by_key([old])
+    inside, others = (_by_container(side, known) for side in (mine, new))
+    for block in new:
+        if block.key in inside:
+            here, there = inside[block.key], others[block.key]
+            if here != there and not here & there:
+                taken = {*known, *(each.key for each in (*mine, *new))}
+                block.key = _own_key(_name(block.key), taken)
+    for sides in _of_all(mine, old, new):
+        tell_apart(*sides)
+
+
+def _refuse_both(mine: Blocks, old: Blocks, new: Blocks) -> None:
+    """Insist that the two sides have not put other containers around one thing."""
+    known = _by_key([old])
     ours, theirs = (dict(_places(side, known, ())) for side in (mine, new))
-    inside, others = map(_by_container, (ours, theirs))
-    for key in inside.keys() & others.keys():
-        if not inside[key] & others[key]:
-            theirs[next(iter(others[key]))][0].key = _own_key(
-                _name(key), {*known, *(block.key for block in (*mine, *new))}
-            )
-    inside, others = map(_by_container, (ours, theirs))
+    inside, others = (_by_container(side, known) for side in (mine, new))
     for key in ours.keys() & theirs.keys():
         around, other = ours[key][0].key, theirs[key][0].key
         both = around != key != other
         if both and (around != other or inside[around] != others[other]):
             raise BothAroundError(key)
-        _tell_apart(ours[key][-1].children, known[key][0].children, theirs[key][-1].children)
+    for sides in _of_all(mine, old, new):
+        _refuse_both(*sides)
 
 
-def _by_container(places: Mapping[str, tuple[Block, ...]]) -> dict[str, set[str]]:
-    """Return what each container holds that is around a generated block."""
-    found: dict[str, set[str]] = {}
-    for key, (outer, *inner) in places.items():
-        if inner:
-            found.setdefault(outer.key, set()).add(key)
-    return found
+def _of_all(mine: Blocks, old: Blocks, new: Blocks) -> Iterator[tuple[Blocks, Blocks, Blocks]]:
+    """Yield what each generated block holds that all three versions have."""
+    known = _by_key([old])
+    ours, theirs = (dict(_places(side, known, ())) for side in (mine, new))
+    for key in ours.keys() & theirs.keys():
+        yield ours[key][-1].children, known[key][0].children, theirs[key][-1].children
+
+
+def _by_container(side: Blocks, known: Mapping[str, Blocks]) -> dict[str, set[str]]:
+    """Return the generated blocks that each block of the developer's holds."""
+    own = (block for block in side if block.key not in known)
+    return {block.key: {key for key, _ in _places([block], known, ())} for block in own}
 
 
 def _inside(level: list[Block], key: str) -> list[Block]:

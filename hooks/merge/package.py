@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from . import lines
 from .languages import language
-from .merging import Outcome, Version, Way, merge
+from .merging import Outcome, Version, Way, conflict, merge
 from .renaming import Renaming
 from .tree import LINK, File, Tree, encode
 
@@ -176,6 +176,8 @@ class _Package:
             Version(theirs, lambda known: known.blocks(theirs)),
         )
         way = self.ways.get(path, merge)
+        if self.renaming.is_stuck(origin, ours):
+            way = conflict
         outcome = way(path, *versions, self.of_people)
         if outcome.conflict and self.of_people and way is merge:
             # What a developer puts around code, the merge follows on the one side alone.

@@ -15,7 +15,7 @@ from ..package import SUFFIX
 from .blocks import Block, is_comment, walk
 from .languages import PYTHON, TEXT, XML, Language, language
 from .lines import MARKS, plain, split
-from .matching import identify, match, wrap
+from .matching import identify, match, tell_apart, wrap
 from .origins import is_holder
 from .package import Result
 from .renaming import Renaming
@@ -98,6 +98,7 @@ def _prove_file(
     after = identify(after, before, before)
     theirs = _blocks(known, made.text, "", Renaming()) if made and made.text else []
     match(theirs, before)
+    tell_apart(after, before, theirs)
     before, after = (wrap(side, theirs, before, is_between=True) for side in (before, after))
     own = split(ours)
     lines = [
@@ -160,7 +161,8 @@ def _read_back(
     """Look for lines in their blocks; a conflict shows those in `shown`, `made` is generated."""
 
     def place(scope: str) -> str:
-        return scope.rpartition(" > ")[2] if of_people else scope
+        """Return a scope; of people, the block alone, and of a namespace that is opened again."""
+        return scope.rpartition(" > ")[2].removeprefix("{ ") if of_people else scope
 
     counts: dict[str, Counter[str]] = {}
     scopes = _scopes(found)

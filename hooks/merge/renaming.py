@@ -118,12 +118,18 @@ class Renaming:
         return self._texts[path, text]
 
     def _shifted(self, path: str, text: str) -> str:
-        return self.shifts[path](text)[0] if path in self.shifts else text
+        found = self.shifts[path](text) if path in self.shifts else None
+        return found[0] if found else text
+
+    def is_stuck(self, path: str, text: str) -> bool:
+        """Say whether a file cannot have the depth that its keys have in the new version."""
+        return path in self.shifts and self.shifts[path](self._exchanged(path, text)) is None
 
     def behind(self, path: str, text: str) -> list[int]:
         """Return the numbers of the lines that a file of another ROS cannot have, from 1."""
         shift = self.shifts.get(path)
-        return shift(self._exchanged(path, text))[1] if shift else []
+        found = shift(self._exchanged(path, text)) if shift else None
+        return found[1] if found else []
 
     def _exchanged(self, path: str, text: str) -> str:
         known = language(path, text)

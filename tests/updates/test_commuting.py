@@ -115,12 +115,14 @@ def edited(known, text, edits):
         return None
 
 
-def an_edit(random, found, word):
+def an_edit(random, found, own):
+    """Choose one; what two of them put around blocks may be alike, as `if(BUILD_TESTING)`."""
     parts = [i for i, place in enumerate(found) if place.start < place.end]
     number = random.choice([i for i in parts if found[i].block.key not in GUARD])
     level = found[number].level
     after = [i for i, place in enumerate(found) if place.level is level and i >= number]
     kind = random.choice(["around", "behind", "beside"])
+    word = random.choice(["one", "two"]) if kind == "around" else own
     return Edit(number, kind, word, random.choice(after[:3]))
 
 

@@ -52,7 +52,7 @@ MINE_DEEP = """\
 
 
 def shift(old, new, text, path="config/reach.yaml"):
-    """Give a text the depth of a new version; nothing where that is as deep as the old one."""
+    """Give a text the depth of a new version; nothing where that is as deep, or it cannot be."""
     return (shift_all(old, new, text, path) or [None])[0]
 
 
@@ -73,7 +73,7 @@ def test_what_is_raised():
     assert shift(DEEP, FLAT, MINE_DEEP) == MINE
 
 
-@pytest.mark.parametrize("text", ["", "- a\n", "{rate: 10}\n", "rate: [\n", "# Nothing\n"])
+@pytest.mark.parametrize("text", ["", "- a\n", "rate: [\n", "# Nothing\n"])
 def test_what_has_no_keys_below_one_another_stays(text):
     assert shift(FLAT, DEEP, text) == text
 
@@ -83,14 +83,39 @@ def test_keys_that_name_the_node(name):
     assert shift(DEEP, FLAT, MINE_DEEP.replace("/**", name)) == MINE
 
 
-@pytest.mark.parametrize("old", ["/left/reach:", "each:", "/**:  # mine", "reach:  # mine"])
-def test_other_keys_above_stay(old):
-    """As it came, or it would lose what the developer wrote there."""
-    mine = MINE_DEEP.replace("/**:", old)
-    assert shift(DEEP, FLAT, mine) == mine
+@pytest.mark.parametrize("head", ["/left/reach:", "each:", "/**:  # mine", "'reach':  # mine"])
+def test_other_keys_above_are_said_to_stay_behind(head):
+    mine = MINE_DEEP.replace("/**:", head)
+    assert shift_all(DEEP, FLAT, mine) == (MINE, [3])
+    mine = mine.replace("parameters:", "parameters:  # mine too")
+    assert shift_all(DEEP, FLAT, mine) == (MINE, [3, 4])
+
+
+def test_comment_between_the_keys_above_comes_along():
+    mine = MINE_DEEP.replace("/**:\n", "/**:\n  # Of ROS\n")
+    assert shift(DEEP, FLAT, mine) == MINE.replace("# Mine", "# Of ROS\n# Mine")
 
 
 LEFT = "# Mine\n/left/reach:\n  ros__parameters:\n    rate: 30\n"
+
+STUCK = {
+    "of several nodes": (DEEP, FLAT, f"{LEFT}/right/reach:\n  ros__parameters:\n    rate: 40\n"),
+    "in one line": (DEEP, FLAT, "/**: {ros__parameters: {rate: 20}}\n"),
+    "of another namespace": (DEEP, FLAT, f"{DEEP}  other: 1\n"),
+    "in one line of ROS 1": (FLAT, DEEP, "{rate: 20, gains: [3]}\n"),
+}
+
+
+@pytest.mark.parametrize("case", STUCK)
+def test_file_that_cannot_have_the_other_depth_is_for_the_developer_to_move(case):
+    path = "config/reach.yaml"
+    old, new, mine = STUCK[case]
+    trees = [{path: File(encode(text))} for text in (mine, old, new)]
+    renaming = Renaming()
+    renaming.move(*trees[1:])
+    result, doubts = Versions(*trees, renaming, to_ros=1).merged()
+    assert ([*result.conflicts], doubts) == ([path], [])
+    assert result.tree[path].text.startswith(f"<<<<<<< before updating\n{mine}=======\n")
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,6 @@
 """Two branches become one, with a model of a few lines in the place of Copier, so quickly."""
 
+import itertools
 import re
 import subprocess
 import textwrap
@@ -540,6 +541,43 @@ def test_container_of_the_same_name_in_another_one_is_another(path, is_ours):
         path, is_ours, one + two + three, wrapped + two + three, one + two + own + three
     )
     assert found == lines_of(path, wrapped + two + own + three)
+
+
+@pytest.mark.parametrize("path", AROUND)
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_both_put_the_same_around_different_things_and_one_writes_there(path, is_ours):
+    one, two, three = things(path)
+    _, comment = OWN[PurePosixPath(path).suffix]
+    written = f"{three.rstrip()}{comment}{three[len(three.rstrip()) :]}"
+    wrapped = put_around(path, one, "a")
+    ours, theirs = wrapped + two + written, one + put_around(path, two + three, "a")
+    wanted = wrapped + put_around(path, two + written, "a")
+    assert joined(path, is_ours, one + two + three, ours, theirs) == lines_of(path, wanted)
+
+
+@pytest.mark.parametrize("path", AROUND)
+@pytest.mark.parametrize("is_empty", [False, True])
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_container_of_the_same_name_that_holds_nothing_generated_is_another(
+    path, is_empty, is_ours
+):
+    """One of it has been left empty, as by what left, or was written with own code in it."""
+    parts = things(path)
+    content = "" if is_empty and not path.endswith(".py") else OWN[PurePosixPath(path).suffix][0]
+    own = put_around(path, content, "a")
+    for at, (first, last) in itertools.product(range(4), itertools.combinations(range(4), 2)):
+        ours = "".join([*parts[:at], own, *parts[at:]])
+        before, after = "".join(parts[:first]), "".join(parts[last:])
+        wrapped = put_around(path, "".join(parts[first:last]), "a")
+        found = joined(path, is_ours, "".join(parts), ours, before + wrapped + after)
+        if first < at < last:
+            inside = "".join([*parts[first:at], own, *parts[at:last]])
+            wanted = before + put_around(path, inside, "a") + after
+        elif at <= first:
+            wanted = "".join([*parts[:at], own, *parts[at:first], wrapped, after])
+        else:
+            wanted = "".join([before, wrapped, *parts[last:at], own, *parts[at:]])
+        assert found == lines_of(path, wanted), (at, first, last)
 
 
 FUNCTION = "int %s()\n{\n  return %s;\n}\n"

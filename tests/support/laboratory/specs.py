@@ -166,15 +166,14 @@ def _change(random, spec, how, callbacks_only):
 def _change_nodes(random, spec, callbacks_only):
     nodes = spec["nodes"]
     free = [name for name in NODES if name not in {n for node in nodes for n in names_of(node)}]
+    groups = [name for name in GROUPS if name not in {node["group"] for node in nodes}]
     how = random.choice(("add", "remove", "rename"))
     if how == "remove" and len(nodes) > 1:
         nodes.remove(random.choice(nodes))
-    elif how == "add" and free:
+    elif how == "add" and free and groups:
         items = random_items(random, callbacks_only)
-        group = next(name for name in GROUPS if name not in {n["group"] for n in nodes})
-        nodes.append(
-            {"name": random.choice(free), "frequency": 10, "items": items, "group": group}
-        )
+        name = random.choice(free)
+        nodes.append({"name": name, "frequency": 10, "items": items, "group": groups[0]})
     elif how == "rename" and free:
         node = random.choice(nodes)
         if not node.get("was"):
