@@ -10,6 +10,7 @@ import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from difflib import SequenceMatcher
 
 from ..changes import GONE
 from . import lines, python_blocks
@@ -280,11 +281,23 @@ def _touch(merged: Merged) -> bool:
 
 
 def _order(mine: list[str], old: list[str], new: list[str]) -> list[str]:
-    """Return all names, in the developer's order where they have one, else in the new one."""
+    """Return all names, in the new order but for what the developer has moved."""
     known = set(old)
     if [key for key in mine if key in known] == [key for key in old if key in set(mine)]:
         return _inserted(_inserted(new, mine), old)
-    return _inserted(_inserted(mine, new), old)
+    own = _moved(mine, old)
+    moved = _moved(new, old) - own
+    stay = [key for key in mine if key not in moved]
+    stay = _inserted(stay, [key for key in new if key in known - own and key in mine])
+    return _inserted(_inserted(stay, new), old)
+
+
+def _moved(keys: list[str], old: list[str]) -> set[str]:
+    """Return what is not where it was before, beside the rest."""
+    both = set(keys) & set(old)
+    before, after = ([key for key in each if key in both] for each in (old, keys))
+    matches = SequenceMatcher(None, before, after, autojunk=False).get_matching_blocks()
+    return both.difference(*(before[match.a : match.a + match.size] for match in matches))
 
 
 def _inserted(keys: list[str], others: Iterable[str]) -> list[str]:

@@ -27,8 +27,8 @@ AROUND = {
     CMAKE: ("if({})", "endif()", ""),
 }
 """What they may put around blocks: before, behind, and how far these move to the right."""
-GUARD = ("#ifndef", "#define")
-"""The lines of a header that stay together."""
+FIXED = ("#ifndef", "#define", "header", "docstring")
+"""What stands first in a file, in this order."""
 
 
 def margin(block):
@@ -64,6 +64,10 @@ def places(blocks, start=0):
         start = end
 
 
+KINDS = ("behind", "beside", "around", "move", "delete")
+"""What a developer may do to a block, in the order in which one edit leaves another its places."""
+
+
 @dataclass
 class Edit:
     """What a developer does to a block: which one, what, the word that they write, and the end."""
@@ -76,8 +80,11 @@ class Edit:
     def lines(self, found):
         """Return the lines that it needs as they are."""
         place = found[self.number]
+        last = found[self.last].end
         if self.kind == "around":
-            return {place.start - 1, place.start, found[self.last].end - 1, found[self.last].end}
+            return {place.start - 1, place.start, last - 1, last}
+        if self.kind in ("move", "delete"):
+            return {*range(place.start - 1, place.end + 1), last - 1, last}
         return {place.end - 1, place.end} if self.kind == "beside" else {place.start}
 
     def apply(self, known, found):
@@ -90,8 +97,14 @@ class Edit:
         elif self.kind == "beside":
             own = f"{margin(block)}{OWN[known].format(self.word)}\n"
             level.insert(at + 1, type(block)("own", [own]))
+        elif self.kind == "delete":
+            level.remove(block)
         else:
             last = next(i for i, each in enumerate(level) if each is found[self.last].block)
+        if self.kind == "move":
+            level.insert(last + 1, block)
+            del level[at]
+        if self.kind == "around":
             inside = level[at : last + 1]
             before, behind, by = AROUND[known]
             heads = [text for text in (before.format(self.word), behind) if text]
@@ -106,7 +119,7 @@ def edited(known, text, edits):
     blocks = known.blocks(text)
     found = [*places(blocks)]
     try:
-        for edit in sorted(edits, key=lambda edit: (edit.kind == "around", -edit.number)):
+        for edit in sorted(edits, key=lambda edit: (KINDS.index(edit.kind), -edit.number)):
             edit.apply(known, found)
         result = "".join(block.text for block in blocks)
         known.blocks(result)
@@ -118,10 +131,10 @@ def edited(known, text, edits):
 def an_edit(random, found, own):
     """Choose one; what two of them put around blocks may be alike, as `if(BUILD_TESTING)`."""
     parts = [i for i, place in enumerate(found) if place.start < place.end]
-    number = random.choice([i for i in parts if found[i].block.key not in GUARD])
+    number = random.choice([i for i in parts if found[i].block.key not in FIXED])
     level = found[number].level
     after = [i for i, place in enumerate(found) if place.level is level and i >= number]
-    kind = random.choice(["around", "behind", "beside"])
+    kind = random.choice(KINDS)
     word = random.choice(["one", "two"]) if kind == "around" else own
     return Edit(number, kind, word, random.choice(after[:3]))
 

@@ -545,6 +545,16 @@ def test_container_of_the_same_name_in_another_one_is_another(path, is_ours):
 
 @pytest.mark.parametrize("path", AROUND)
 @pytest.mark.parametrize("is_ours", [True, False])
+def test_both_move_another_thing(path, is_ours):
+    base, ours, theirs, both = (
+        "".join(AROUND[path][1].format(f"thing_{name}") for name in names)
+        for names in ("abcdefg", "bcadefg", "abcdgef", "bcadgef")
+    )
+    assert joined(path, is_ours, base, ours, theirs) == lines_of(path, both)
+
+
+@pytest.mark.parametrize("path", AROUND)
+@pytest.mark.parametrize("is_ours", [True, False])
 def test_both_put_the_same_around_different_things_and_one_writes_there(path, is_ours):
     one, two, three = things(path)
     _, comment = OWN[PurePosixPath(path).suffix]
