@@ -38,7 +38,7 @@ def shifts(old: Tree, new: Tree, path_of: Callable[[str], str]) -> dict[str, Shi
                 found[path] = _raise(split(before)[above[0] : above[-1] + 1], path)
             elif below and not above:
                 lines = split(after)
-                head = split(before)[: below[0]]
+                head = [line for line in split(before)[: below[0]] if line.strip()]
                 column = _column(after, len(below))
                 found[path] = _lower(lines[below[0] : below[-1] + 1], head, column)
     return found
@@ -108,10 +108,11 @@ def _lower(above: Sequence[str], head: Sequence[str], column: int) -> Shift:
             return text, []
         if node.flow_style:
             return None
-        lines, first = split(text), node.start_mark.line
-        at = first
-        while at and lines[at - 1].startswith("#") and lines[at - 1] not in head[-1:]:
+        lines, at = split(text), node.start_mark.line
+        while at and re.match(r"#|\s*$", lines[at - 1]) and lines[at - 1] not in head:
             at -= 1
+        while not lines[at].strip():
+            at += 1
         rest = [" " * column + line if line.strip() else line for line in lines[at:]]
         return "".join([*lines[:at], *above, *rest]), []
 

@@ -68,6 +68,11 @@ def test_what_is_put_below_keys():
     assert shift(FLAT, DEEP, MINE) == MINE_DEEP
 
 
+def test_comment_that_an_empty_line_parts_from_its_key_goes_with_it():
+    mine, wanted = (text.replace("# Mine\n", "# Mine\n\n") for text in (MINE, MINE_DEEP))
+    assert shift(FLAT, DEEP, mine) == wanted
+
+
 def test_what_is_raised():
     assert shift(DEEP, FLAT, DEEP) == FLAT
     assert shift(DEEP, FLAT, MINE_DEEP) == MINE
