@@ -39,8 +39,8 @@ class PathsExtension(Extension):
             return f"{{% yield part from {parts} %}}.{{% endyield %}}"
         # Inside of a folder of a component, the names are those of this component alone.
         spec = "(part if part is defined else spec)"
-        found = f"{spec} | all_of('{item[1]}', known_tags | default([]))"
-        components = f"[{item[1]}] if {item[1]} is defined else {found}"
+        known = f"known_tags | default([]), {item[1]} | default(none)"
+        components = f"{spec} | all_of('{item[1]}', {known})"
         shown = _ITEM.sub(r"{{ \1 | value_of('\2', '\1') }}", source)
         return f"{{% yield {item[1]} from {components} %}}{shown}{{% endyield %}}"
 
@@ -53,14 +53,20 @@ def value_of(item: Any, name: str, tag: str) -> Any:
     return item[name] if isinstance(item, Mapping) else item
 
 
-def all_of(spec: Mapping[str, Any], tag: str, known: Sequence[str] = ()) -> list[Any]:
+def all_of(
+    spec: Mapping[str, Any], tag: str, known: Sequence[str] = (), given: Any = None
+) -> list[Any]:
     """Return the components of a tag, or what they have of a kind, each with its component.
 
     A tag must be one of those that are known, if any are. What components take from others is
-    among what they have.
+    among what they have. What is `given` is that of the folder which the file is in.
     """
     if known and tag not in known:
         raise TemplateRuntimeError(f'unknown tag "{tag}"; allowed: {", ".join(known)}')
+    if isinstance(given, Mapping):
+        return [given]
+    if given is not None:  # Copier knows no two things of one name
+        raise TemplateRuntimeError(f'"{tag}" is an answer, too; give the tag another name')
     key = f"{tag}s"
     if key in spec:
         return list(spec[key])

@@ -40,12 +40,12 @@ def _moved(file: Path, names: list[dict[str, str]]) -> dict[str, str]:
     try:
         content = load_yaml(file.read_text(encoding="utf-8")) or {}
         return {
-            str(old).format_map(name): str(new).format_map(name)
+            old.format_map(name): new.format_map(name)
             for new, old in content.items()
             for name in names
-            if _fits(str(new), name)
+            if _fits(new, name)
         }
-    except (AttributeError, KeyError, ValueError, yaml.YAMLError) as error:
+    except (AttributeError, IndexError, KeyError, ValueError, yaml.YAMLError) as error:
         what = f"{file}: must be a mapping of new paths to old ones: {error}"
         raise SpecError(what, "wrong-shape") from error
 

@@ -166,6 +166,10 @@ def test_what_a_name_of_a_file_is_made_of():
     with pytest.raises(jinja2.TemplateRuntimeError) as caught:
         all_of(spec, "leg", ["node", "topic"])
     assert str(caught.value) == 'unknown tag "leg"; allowed: node, topic'
+    assert all_of(spec, "node", ["node"], {"name": "of the folder"}) == [{"name": "of the folder"}]
+    with pytest.raises(jinja2.TemplateRuntimeError) as caught:
+        all_of(spec, "node", ["node"], "an answer")
+    assert str(caught.value) == '"node" is an answer, too; give the tag another name'
     assert value_of("n", "name", "node") == value_of({"name": "n"}, "name", "node") == "n"
     with pytest.raises(jinja2.TemplateRuntimeError) as caught:
         value_of({"name": "n", "label": "l", "topics": []}, "lable", "node")

@@ -197,8 +197,9 @@ def test_spec_names_the_schema_beside_it(source, model, tmp_path):
     package = tmp_path / "fresh"
     model_checks.make(source, package, model, None, model.distros[-1])
     (spec,) = package.glob("*.ros_package")
-    named = re.search(r'^<\?xml-model href="(.*?)"', spec.read_text(), re.MULTILINE)[1]
-    assert (package / named).read_text() == model.hook.schema()
+    named = re.search(r'^<\?xml-model href="(.*?)"', spec.read_text(), re.MULTILINE)
+    assert named, f"{spec.name} names no schema: <?xml-model href=...?>"
+    assert (package / named[1]).read_text() == model.hook.schema()
 
 
 @pytest.mark.parametrize("model", MODELS, ids=str)

@@ -124,6 +124,21 @@ MISTAKES = {
         "two_components",
         '{{ spec.name }}/[nod.name].py.jinja: unknown tag "nod"; allowed: node, publisher,',
     ),
+    "the spec in a file name": (
+        renamed(NODE, NODE.replace("node.name", "spec.name")),
+        "two_components",
+        '{{ spec.name }}/[spec.name].py.jinja: unknown tag "spec"; allowed: node, publisher,',
+    ),
+    "tag that is an answer": (
+        changed("copier.yml", "ros_distro:\n", "node: {type: str, default: a}\n\nros_distro:\n"),
+        "two_components",
+        'test_[node.name].py.jinja: "node" is an answer, too; give the tag another name',
+    ),
+    "no schema": (
+        added("template/{{ spec.name }}.ros_package.jinja", "<package/>\n"),
+        "names_the_schema",
+        ".ros_package names no schema: <?xml-model href=...?>",
+    ),
     "one name for two components": (
         renamed(NODE, NODE.replace("node.name", "node.tag")),
         "two_components",

@@ -153,7 +153,10 @@ def test_moved_files_of_a_version(tmp_path, text, moved):
     assert moved_files(spec, dictionary) == moved
 
 
-@pytest.mark.parametrize("text", ["- a", "'{arm}/{node': b", "a: '{leg}'", "a: [", "'{': a"])
+@pytest.mark.parametrize(
+    "text",
+    ["- a", "'{arm}/{node': b", "a: '{leg}'", "a: [", "'{': a", "a: [b]", "1: b", "a: '{}'"],
+)
 def test_moved_files_that_are_no_mapping_of_paths(tmp_path, text):
     (tmp_path / "dictionary.yaml").write_text("node_interface: {topic: [name]}\n")
     dictionary = load(tmp_path / "dictionary.yaml", tmp_path)
