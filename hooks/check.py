@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -674,18 +673,8 @@ def _out_of_bounds(attribute: Attribute, values: Values) -> Iterator[tuple[str, 
     value = values[attribute.name]
     for each in value if isinstance(value, list) else [value]:
         if isinstance(each, int | float) and not isinstance(each, bool):
-            yield from _beyond(attribute, each, values)
-
-
-def _beyond(attribute: Attribute, value: float, values: Values) -> Iterator[tuple[str, str]]:
-    for word, limit, holds in (
-        ("above", attribute.above, operator.gt),
-        ("at least", attribute.minimum, operator.ge),
-        ("at most", attribute.maximum, operator.le),
-    ):
-        bound = values.get(limit) if isinstance(limit, str) else limit
-        if bound is not None and not holds(value, bound):
-            yield f"{attribute.name}: {value} must be {word} {bound}", "out-of-range"
+            for word, bound in attribute.beyond(each, values):
+                yield f"{attribute.name}: {each} must be {word} {bound}", "out-of-range"
 
 
 def _unlisted(attribute: Attribute, values: Values) -> Iterator[tuple[str, str]]:

@@ -6,6 +6,7 @@ mapping, which says more than a name. docs/designers describes it.
 
 from __future__ import annotations
 
+import operator
 import re
 import types
 import typing
@@ -31,6 +32,10 @@ RESERVED_KEYS = frozenset(
 """The keys of the context that the hook itself adds to the attributes of the package."""
 COMPONENT_KEYS = frozenset({"tag", "class_name"})
 """The keys that the hook itself adds to the attributes of a component (decision 7)."""
+NUMBERS = ("number", "int", "double", "literal")
+"""The formats that limits are for."""
+HIDDEN_KEYS = frozenset(dir(dict))
+"""The attributes that Jinja takes for methods of the context: `node.items`."""
 
 
 @dataclass(frozen=True)
@@ -70,6 +75,17 @@ class Attribute:
     reserved: list[str] = field(default_factory=list)
     ignored: bool = False
     example: Any = ""
+
+    def beyond(self, value: float, values: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+        """Yield the limits that a number does not keep, of which one may be another's value."""
+        for word, limit, holds in (
+            ("above", self.above, operator.gt),
+            ("at least", self.minimum, operator.ge),
+            ("at most", self.maximum, operator.le),
+        ):
+            bound = values.get(limit) if isinstance(limit, str) else limit
+            if bound is not None and not holds(value, bound):
+                yield word, bound
 
 
 NAME_BEFORE = Attribute(
@@ -433,6 +449,13 @@ class _Reader:
         if attribute.format == "literal" and not attribute.of:
             what = "a literal needs of: the attribute that names its type"
             raise self.fault(name, label, what, "missing-key")
+        for key, needed in (("whose", "refers_to"), ("gives", "refers_to")):
+            if options.get(key) and not options.get(needed):
+                raise self.fault(name, label, f"{key} needs {needed}", "missing-key")
+        limits = {"above", "minimum", "maximum"} & set(options)
+        if limits and attribute.format not in NUMBERS:
+            what = f"{min(limits)} needs a format of numbers: {', '.join(NUMBERS)}"
+            raise self.fault(name, label, what, "missing-key")
         if attribute.declares:
             self.check_word(
                 name, f"{label}: declares", "kind of type", _DECLARED, attribute.declares
@@ -445,8 +468,9 @@ class _Reader:
 
     def check_value(self, at: Located, label: str, attribute: Attribute, value: Any) -> None:
         """Insist that the default or the example is what a spec could say."""
-        if value in (None, "") or isinstance(value, list) or attribute.format == "literal":
+        if value in (None, "") or attribute.format == "literal":
             return
+        self.check_shape(at, label, value, str | float | bool)
         text = spelled(value)
         if "$" in text:
             return
@@ -461,6 +485,11 @@ class _Reader:
         if attribute.pattern and not re.fullmatch(attribute.pattern, text):
             what = f'"{text}" does not match the pattern {attribute.pattern}'
             raise self.fault(at, label, what, "pattern-mismatch")
+        if isinstance(meant, float):
+            for word, bound in attribute.beyond(meant, {}):
+                raise self.fault(at, label, f"{meant} must be {word} {bound}", "out-of-range")
+        if meant in attribute.reserved:
+            raise self.fault(at, label, f'"{text}" is reserved; choose another', "reserved-name")
         if isinstance(meant, bool) and meant is not value:
             what = f"write {spelled(meant)}, without quotes"
             raise self.fault(at, label, what, "wrong-shape")
@@ -543,8 +572,8 @@ class _Reader:
     def check_hidden(
         self, owner: str, attributes: Mapping[str, Attribute], keys: Set[str]
     ) -> None:
-        """Refuse an attribute that would hide a key the context needs."""
-        for name in keys & set(attributes):
+        """Refuse an attribute that would hide a key the context needs, or that Jinja hides."""
+        for name in (keys | HIDDEN_KEYS | {WAS}) & set(attributes):
             what = f'the context needs the key "{name}"; rename it'
             raise self.fault("", owner, what, "reserved-name")
 

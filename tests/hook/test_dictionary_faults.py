@@ -72,7 +72,10 @@ def faults(folder, dictionary, functions=None):
         ("format: number, above: 0", "format: literal, of: nam", 'above it "nam"; did you mean'),
         ("format: number, above: 0", "format: literal", "a literal needs of: the attribute"),
         ("format: number", "format: numbr", 'format "numbr"; did you mean "number"?'),
-        ("format: number", "declares: message", 'declares: unknown kind of type "message"'),
+        ("above: 0", "declares: message", 'declares: unknown kind of type "message"'),
+        ("above: 0", "whose: {type: [a]}", "timer period: whose needs refers_to [missing-key]"),
+        ("above: 0", "gives: {type: text}", "timer period: gives needs refers_to [missing-key]"),
+        ("format: number, ", "", "timer period: above needs a format of numbers: number, int"),
         (
             "work that is done again and again",
             "x\n    requires: nam",
@@ -106,6 +109,13 @@ def faults(folder, dictionary, functions=None):
         ("format: number, above: 0", "pattern: a+", '"1" does not match the pattern a+'),
         ("format: number, above: 0", "choices: [a, b]", 'example: unknown choice "1"'),
         ("above: 0", "default: fast", 'default: "fast" is not a number'),
+        ("above: 0", "default: [1]", "default: [1] must be a text or a number or true or false"),
+        ("example: 1.0", "example: {a: b}", "example: {'a': 'b'} must be a text or a number"),
+        ("above: 0", "maximum: 5, default: 6", "period: default: 6.0 must be at most 5 [out-of"),
+        ("example: 1.0", "example: 0", "period: example: 0.0 must be above 0 [out-of-range]"),
+        ("format: number, above: 0", "reserved: ['1']", 'example: "1" is reserved; choose'),
+        (NAME, f"{NAME}\n  - items: {{default: a}}", 'the context needs the key "items"; rename'),
+        (NAME, f"{NAME}\n  - was: {{default: a}}", 'the context needs the key "was"; rename it'),
         ("example: 1.0", "example: fast", 'example: "fast" is not a number'),
         (
             "format: number, above: 0, example: 1.0",
@@ -320,7 +330,7 @@ def test_long_arguments_of_a_function_are_shortened(tmp_path):
             '2: a name: of: unknown attribute above it "x"; none is allowed [unknown-word]',
         ),
         (
-            "a_attributes:\n- name: {maximum: mst}\n- most\n",
+            "a_attributes:\n- name: {format: int, maximum: mst}\n- most\n",
             '2: a name: unknown attribute of <a> "mst"; did you mean "most"? allowed: '
             "name, most [unknown-word]",
         ),
