@@ -53,7 +53,8 @@ class Update:
             given: the names of the answers that this update was given.
 
         Raises:
-            SpecError: a line of the developer's would not be in its place; nothing has changed.
+            SpecError: a line of the developer's would not be in its place, or there could be no
+                other update; nothing has changed.
 
         """
         about = (answers, renderer, dictionary, moved)
@@ -70,6 +71,7 @@ class Update:
 
     def _finish(self, joiner: Joiner, inline: bool, given: Iterable[str]) -> Report:
         """Join branches, where there are two; else merge what the new version changes."""
+        self._insist_on_answers()
         files = self.snapshot.files.items()
         mine = {path: file for path, file in files if path != self.answers_file}
         answers, dictionary = joiner.answers, joiner.dictionary
@@ -105,6 +107,20 @@ class Update:
         gone = left(*contexts, joiner.dictionary)
         holders = joiner.dictionary.holders
         return still + [*uses_of_left(gone, made.old, made.new, found, holders)]
+
+    def _insist_on_answers(self) -> None:
+        """Insist that there can be another update after this one.
+
+        Raises:
+            SpecError: the template has not written the answers.
+
+        """
+        file = self.package / self.answers_file
+        if not file.exists() or "_src_path:" not in file.read_text(encoding="utf-8"):
+            what = "this version of the template does not write Copier's answers"
+            raise SpecError(
+                f"{self.answers_file}: {what}; take another one, by --vcs-ref", "no-answers"
+            )
 
     def _insist(self, made: Versions, result: Result, found: Tree, proof: Proof) -> None:
         """Look once more, at what is on the disk now.

@@ -318,6 +318,20 @@ def test_mistake_in_a_newer_model(model, make, update):
     assert git(package, "status", "--short") == ""
 
 
+@pytest.mark.parametrize("text", [None, "", "written: by hand\n"])
+def test_newer_model_that_does_not_record_the_answers(model, make, update, text):
+    """The package could not be updated any more."""
+    package = make(SPEC)
+    (file,) = (model / "template").glob("*answers_file*")
+    file.write_text(text or "")
+    if text is None:
+        file.unlink()
+    commit(model, tag="2.0.0")
+    with pytest.raises(copier.errors.UserMessageError, match=r"answers.*\[no-answers\]"):
+        update(package)
+    assert git(package, "status", "--short") == ""
+
+
 def test_fault_of_the_hook_keeps_its_traceback(model, make):
     """It is no mistake of the author's, and a line would hide where it is."""
     file = model / "hooks/complete.py"
