@@ -17,6 +17,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from itertools import pairwise
 from pathlib import Path
 
 from packaging.version import InvalidVersion, Version
@@ -78,11 +79,15 @@ def _versions(repository: Path, model: str) -> dict[str, str]:
     It follows the highest version that it is built upon: one that is mended later, as 1.0.1 after
     1.1.0, changes no other.
     """
+    is_folder = re.fullmatch(r"[\w-]+/?", model)  # and not the collection itself
     tags = [
         tag
         for tag in _version_tags(repository)
-        if _git(repository, "ls-tree", "--name-only", tag, f"{model}/copier.yml")
+        if is_folder and _git(repository, "ls-tree", "--name-only", tag, f"{model}/copier.yml")
     ]
+    for one, other in pairwise(tags):
+        if Version(one) == Version(other):
+            raise PublishError(f"{one} and {other} are one version; delete one", "version-twice")
     places = {tag: _git(repository, "rev-parse", f"{tag}^{{commit}}") for tag in tags}
     made: dict[str, str] = {}
 

@@ -101,6 +101,14 @@ def test_two_tags_of_one_commit(own, target):
     assert run(own, target).returncode == 0
 
 
+@pytest.mark.parametrize("tag", ["1.0", "v1.0.0"])
+def test_two_tags_of_one_version(own, target, tag):
+    git(own, "tag", tag)
+    said = " are one version; delete one [version-twice]\n"
+    assert said in run(own, target).stderr
+    assert tags(target) == {}
+
+
 def test_main_that_went_on_by_itself(own, target, tmp_path):
     """Nothing is pushed, no tag either, so that the next try is not in its way."""
     run(own, target)
@@ -169,4 +177,5 @@ def test_folder_of_the_model_in_the_way(own, target):
 
 
 def test_model_that_is_not_there(own, target):
-    assert run(own, target, "b_model").stdout == "b_model: no version tag has this model\n"
+    for model in ("b_model", ".", "./a_model", "../a_model"):
+        assert run(own, target, model).stdout == f"{model}: no version tag has this model\n"
