@@ -494,7 +494,7 @@ def _attribute(random, edited, path, lines):
         at = random.choice(places)
         edited.replaced.setdefault(path, []).append(lines[at])
         margin, rest = re.match(r"(\s*)(.*)", lines[at]).groups()
-        form = random.choice(("__attribute__((hot)) ", "LAB_API(1) ", "LAB_API "))
+        form = random.choice(("__attribute__((hot)) ", "LAB_EXPORT(1) ", "LAB_API "))
         lines[at] = f"{margin}{form}{rest}  // {edited.mark(path)}"
 
 

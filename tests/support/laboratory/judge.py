@@ -159,7 +159,7 @@ def _has(text, function):
     return re.search(rf"(^\s*def |::){function}\(", text, re.MULTILINE)
 
 
-_BEFORE = r"LAB_TRACE\(\w+\)|(?:__attribute__\(\(hot\)\)|LAB_API(?:\(1\))?) "
+_BEFORE = r"LAB_TRACE\(\w+\)|(?:__attribute__\(\(hot\)\)|LAB_API|LAB_EXPORT\(1\)) "
 
 
 def without_macros(text):
