@@ -18,13 +18,14 @@ from ..data import load_data
 from .blocks import Block
 from .languages import XML
 from .lines import plain, split
-from .matching import match, set_beside
+from .matching import Blocks, match, set_beside
 from .package import Result
 from .renaming import Renaming
 from .tree import File, Tree, encode
 
 _KNOWN = load_data("launch.yaml")
 _TAG = re.compile(r"""<(?P<tag>[\w:.-]+)(?P<inside>(?:"[^"]*"|'[^']*'|[^'">])*)>""")
+_ANY_TAG = re.compile(_TAG.pattern.replace("<", "<(?P<end>/?)", 1))
 _COMMENT = re.compile(r"(<!--.*?-->)", re.DOTALL)
 _ATTRIBUTE = re.compile(r"""([\w:.-]+)(\s*=\s*)("[^"]*"|'[^']*')""")
 _SUBSTITUTION = re.compile(r"\$\(\s*([\w-]+)")
@@ -103,11 +104,11 @@ class _Carrier:
         known = {block.key: block for block in old}
         generated = set(keys(old))
         before: list[Block] = []
-        for block in mine:
+        for at, block in enumerate(mine):
             base = known.get(block.key)
             with contextlib.suppress(ForeignError):
                 if base is None and generated.isdisjoint(keys([block])):
-                    self._insert(block, around, before, number)
+                    self._insert(block, around, (before, mine[at + 1 :]), number)
                 elif base:
                     self._set_attributes(block, base, number)
             if block.children:
@@ -119,30 +120,33 @@ class _Carrier:
             before.append(block)
             number += len(split(block.text))
 
-    def _insert(self, block: Block, around: list[Block], before: list[Block], number: int) -> None:
+    def _insert(
+        self, block: Block, around: list[Block], beside: tuple[Blocks, Blocks], number: int
+    ) -> None:
+        """Insert an element; `beside` is what stands before it, and behind it."""
         own = split(block.text)
         while own[0].strip() in self.generated and not _TAG.match(own[0].strip()):
             number += 1
             del own[0]  # of a comment above, which is about a generated element
-        text = translate("".join(own), self.ros)
+        text = translate("".join(own), self.ros, around[-1].key.split()[0] if around else "")
         passed = _ARGUMENT.fullmatch(block.text.strip())
         if passed and any(_found(self.new, f"arg {passed[1]}")):
             self._note(number, text)  # the generated file passes its arguments on by itself
             return
-        places = list(self._places(block, around, before))
+        places = list(self._places(block, around, *beside))
         if not places:
             raise ForeignError
         for level, at in places:
-            beside = level[max(at - 1, 0)] if level else block
+            other = level[max(at - 1, 0)] if level else block
             if not any(same.key == block.key for same in level):
-                level.insert(at, set_beside(Block(block.key, split(text)), beside))
+                level.insert(at, set_beside(Block(block.key, split(text)), other))
         self._note(number, text)
 
     def _note(self, number: int, text: str) -> None:
         self.lines |= {number + i: (line.strip(),) for i, line in enumerate(split(text))}
 
     def _places(
-        self, block: Block, around: list[Block], before: list[Block]
+        self, block: Block, around: list[Block], before: Blocks, behind: Blocks
     ) -> Iterator[tuple[list[Block], int]]:
         """Yield the levels of the new file where an element belongs, each with its place."""
         outer = around[-1].key if len(around) > 1 else ""
@@ -155,14 +159,17 @@ class _Carrier:
             return
         (root,) = (one for one in self.new if one.key == "launch")
         if block.key.startswith("arg "):
-            names = [child.key.startswith("arg ") for child in root.children]
-            yield root.children, len(names) - names[::-1].index(True) if any(names) else 0
+            are = [child.key.startswith("arg ") for child in root.children]
+            yield root.children, len(are) - are[::-1].index(True) if any(are) else 0
             return
-        for sibling in reversed(before):
+        # A remapping is for the nodes that come after it.
+        is_for_more = block.key.split()[0].removeprefix("set_") in _KNOWN["beside_nodes"]
+        siblings = keys(behind) if is_for_more else (one.key for one in reversed(before))
+        for sibling in siblings:
             for level in _levels([root]):
-                keys = [child.key for child in level]
-                if sibling.key in keys and not sibling.key.startswith("arg "):
-                    yield level, keys.index(sibling.key) + 1
+                names = [child.key for child in level]
+                if sibling in names and not sibling.startswith("arg "):
+                    yield level, names.index(sibling) + (not is_for_more)
                     return
         yield root.children, len(root.children)
 
@@ -206,25 +213,39 @@ def _found(blocks: Sequence[Block], key: str) -> Iterator[Block]:
         yield from _found(level, key)
 
 
-def translate(text: str, ros: int) -> str:
-    """Return elements as a ROS writes them.
+def translate(text: str, ros: int, around: str = "node") -> str:
+    """Return elements as a ROS writes them, in an element with the tag `around`.
 
     Raises:
         ForeignError: it cannot.
 
     """
+    open_ = [around]
 
     def tag(match: re.Match[str]) -> str:
-        name = match["tag"]
-        if name not in _KNOWN["tags"]:
-            raise ForeignError
+        if match["end"]:
+            return f"</{_tag(open_.pop(), open_[-1], ros)[1]}>"
+        known, name = _tag(match["tag"], open_[-1], ros)
         inside = _ATTRIBUTE.sub(
-            lambda m: "{}{}{}".format(*_attribute_with(name, m, ros)), match["inside"]
+            lambda m: "{}{}{}".format(*_attribute_with(known, m, ros)), match["inside"]
         )
+        if not inside.endswith("/"):
+            open_.append(match["tag"])
         return f"<{name}{inside}>"
 
     parts = _COMMENT.split(text)
-    return "".join(part if part.startswith("<!--") else _TAG.sub(tag, part) for part in parts)
+    return "".join(part if part.startswith("<!--") else _ANY_TAG.sub(tag, part) for part in parts)
+
+
+def _tag(tag: str, around: str, ros: int) -> tuple[str, str]:
+    """Return what `_KNOWN` calls a tag, and what a ROS does."""
+    beside = _KNOWN["beside_nodes"] if around in ("launch", "group") else {}
+    names = beside if ros == 2 else {name: known for known, name in beside.items()}
+    name = names.get(tag, tag)
+    known = tag if ros == 2 else name
+    if known not in _KNOWN["tags"] or not name or (ros == 1 and tag in beside):
+        raise ForeignError
+    return known, name
 
 
 def _attribute_with(tag: str, match: re.Match[str], ros: int) -> tuple[str, str, str]:

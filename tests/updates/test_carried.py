@@ -179,6 +179,45 @@ CARRIED_1_TO_2 = """\
 # By number, what became of the developer's lines
 LINES_1_TO_2 = [3, 4, 8, 11, 13, 16]
 BACK_1_TO_2 = ["node watch"]
+BESIDE = [
+    (1, '<set_remap from="a" to="b"/>', '<remap from="a" to="b"/>'),
+    (1, '<set_env name="A" value="b"/>', '<env name="A" value="b"/>'),
+    (1, '<remap from="a" to="b"/>', ""),
+    (1, '<set_parameter name="a" value="1"/>', ""),
+    (2, '<remap from="a" to="b"/>', '<set_remap from="a" to="b"/>'),
+    (2, '<env name="A" value="b"/>', '<set_env name="A" value="b"/>'),
+    (2, '<param name="a" value="1"/>', ""),
+    (
+        2,
+        '<group><remap from="a" to="b"></remap></group>',
+        '<group><set_remap from="a" to="b"></set_remap></group>',
+    ),
+    (
+        2,
+        '<group><node name="a"><remap from="a" to="b"/></node></group>',
+        '<group><node name="a"><remap from="a" to="b"/></node></group>',
+    ),
+    (2, '<group><param name="a" value="1"/></group>', ""),
+]
+"""To which ROS, what a developer has written beside nodes, and what it is there."""
+
+
+@pytest.mark.parametrize(("ros", "own", "wanted"), BESIDE)
+@pytest.mark.parametrize("is_inside", [True, False])
+def test_what_stands_beside_nodes_has_a_name_of_its_own(ros, own, wanted, is_inside):
+    """It is for the nodes behind it, and stays before them."""
+    old, new = (LAUNCH_1, LAUNCH_2) if ros == 2 else (LAUNCH_2, LAUNCH_1)
+    start = "  <group" if ros == 2 and not is_inside else "    <node" if ros == 2 else "  <!-- The"
+    mine = old.replace(start, f"{start[: -len(start.lstrip())]}{own}\n{start}", 1)
+    assert mine != old
+    carried = carry(XML.blocks(mine), XML.blocks(old), new, ros)
+    added = [line for line in carried.text.split("\n") if line not in new.split("\n")]
+    assert [line.strip() for line in added] == [wanted] * bool(wanted)
+    assert bool(carried.lines) == bool(wanted)
+    if wanted and not own.startswith("<group"):
+        assert carried.text.index(wanted) < carried.text.index("<node")
+
+
 CMAKE_1 = """\
 cmake_minimum_required(VERSION 3.10)
 project(arm)
