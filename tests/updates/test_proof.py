@@ -43,7 +43,7 @@ class Renders:
 def package(tmp_path):
     (tmp_path / "arm").mkdir()
     (tmp_path / PATH).write_text(MINE, newline="\n")
-    (tmp_path / "answers.yml").write_text("spec: {name: arm, nodes: []}\n")
+    (tmp_path / "answers.yml").write_text("_src_path: model\nspec: {name: arm, nodes: []}\n")
     commit(tmp_path, "Write the logic")
     return tmp_path
 
