@@ -116,7 +116,7 @@ class Update:
 
         """
         file = self.package / self.answers_file
-        if not file.exists() or "_src_path:" not in file.read_text(encoding="utf-8"):
+        if not file.exists() or "_src_path" not in file.read_text(encoding="utf-8"):
             what = "this version of the template does not write Copier's answers"
             raise SpecError(
                 f"{self.answers_file}: {what}; take another one, by --vcs-ref", "no-answers"
