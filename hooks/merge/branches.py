@@ -341,7 +341,7 @@ def wrong_merge(joiner: Joiner, now: Tree) -> Branches | None:
     recorded = {one: joiner.recorded(one) for one in parents}
     is_known = all(each.get("_src_path") == answers.get("_src_path") for each in recorded.values())
     others = [one for one in parents if recorded[one] != answers]
-    if not (answers and others and is_known):
+    if not (others and is_known):
         return None
     there, made = joiner.files(commit), joiner.renderer.recorded(answers)
     befores = [(joiner.files(one), joiner.made(one)) for one in others]

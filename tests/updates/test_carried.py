@@ -781,6 +781,14 @@ USERS = "catkin_package(\n  CATKIN_DEPENDS\n    tf2\n)\n"
         ),
         (1, "", MESSAGES[2], "", "", {}),
         (2, "", MESSAGES[1], "", "", {}),
+        (
+            2,
+            "add_executable(a a.cpp)\n",
+            "if(X)\n  add_executable(a a.cpp)\nendif()\n",
+            "if(X)\n  add_library(b b.cpp)\nendif()\n",
+            "new",
+            {},
+        ),
         # What users of the package need
         (
             2,
