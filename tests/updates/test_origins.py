@@ -4,6 +4,7 @@ import re
 
 import pytest
 
+from hooks.merge import languages
 from hooks.merge.languages import CMAKE
 from hooks.merge.tokens import words
 from hooks.merge.versions import Versions
@@ -273,6 +274,17 @@ def test_foreign_look_alikes_are_listed_and_ours_renamed(render, copier_command)
     assert found == f"{foreign}{ours}\narm.go(ReachConfig)\n"
     for use in ("1: arm", "2: ReachConfig", "5: ReachConfig", "5: arm"):
         assert f"still     robot_arm/tools.py:{use}\n" in result.stderr
+
+
+def test_words_of_an_included_path():
+    """Its folders are what a namespace is to a name."""
+    found = words(languages.CPP, '#include "arm/ros/reach.hpp"\n')
+    assert [(word.text, word.after, word.chain) for word in found] == [
+        ("arm", "::", ()),
+        ("ros", "::", ("arm",)),
+        ("reach", ".", ("arm", "ros")),
+        ("hpp", '"', ("arm", "ros", "reach")),
+    ]
 
 
 def test_bracket_argument_of_cmake_hides_no_names():
