@@ -449,9 +449,9 @@ class _Reader:
         if attribute.format == "literal" and not attribute.of:
             what = "a literal needs of: the attribute that names its type"
             raise self.fault(name, label, what, "missing-key")
-        for key, needed in (("whose", "refers_to"), ("gives", "refers_to")):
-            if options.get(key) and not options.get(needed):
-                raise self.fault(name, label, f"{key} needs {needed}", "missing-key")
+        for key in ("whose", "gives"):
+            if options.get(key) and not attribute.refers_to:
+                raise self.fault(name, label, f"{key} needs refers_to", "missing-key")
         limits = {"above", "minimum", "maximum"} & set(options)
         if limits and attribute.format not in NUMBERS:
             what = f"{min(limits)} needs a format of numbers: {', '.join(NUMBERS)}"

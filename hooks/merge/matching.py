@@ -338,38 +338,38 @@ def _places(
 
 def tell_apart(mine: Blocks, old: Blocks, new: Blocks) -> None:
     """Give containers of one name, put around other things by either side, keys of their own."""
-    known = _by_key([old])
-    inside, others = (_by_container(side, known) for side in (mine, new))
-    for block in new:
-        if block.key in inside:
-            here, there = inside[block.key], others[block.key]
-            if here != there and not here & there:
-                taken = {*known, *(each.key for each in (*mine, *new))}
-                block.key = _own_key(_name(block.key), taken)
-    for sides in _of_all(mine, old, new):
-        tell_apart(*sides)
+    for ours, base, theirs in _levels(mine, old, new):
+        known = _by_key([base])
+        inside, others = (_by_container(side, known) for side in (ours, theirs))
+        for block in theirs:
+            if block.key in inside:
+                here, there = inside[block.key], others[block.key]
+                if here != there and not here & there:
+                    taken = {*known, *(each.key for each in (*ours, *theirs))}
+                    block.key = _own_key(_name(block.key), taken)
 
 
 def _refuse_both(mine: Blocks, old: Blocks, new: Blocks) -> None:
     """Insist that the two sides have not put other containers around one thing."""
-    known = _by_key([old])
-    ours, theirs = (dict(_places(side, known, ())) for side in (mine, new))
-    inside, others = (_by_container(side, known) for side in (mine, new))
-    for key in ours.keys() & theirs.keys():
-        around, other = ours[key][0].key, theirs[key][0].key
-        both = around != key != other
-        if both and (around != other or inside[around] != others[other]):
-            raise BothAroundError(key)
-    for sides in _of_all(mine, old, new):
-        _refuse_both(*sides)
+    for level in _levels(mine, old, new):
+        known = _by_key([level[1]])
+        ours, theirs = (dict(_places(side, known, ())) for side in level[::2])
+        inside, others = (_by_container(side, known) for side in level[::2])
+        for key in ours.keys() & theirs.keys():
+            around, other = ours[key][0].key, theirs[key][0].key
+            both = around != key != other
+            if both and (around != other or inside[around] != others[other]):
+                raise BothAroundError(key)
 
 
-def _of_all(mine: Blocks, old: Blocks, new: Blocks) -> Iterator[tuple[Blocks, Blocks, Blocks]]:
-    """Yield what each generated block holds that all three versions have."""
+def _levels(mine: Blocks, old: Blocks, new: Blocks) -> Iterator[tuple[Blocks, Blocks, Blocks]]:
+    """Yield three versions, and those of what each generated block holds that all of them have."""
+    yield mine, old, new
     known = _by_key([old])
     ours, theirs = (dict(_places(side, known, ())) for side in (mine, new))
     for key in ours.keys() & theirs.keys():
-        yield ours[key][-1].children, known[key][0].children, theirs[key][-1].children
+        sides = (ours[key][-1], known[key][0], theirs[key][-1])
+        yield from _levels(*(side.children for side in sides))
 
 
 def _by_container(side: Blocks, known: Mapping[str, Blocks]) -> dict[str, set[str]]:

@@ -175,9 +175,8 @@ class _Package:
             self._version(origin, base) if old else None,
             Version(theirs, lambda known: known.blocks(theirs)),
         )
-        way = self.ways.get(path, merge)
-        if self.renaming.is_stuck(origin, ours):
-            way = conflict
+        is_stuck = self.renaming.is_stuck(origin, ours)
+        way = conflict if is_stuck else self.ways.get(path, merge)
         outcome = way(path, *versions, self.of_people)
         if outcome.conflict and self.of_people and way is merge:
             # What a developer puts around code, the merge follows on the one side alone.

@@ -486,6 +486,12 @@ def joined(path, is_ours, base, *sides):
     return [*filter(str.strip, result.tree[path].text.split("\n"))]
 
 
+def commented(path, thing):
+    """Return a thing with a comment at the end of its last line."""
+    whole = thing.rstrip()
+    return whole + OWN[PurePosixPath(path).suffix][1] + thing[len(whole) :]
+
+
 def things(path):
     return [AROUND[path][1].format(name) for name in ("one", "two", "three")]
 
@@ -500,8 +506,8 @@ def lines_of(path, text):
 @pytest.mark.parametrize("is_ours", [True, False])
 def test_what_one_writes_stays_in_what_the_other_puts_around(path, around, is_beside, is_ours):
     one, two, three = things(path)
-    own, comment = OWN[PurePosixPath(path).suffix]
-    ours = two + own if is_beside else f"{two.rstrip()}{comment}{two[len(two.rstrip()) :]}"
+    own, _ = OWN[PurePosixPath(path).suffix]
+    ours = two + own if is_beside else commented(path, two)
     base, written = (
         put_around(path, text, *around) for text in (one + two + three, one + ours + three)
     )
@@ -516,8 +522,7 @@ def test_what_one_writes_stays_in_what_the_other_puts_around(path, around, is_be
 def test_what_stands_again_in_a_container_is_still_there(path, is_ours):
     """A line in it is where it was written."""
     one, two, three = things(path)
-    _, comment = OWN[PurePosixPath(path).suffix]
-    ours = f"{two.rstrip()}{comment}{two[len(two.rstrip()) :]}"
+    ours = commented(path, two)
     again = put_around(path, two, "a")
     found = joined(path, is_ours, one + two + three, one + ours + three, one + two + three + again)
     assert found == lines_of(path, one + ours + three + again)
@@ -557,8 +562,7 @@ def test_both_move_another_thing(path, is_ours):
 @pytest.mark.parametrize("is_ours", [True, False])
 def test_both_put_the_same_around_different_things_and_one_writes_there(path, is_ours):
     one, two, three = things(path)
-    _, comment = OWN[PurePosixPath(path).suffix]
-    written = f"{three.rstrip()}{comment}{three[len(three.rstrip()) :]}"
+    written = commented(path, three)
     wrapped = put_around(path, one, "a")
     ours, theirs = wrapped + two + written, one + put_around(path, two + three, "a")
     wanted = wrapped + put_around(path, two + written, "a")
