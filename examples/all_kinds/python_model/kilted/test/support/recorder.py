@@ -69,11 +69,16 @@ class _Recorder:
                 report('order')
 
     def _called(self, method):
-        report(method, Path('/proc/thread-self/comm').read_text().strip())
-        return self._obey(method)
+        return self._obey(method, Path('/proc/thread-self/comm').read_text().strip())
 
-    def _obey(self, method, item=None):
-        return self._do(ORDERS[method].popleft() if ORDERS[method] else (), item)
+    def _obey(self, method, call, item=None):
+        steps = self._next(method)  # first: once it knows of the call, the test orders the next
+        report(method, call)
+        return self._do(steps, item)
+
+    @staticmethod
+    def _next(method):
+        return ORDERS[method].popleft() if ORDERS[method] else ()
 
     def _do(self, steps, item=None):
         for name, _, value in (step.partition('=') for step in steps):
@@ -92,7 +97,7 @@ class _Recorder:
         report('config', vars(config))
 
     def reconfigure(self, config):
-        if not self._obey('reconfigure'):
+        if not self._do(self._next('reconfigure')):
             return 'told to refuse'
         self._record(config)
         return ''
@@ -108,9 +113,9 @@ class _Recorder:
 
     def update(self, data, config):
         self._cycles = self._cycles[0] + 1, monotonic(), self.passthrough.now()
+        steps = self._next('update')
         if config != self._config:
             self._record(config)
-        steps = ORDERS['update'].popleft() if ORDERS['update'] else []
         for name, value in list(vars(data).items()):
             member, _, kind = name.rpartition('_')
             if kind == 'updated':  # new, or not the message of the cycle before
@@ -142,11 +147,10 @@ class _Recorder:
         if isinstance(item, str):  # a topic of several
             return self._call_back(f'{method}.{item}', *response)
         if is_dataclass(item):  # messages that belong together
-            report(method, [encode(each) for each in vars(item).values()])
-            return self._obey(method)
-        report(method, encode(item.request if method.startswith('execute_') else item))
+            return self._obey(method, [encode(each) for each in vars(item).values()])
+        call = encode(item.request if method.startswith('execute_') else item)
         responses = list(response)
-        is_accepted = self._obey(method, responses or item)
+        is_accepted = self._obey(method, call, responses or item)
         if not responses:
             return is_accepted
         return responses[0] if is_accepted else None

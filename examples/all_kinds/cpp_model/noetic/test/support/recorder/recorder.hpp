@@ -169,8 +169,15 @@ public:
     std::ifstream file("/proc/thread-self/comm");
     std::string thread;
     std::getline(file, thread);
-    report(method, to_json(thread));
-    return run(next(method));
+    return called(method, to_json(thread));
+  }
+
+  /// Report a call of a method, and obey; return false where it is to refuse.
+  bool called(const std::string & method, const std::string & call, const Steps & own = {})
+  {
+    const auto words = next(method);  // first: once it knows of the call, the test orders the next
+    report(method, call);
+    return run(words, own);
   }
 
   /// Count a call of a thread or timer; report it and obey, if something was ordered.

@@ -95,10 +95,10 @@ public:
       const std::lock_guard<std::mutex> lock(mutex_);
       cycles_ = "[" + to_json(++count_) + ", " + times + "]";
     }
+    const auto words = recorder_.next("update");
     record(config);
     recorder_.take("in_speed", encode(data.in_speed), data.in_speed_updated);
     recorder_.take("in_counter", encode(data.in_counter), data.in_counter_updated);
-    const auto words = recorder_.next("update");
     data.out_counter_active = data.out_counter_active && has(words, "out_counter=");
     data.out_status_active = data.out_status_active && has(words, "out_status=");
     recorder_.run(
@@ -112,17 +112,14 @@ public:
 
   void receive_say(const worker_types::SayMessage & message)
   {
-    report("receive_say", encode(message));
-    recorder_.run(recorder_.next("receive_say"));
+    recorder_.called("receive_say", encode(message));
   }
 
   void receive_call(
     const std::string & topic,
     const worker_types::CallMessage & message)
   {
-    const auto method = "receive_call." + topic;
-    report(method, encode(message));
-    recorder_.run(recorder_.next(method));
+    recorder_.called("receive_call." + topic, encode(message));
   }
 
   void late_speed() {recorder_.called("late_speed");}
@@ -131,46 +128,40 @@ public:
 
   void receive_sighting(const worker_types::SightingMessages & messages)
   {
-    report(
+    recorder_.called(
       "receive_sighting",
       "[" + encode(messages.point) +
       ", " + encode(messages.motion) + "]");
-    recorder_.run(recorder_.next("receive_sighting"));
   }
 
   void serve_reset(
     const worker_types::ResetService::Request & request,
     worker_types::ResetService::Response & response)
   {
-    report("serve_reset", encode(request));
-    recorder_.run(recorder_.next("serve_reset"), {{"response", sets(response)}});
+    recorder_.called("serve_reset", encode(request), {{"response", sets(response)}});
   }
 
   void serve_enable(
     const worker_types::EnableService::Request & request,
     worker_types::EnableService::Response & response)
   {
-    report("serve_enable", encode(request));
-    recorder_.run(recorder_.next("serve_enable"), {{"response", sets(response)}});
+    recorder_.called("serve_enable", encode(request), {{"response", sets(response)}});
   }
 
   void execute_compute(Goal<worker_types::ComputeAction> & goal)
   {
-    report("execute_compute", encode(goal.request));
-    recorder_.run(recorder_.next("execute_compute"), executes(goal));
+    recorder_.called("execute_compute", encode(goal.request), executes(goal));
   }
 
   bool accept_compute(
     const worker_types::ComputeAction::Goal & request)
   {
-    report("accept_compute", encode(request));
-    return recorder_.run(recorder_.next("accept_compute"));
+    return recorder_.called("accept_compute", encode(request));
   }
 
   void execute_measure(Goal<worker_types::MeasureAction> & goal)
   {
-    report("execute_measure", encode(goal.request));
-    recorder_.run(recorder_.next("execute_measure"), executes(goal));
+    recorder_.called("execute_measure", encode(goal.request), executes(goal));
   }
 
   void read()

@@ -54,19 +54,18 @@ public:
       const std::lock_guard<std::mutex> lock(mutex_);
       cycles_ = "[" + to_json(++count_) + ", " + times + "]";
     }
+    const auto words = recorder_.next("update");
     record(config);
     recorder_.take("in_status", encode(data.in_status), data.in_status_updated);
-    const auto words = recorder_.next("update");
     recorder_.run(words);
   }
 
   void receive_pair(const observer_types::PairMessages & messages)
   {
-    report(
+    recorder_.called(
       "receive_pair",
       "[" + encode(messages.left) +
       ", " + encode(messages.right) + "]");
-    recorder_.run(recorder_.next("receive_pair"));
   }
 
 private:
