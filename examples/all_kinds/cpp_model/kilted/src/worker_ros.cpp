@@ -223,14 +223,14 @@ public:
     servers_.start(node);
     node.watch(
       deadline_speed_,
-      "speed",
       "late_speed",
-      [impl = impl_] {impl->late_speed();});
+      [impl = impl_] {impl->late_speed();},
+      "speed");
     node.watch(
       deadline_say_,
-      "say",
       "late_say",
-      [impl = impl_] {impl->late_say();});
+      [impl = impl_] {impl->late_say();},
+      "say");
     node.repeat("read", [impl = impl_] {impl->read();});
     node.call_at(4.0, "poll", [impl = impl_] {impl->poll();});
   }

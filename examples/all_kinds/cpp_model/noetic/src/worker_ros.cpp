@@ -284,17 +284,17 @@ private:
       "late_speed",
       [this] {
         deadline_speed_.watch(
-          "speed",
           [this] {return !supervisor_.stopping();},
-          [this] {impl_->late_speed();});
+          [this] {impl_->late_speed();},
+          "speed");
       });
     run_beside(
       "late_say",
       [this] {
         deadline_say_.watch(
-          "say",
           [this] {return !supervisor_.stopping();},
-          [this] {impl_->late_say();});
+          [this] {impl_->late_say();},
+          "say");
       });
     run_beside(
       "read",

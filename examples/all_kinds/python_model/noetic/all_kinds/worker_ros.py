@@ -251,14 +251,14 @@ class WorkerNode(ManagedNode):
         self._logic.beside(
             'late_speed',
             self._deadline_speed.watch,
-            'speed',
             self._impl.late_speed,
+            'speed',
         )
         self._logic.beside(
             'late_say',
             self._deadline_say.watch,
-            'say',
             self._impl.late_say,
+            'say',
         )
         self._logic.repeat('read', self._impl.read)
         self._call_at(4, 'poll')

@@ -64,5 +64,5 @@ class PlannerPassthrough:
     # Waits that many seconds of ROS time; returns False at once when the node stops.
     sleep: Callable[[float], bool]
 
-    # Has the node stop as an exception does, from any thread; the reason goes to the log.
+    # Stops the node with an error, as an exception would, from any thread; logs the reason.
     fail: Callable[[str], None]

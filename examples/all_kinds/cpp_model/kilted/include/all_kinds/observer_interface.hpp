@@ -69,7 +69,7 @@ struct ObserverPassthrough
   /// Waits that many seconds of ROS time; returns false at once when the node stops.
   std::function<bool(double)> sleep = [](double) {return true;};
 
-  /// Has the node stop as an exception does, from any thread; the reason goes to the log.
+  /// Stops the node with an error, as an exception would, from any thread; logs the reason.
   std::function<void(const std::string &)> fail = [](const std::string &) {};
 };
 

@@ -46,7 +46,7 @@ public:
 
   /// Call `late` once whenever the topic becomes late, until the node stops.
   template<typename GoesOn, typename Late>
-  void watch(const std::string & topic, const GoesOn & goes_on, const Late & late)
+  void watch(const GoesOn & goes_on, const Late & late, const std::string & topic = "")
   {
     if (!clock_.wait_for_start()) {
       return;

@@ -156,13 +156,13 @@ public:
   /// Call a method whenever a topic becomes late, in a thread of its own, until the node stops.
   void watch(
     const std::shared_ptr<Deadline> & deadline,
-    const std::string & topic,
     const std::string & name,
-    const std::function<void()> & method)
+    const std::function<void()> & method,
+    const std::string & topic = "")
   {
     run_beside(
-      name, [deadline, topic, calls = calls_, method] {
-        deadline->watch(topic, [calls] {return calls->is_open();}, method);
+      name, [deadline, calls = calls_, method, topic] {
+        deadline->watch([calls] {return calls->is_open();}, method, topic);
       });
   }
 

@@ -51,8 +51,6 @@ public:
   /// Abort the goal for a logic that does not return.
   void give_up() {end(Outcome::aborted, std::make_shared<typename Action::Result>());}
 
-  bool has_ended() const {return has_ended_;}
-
 private:
   void end(Outcome outcome, const std::shared_ptr<typename Action::Result> & result)
   {

@@ -81,8 +81,6 @@ public:
     is_last_ = is_last;
   }
 
-  bool requested() const {return requested_;}
-
   /// Wait until a condition holds; return false when no time is left, or when the node stops.
   template<typename Condition, typename TimeLeft>
   bool wait(const Condition & condition, const TimeLeft & time_left)

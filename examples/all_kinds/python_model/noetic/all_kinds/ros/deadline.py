@@ -21,11 +21,11 @@ class Deadline:
         """Prepare: the topic will be late when no message has come for so long."""
         self._seconds = seconds
         self._time = time
-        self._topic = ''
         self._lock = Lock()
         self._last = 0.0
         self._at_work = 0
         self._is_late = False
+        self._topic = ''
         self._is_watched = False
 
     def heard(self, at_work: int = 0) -> None:
@@ -45,7 +45,7 @@ class Deadline:
 
         return receive_in_time
 
-    def watch(self, topic: str, late: Callable[[], object]) -> None:
+    def watch(self, late: Callable[[], object], topic: str = '') -> None:
         """Call `late` once whenever the topic becomes late, until the node stops."""
         self._time.wait_for_start()
         self.heard()
