@@ -33,7 +33,7 @@ test: $(TOOLS)/ready $(ROS2)/ready debian
 # All faults of tests/data/mutants, of which `make test` tries some; MUTANTS='new goal' those of that name.
 MUTANTS ?= .
 mutants: $(TOOLS)/ready $(ROS2)/ready debian
-	MUTANTS='$(MUTANTS)' $(PYTEST) --numprocesses 2 tests/ros/test_mutants.py
+	MUTANTS='$(MUTANTS)' $(PYTEST) --timeout 0 --numprocesses 2 tests/ros/test_mutants.py
 
 # The packages that examples/ shows, and the page of messages: made anew, for the diff to be reviewed.
 accept: $(TOOLS)/ready
@@ -59,7 +59,7 @@ LAB_TRIALS ?= 2000
 LAB_PAIRS ?= 1000
 lab: $(TOOLS)/ready
 	LAB_TRIALS=$(LAB_TRIALS) LAB_PAIRS=$(LAB_PAIRS) LAB_SEED=random LAB_CHAIN=20 LAB_KILLS=200 \
-	  $(TOOLS)/bin/pytest -s tests/updates -m lab
+	  $(TOOLS)/bin/pytest -s --timeout 0 tests/updates -m lab
 
 # Random specs, new ones each time: each is refused with a message or gives a sound package. The
 # packages of FUZZ_LINTED specs with long names pass their own linters and mypy.
@@ -67,7 +67,7 @@ FUZZ_INPUTS ?= 20000
 FUZZ_LINTED ?= 2000
 fuzz: $(TOOLS)/ready $(ROS2)/ready
 	FUZZ_INPUTS=$(FUZZ_INPUTS) FUZZ_LINTED=$(FUZZ_LINTED) FUZZ_COMPILED=200 FUZZ_SEED=random \
-	  ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH= $(TOOLS)/bin/pytest -s tests/fuzz
+	  ROS_PYTHONPATH=$$PYTHONPATH PYTHONPATH= $(TOOLS)/bin/pytest -s --timeout 0 tests/fuzz
 
 $(TOOLS)/ready: pyproject.toml
 	@echo "Installing Copier and what the tests need with pip, into $(TOOLS): about 40 MB to download"

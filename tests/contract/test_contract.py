@@ -1646,12 +1646,22 @@ def test_exact_synchronizer(stage):
     wait_for(lambda: [5.0, 4.0] in found(), node.story)
     assert [each for each in found() if any(each)] == [[1.0, 1.0], [5.0, 4.0]]
     assert node.wait("exact")["thread"] == "exact"
-    numbers = [float(number) for number in range(6, 13)]
-    for topic in EXACT:  # more than wait: the oldest go
-        for number in numbers:
-            stage.points(start + number, number, topic)
-    wait_for(lambda: [12.0, 12.0] in found(), node.story)
-    assert [first for first, _ in found() if first > 5.0] == numbers[-5:]
+    begins = itertools.count(6, 7)
+
+    def oldest_go():
+        """Send more than wait, where the node is not so busy that it takes both topics in turn."""
+        begin = next(begins)
+        numbers = [float(number) for number in range(begin, begin + 7)]
+        for topic in EXACT:
+            for number in numbers:
+                stage.points(start + number, number, topic)
+        wait_for(lambda: [numbers[-1]] * 2 in found(), node.story)
+        given = [first for first, _ in found() if first >= begin]
+        assert len(given) >= 5
+        assert given == numbers[-len(given) :]
+        return len(given) == 5
+
+    wait_for(oldest_go, node.story)
 
 
 def test_approximate_synchronizer(stage):
@@ -1851,10 +1861,12 @@ def test_call_of_a_server_that_is_frozen(stage):
 
 
 def test_missing_server_is_named(stage):
-    """It is never waited for, and a warning names it, once in 10 s."""
+    """It is never waited for, and a warning names it, once in 10 s, in whichever activation."""
     node = stage.active()
     line = node.wait_log("ask")
     assert "delegate" in line, line
+    if stage.variant.is_ros2:  # a node of ROS 1 has one life
+        assert stage.transition("deactivate", "cleanup", "configure", "activate"), node.story()
     time.sleep(2.5)
     assert len(re.findall(".*Waiting for.*", node.log())) == 1, node.log()
 

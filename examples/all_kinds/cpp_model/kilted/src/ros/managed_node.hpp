@@ -131,6 +131,9 @@ public:
   const std::shared_ptr<Stop> & stop() const {return stop_;}
   const std::shared_ptr<Calls> & calls() const {return calls_;}
 
+  /// Return when missing servers may be reported again, in whichever activation.
+  const std::shared_ptr<Stop::Clock::time_point> & missing_due() const {return missing_due_;}
+
   /// Run a method in a thread of its own, the same in every activation, until the node stops.
   void run_beside(const std::string & name, const std::function<void()> & method)
   {
@@ -613,6 +616,8 @@ private:
       RCLCPP_ERROR(logger, "%s", failure.c_str());
     });
   std::map<std::string, std::unique_ptr<CallbackThread>> callback_threads_;
+  std::shared_ptr<Stop::Clock::time_point> missing_due_ =
+    std::make_shared<Stop::Clock::time_point>();
   std::shared_ptr<Session> session_;
   bool is_configured_ = false;
   bool is_activated_ = false;

@@ -4,7 +4,6 @@
 #ifndef ROS__MISSING_SERVERS_HPP_
 #define ROS__MISSING_SERVERS_HPP_
 
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -15,11 +14,12 @@
 #include "rclcpp/logging.hpp"
 
 #include "managed_node.hpp"
+#include "stop.hpp"
 
 namespace all_kinds
 {
 
-/// Warns about servers that are not available, every ten seconds.
+/// Warns about servers that are not available, at most every ten seconds.
 class MissingServers
 {
 public:
@@ -34,12 +34,10 @@ public:
   {
     timer_ = rclcpp::create_wall_timer(
       timeouts::MISSING,
-      [logger = node.get_logger(),
-      servers = servers_,
-      next = std::make_shared<Clock::time_point>()] {
+      [logger = node.get_logger(), servers = servers_, due = node.missing_due()] {
         const auto missing = names(servers);
-        if (!missing.empty() && Clock::now() >= *next) {
-          *next = Clock::now() + timeouts::QUIET;
+        if (!missing.empty() && Stop::Clock::now() >= *due) {
+          *due = Stop::Clock::now() + timeouts::QUIET;
           RCLCPP_WARN(logger, "Waiting for %s.", missing.c_str());
         }
       },
@@ -51,7 +49,6 @@ public:
   void stop() {timer_.reset();}
 
 private:
-  using Clock = std::chrono::steady_clock;
   using Servers = std::vector<std::pair<std::string, std::function<bool ()>>>;
 
   static std::string names(const Servers & servers)

@@ -109,11 +109,11 @@ class Peer:
         return messages
 
     def set_parameter(self, node, name, value):
-        """Set a parameter; return whether it was accepted."""
+        """Set a parameter; return whether it was accepted, or refused without a reason."""
         parameter = rclpy.parameter.Parameter(name, value=value).to_parameter_msg()
         request = SetParameters.Request(parameters=[parameter])
         response = self.call(node, SetParameters, node.name + '/set_parameters', request)
-        return response.results[0].successful
+        return response.results[0].successful or not response.results[0].reason
 
     def set_time(self, seconds):
         """Publish simulated time."""

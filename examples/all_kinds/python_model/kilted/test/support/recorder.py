@@ -9,7 +9,7 @@ once. Calls and the results of steps are reported to stdout: name and value, in 
 serialized, in hexadecimal. Without an order nothing is published.
 """
 
-from collections import Counter, defaultdict, deque
+from collections import defaultdict, deque
 from dataclasses import is_dataclass
 from functools import partial
 from importlib import import_module
@@ -24,7 +24,7 @@ from rclpy.serialization import deserialize_message, serialize_message
 
 LINES = open(0)  # not sys.stdin, which Python closes at its end while a thread reads it
 ORDERS = defaultdict(deque)
-TURNS = Counter()  # of threads and timers
+TURNS = defaultdict(lambda: (0, 0.0, 0.0))  # how often; wall and ROS time of the last
 THREADS = ('read',)
 
 
@@ -52,7 +52,6 @@ class _Recorder:
         self._config = None
         self._released = Event()
         self._taken = {}
-        self._cycles = 0, 0.0, 0.0
         is_first = not _Recorder._current
         _Recorder._current = self
         if is_first:
@@ -112,7 +111,7 @@ class _Recorder:
         self._called('cleanup')
 
     def update(self, data, config):
-        self._cycles = self._cycles[0] + 1, monotonic(), self.passthrough.now()
+        self._count('update')
         steps = self._next('update')
         if config != self._config:
             self._record(config)
@@ -134,14 +133,11 @@ class _Recorder:
         return partial(self._call_back if is_called else self._take_turn, method)
 
     def _take_turn(self, method):
-        TURNS[method] += 1
+        self._count(method)
         if ORDERS[method]:
             self._called(method)
         if method in THREADS:
             self.passthrough.sleep(0.01)
-
-    def _do_turns(self, _, method, *__):
-        return TURNS[method], monotonic(), self.passthrough.now()
 
     def _call_back(self, method, item, *response):
         if isinstance(item, str):  # a topic of several
@@ -193,8 +189,11 @@ class _Recorder:
         found = getattr(self.passthrough, name).lookup(target, source, float(timeout))
         return found and found.transform.translation.x
 
-    def _do_cycles(self, *_):
-        return self._cycles
+    def _count(self, method):
+        TURNS[method] = TURNS[method][0] + 1, monotonic(), self.passthrough.now()
+
+    def _do_turns(self, _, method, *__):
+        return TURNS[method]
 
     def _do_subscribers(self, name, _, data):
         member = name.partition('_')[2]

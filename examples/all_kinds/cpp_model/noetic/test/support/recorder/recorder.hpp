@@ -138,6 +138,11 @@ public:
       steps.insert(each.begin(), each.end());
     }
     steps["raise"] = [](const auto &) -> std::string {throw std::runtime_error("told to raise");};
+    steps["turns"] = [](const auto & method) {
+        const std::lock_guard<std::mutex> lock(shared().mutex);
+        const auto & [count, times] = shared().turns[method];
+        return "[" + to_json(count) + ", " + (count ? times : "0, 0") + "]";
+      };
     steps["wait"] = [](const auto & seconds) {
         std::this_thread::sleep_for(std::chrono::duration<double>(std::stod(seconds)));
         return "null";
@@ -180,23 +185,27 @@ public:
     return run(words, own);
   }
 
-  /// Count a call of a thread or timer; report it and obey, if something was ordered.
-  void take_turn(const std::string & method)
+  /// Count a call of update, of a thread or of a timer, with wall and ROS time.
+  void count(const std::string & method, double now)
   {
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now().time_since_epoch();
+    const std::lock_guard<std::mutex> lock(shared().mutex);
+    auto & [count, times] = shared().turns[method];
+    ++count;
+    times = to_json(wall.count()) + ", " + to_json(now);
+  }
+
+  /// Count a call of a thread or timer; report it and obey, if something was ordered.
+  void take_turn(const std::string & method, double now)
+  {
+    count(method, now);
     {
       const std::lock_guard<std::mutex> lock(shared().mutex);
-      ++shared().turns[method];
       if (shared().orders[method].empty()) {
         return;
       }
     }
     called(method);
-  }
-
-  static int turns(const std::string & method)
-  {
-    const std::lock_guard<std::mutex> lock(shared().mutex);
-    return shared().turns[method];
   }
 
   /// Report a message that is new, or not that of the cycle before.
@@ -231,7 +240,8 @@ private:
     std::ifstream input{"/dev/stdin"};  // not std::cin: exit() would wait for the thread that reads
     std::mutex mutex;
     std::map<std::string, std::deque<Words>> orders;
-    std::map<std::string, int> turns;
+    // How often each method was called, and both times of the last call
+    std::map<std::string, std::pair<int, std::string>> turns;
     std::weak_ptr<Steps> steps;  // they keep publishers and clients
     bool is_listening = false;
     std::condition_variable released;

@@ -4,8 +4,6 @@
 #ifndef SUPPORT__RECORDER__ALL_KINDS__OBSERVER_IMPL_HPP_
 #define SUPPORT__RECORDER__ALL_KINDS__OBSERVER_IMPL_HPP_
 
-#include <chrono>
-#include <mutex>
 #include <string>
 
 #include "all_kinds/observer_interface.hpp"
@@ -28,10 +26,6 @@ public:
           passthrough_.fail(reason);
           return "null";
         }},
-      {"cycles", [this](const std::string &) {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          return cycles_;
-        }},
     })
   {
   }
@@ -48,12 +42,7 @@ public:
 
   void update(ObserverData & data, const ObserverConfig & config)
   {
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now().time_since_epoch();
-    const auto times = to_json(wall.count()) + ", " + to_json(passthrough_.now().seconds());
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      cycles_ = "[" + to_json(++count_) + ", " + times + "]";
-    }
+    recorder_.count("update", passthrough_.now().seconds());
     const auto words = recorder_.next("update");
     record(config);
     recorder_.take("in_status", encode(data.in_status), data.in_status_updated);
@@ -82,9 +71,6 @@ private:
   }
 
   const ObserverPassthrough passthrough_;
-  std::mutex mutex_;
-  std::string cycles_ = "[0, 0, 0]";
-  int count_ = 0;
   std::string config_;
   Recorder recorder_;
 };

@@ -4,7 +4,6 @@
 #ifndef SUPPORT__RECORDER__ALL_KINDS__WORKER_IMPL_HPP_
 #define SUPPORT__RECORDER__ALL_KINDS__WORKER_IMPL_HPP_
 
-#include <chrono>
 #include <mutex>
 #include <string>
 
@@ -40,17 +39,6 @@ public:
             level == "error" ? status->error(text) : status->warning(text);
           }
           return "null";
-        }},
-      {"turns", [this](const std::string & method) {
-          const auto wall = std::chrono::steady_clock::now().time_since_epoch();
-          const std::chrono::duration<double> seconds = wall;
-          const auto now = to_json(passthrough_.now().seconds());
-          const auto times = to_json(seconds.count()) + ", " + now;
-          return "[" + to_json(Recorder::turns(method)) + ", " + times + "]";
-        }},
-      {"cycles", [this](const std::string &) {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          return cycles_;
         }},
       {"pub_echo", publishes(passthrough.pub_echo)},
       {"subscribers_pub_echo", counts(passthrough.pub_echo)},
@@ -89,12 +77,7 @@ public:
 
   void update(WorkerData & data, const WorkerConfig & config)
   {
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now().time_since_epoch();
-    const auto times = to_json(wall.count()) + ", " + to_json(passthrough_.now().seconds());
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      cycles_ = "[" + to_json(++count_) + ", " + times + "]";
-    }
+    recorder_.count("update", passthrough_.now().seconds());
     const auto words = recorder_.next("update");
     record(config);
     recorder_.take("in_speed", encode(data.in_speed), data.in_speed_updated);
@@ -166,13 +149,13 @@ public:
 
   void read()
   {
-    recorder_.take_turn("read");
+    recorder_.take_turn("read", passthrough_.now().seconds());
     passthrough_.sleep(0.01);
   }
 
   void poll()
   {
-    recorder_.take_turn("poll");
+    recorder_.take_turn("poll", passthrough_.now().seconds());
   }
 
 private:
@@ -198,9 +181,6 @@ private:
   }
 
   const WorkerPassthrough passthrough_;
-  std::mutex mutex_;
-  std::string cycles_ = "[0, 0, 0]";
-  int count_ = 0;
   std::mutex config_mutex_;
   std::string config_;
   Recorder recorder_;
