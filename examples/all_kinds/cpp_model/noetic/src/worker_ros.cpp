@@ -364,11 +364,12 @@ private:
     config->step = values.step;
     config->verbose = values.verbose;
     config->label = values.label;
-    std::string refusal = "reconfigure has failed";
+    std::string refusal;
     if (is_configured_) {
+      refusal = "reconfigure has failed";
       supervisor_.guard("reconfigure", [&] {refusal = impl_->reconfigure(*config);});
     }
-    if (is_configured_ && !refusal.empty()) {
+    if (!refusal.empty()) {
       ROS_WARN("Parameters refused: %s", refusal.c_str());
       values.gain = current_config()->gain;
       values.step = static_cast<int>(current_config()->step);
