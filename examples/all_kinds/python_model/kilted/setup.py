@@ -21,7 +21,7 @@ def installed(folder):
 
 
 def registered():
-    """Return copies of what is in nodl by the names that the index of ament has for it."""
+    """Return copies of the files in nodl, named as the ament index wants: PACKAGE__NODE."""
     folder = os.path.join('build', 'nodl') if os.access('.', os.W_OK) else tempfile.mkdtemp()
     os.makedirs(folder, exist_ok=True)
     names = [os.path.basename(path).partition('.')[0] for path in sorted(glob('nodl/*'))]
