@@ -76,7 +76,7 @@ class _Recorder:
         return self._obey(method, Path('/proc/thread-self/comm').read_text().strip())
 
     def _obey(self, method, call, item=None):
-        steps = self._next(method)  # first: once it knows of the call, the test orders the next
+        steps = self._next(method)  # before the report, after which the test may order more
         report(method, call)
         return self._do(steps, item)
 

@@ -180,7 +180,8 @@ public:
   /// Report a call of a method, and obey; return false where it is to refuse.
   bool called(const std::string & method, const std::string & call, const Steps & own = {})
   {
-    const auto words = next(method);  // first: once it knows of the call, the test orders the next
+    const auto words =
+      next(method);  // before the report, after which the test may order the next call
     report(method, call);
     return run(words, own);
   }
