@@ -843,7 +843,6 @@ class NodeTests:
 
     def test_own_logic(self):
         """The node runs with its own logic, and ends with exit code 0 at SIGTERM."""
-        node = self.start(command=self.logic)
-        self.assertTrue(eventually(lambda: self.peer.state(node) == 'active'))
+        node = self.active(command=self.logic)
         node.signal(TERM)
         self.assertEqual(node.exit_code(), 0)
