@@ -40,6 +40,8 @@ NOISE = (
     "[FATAL]",
     "[ERROR]",
 )
+LATE_CALLER = r".*\[ERROR\].* received a tcpros connection for a nonexistent service .*\n"
+"""What roscpp 1.15 logs of a caller that connects just after the server has gone."""
 IDLE = (
     "update begin {'number': None, 'map': None, 'gain': 1.0}",
     "update begin {'number': None, 'map': None, 'gain': 1}",
@@ -326,8 +328,9 @@ class Node(Program):
 
     def check(self):
         """Hold what was traced and logged to what is true of every node."""
+        log = re.sub(LATE_CALLER, "", self.log())
         for word in self.noise:
-            assert word not in self.log(), f"{word} in the log: {self.story()}"
+            assert word not in log, f"{word} in the log: {self.story()}"
         events = self.events()
         for _, logic in itertools.groupby(
             sorted(events, key=lambda e: (e["node"], e["logic"])),

@@ -161,7 +161,7 @@ def seen(tmp_path_factory):
             edited = edit(random, pair.old, ahead(random, pair))
             sides = (edited.tree(), tree_of(pair.old), tree_of(pair.new), pair.renaming)
             result = merge_package(*sides, pair.is_kept)
-            for mutant in MUTANTS + OF_HABITS:
+            for mutant in [*MUTANTS, *OF_HABITS]:
                 counts, spoiled = found.setdefault(mutant.__name__, Counter()), {**result.tree}
                 if counts["all"] < 3 and mutant(random, spoiled, edited, pair):
                     proof = prove(*sides[:2], result, spoiled, pair.renaming)

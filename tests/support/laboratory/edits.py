@@ -112,16 +112,16 @@ class Edited:
         return files | {path: File(to.encode(), LINK) for path, to in self.links.items()}
 
 
-def edit(random, texts, new_callbacks=(), only_logic=False, edited=None, ways=None):
+def edit(random, texts, new_callbacks=(), only_logic=False, edited=None, ways=None, always=()):
     """Edit a package as a developer would; `new_callbacks` may be written ahead.
 
-    `ways` are those of `HABITS` that may be tried, all by default.
+    `ways` are those of `HABITS` that may be tried, all by default; `always`, those that are.
     """
     edited = edited or Edited({})
     edited.texts = dict(texts)
     habits = HABITS if ways is None else ways
     for habit in ("move", "delete_file", "delete_function", "replace_by_link"):
-        if habit in habits and random.random() < 0.1:
+        if habit in always or (habit in habits and random.random() < 0.1):
             HABITS[habit](random, edited)
     for path in sorted(edited.texts):
         if is_logic(path):
@@ -135,7 +135,8 @@ def edit(random, texts, new_callbacks=(), only_logic=False, edited=None, ways=No
     for node, name in new_callbacks:
         write_ahead(random, edited, node, name)
     for habit in ("link", "format", "write_in_another_encoding", "end_lines_as_windows"):
-        if habit in habits and random.random() < (0.2 if habit == "format" else 0.1):
+        chance = 0.2 if habit == "format" else 0.1
+        if habit in always or (habit in habits and random.random() < chance):
             HABITS[habit](random, edited)
     for path, text in edited.texts.items():
         if path.endswith(".py"):

@@ -259,12 +259,12 @@ MUTANTS = [
     template_change_missed,
     condition_ends_elsewhere,
 ]
-OF_HABITS = [
-    deleted_comes_back,
-    deleted_callback_comes_back,
-    moved_goes_back,
-    line_ends_exchanged,
-    encoding_exchanged,
-    link_written_through,
-]
-"""Those that need what developers do but now and then."""
+OF_HABITS = {
+    deleted_comes_back: "delete_file",
+    deleted_callback_comes_back: "delete_function",
+    moved_goes_back: "move",
+    line_ends_exchanged: "end_lines_as_windows",
+    encoding_exchanged: "write_in_another_encoding",
+    link_written_through: "replace_by_link",
+}
+"""Those that need what developers do but now and then, and what that is."""

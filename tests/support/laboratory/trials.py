@@ -164,15 +164,15 @@ def trial(random, pair, counts, mutate=None, check=None, **options):
     mine, old, new = edited.tree(), tree_of(pair.old), tree_of(pair.new)
     made = Versions(mine, old, new, pair.renaming, pair.is_kept, pair.to_ros)
     result = made.merge({})
-    doubts = made.doubts(result)
+    doubts, left = proved(made, result)
     if doubts:
         counts.doubtful += 1
-        result, doubts = made.merged()
+        result, _ = made.merged()
     if mutate:
         mutate(random, result.tree, edited, pair)
-        doubts = made.doubts(result)
+    if doubts or mutate:
+        doubts, left = proved(made, result)
     texts = {path: file.text or "" for path, file in result.tree.items()}
-    left = made.proof(result, result.tree).left
     said = {*result.left, *_said(result.removed)}
     said |= {mark for *_, line in left for mark in re.findall(r"\bmine_\d+\b", line)}
     missing = {path for path, parts in result.missing.items() if "" in parts}
@@ -185,6 +185,12 @@ def trial(random, pair, counts, mutate=None, check=None, **options):
         complaints += check(mine, result.tree, edited, pair, names)
     count(counts, pair, edited, texts, complaints)
     return complaints
+
+
+def proved(made, result):
+    """Return what the proofs doubt, and the lines that are said to be left behind."""
+    proof = made.proof(result, result.tree)
+    return [*proof.lost, *made.wrong(result, result.tree, proof)], proof.left
 
 
 def chain(random, laboratory, model, distro, length, counts, check=None):

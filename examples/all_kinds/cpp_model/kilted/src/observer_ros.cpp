@@ -88,14 +88,14 @@ public:
       synchronizer_pair);
   }
 
-  /// Destroy subscriptions and servers.
+  /// Destroy subscriptions and service servers.
   void disconnect() override
   {
     topics_.unsubscribe();
   }
 
 private:
-  /// Run one cycle: take the latest messages, call update, publish the active outputs.
+  /// Run one cycle: take the latest messages, call update.
   void update()
   {
     data_.in_status_updated = in_status_.take(data_.in_status);

@@ -252,10 +252,10 @@ public:
     }
   }
 
-  /// Destroy subscriptions and servers; give every goal a result.
+  /// Destroy subscriptions and service servers; give every goal a result.
   void disconnect() override
   {
-    // They stay, as a client may ask for a result later on; while inactive they reject goals.
+    // Action servers stay, as a client may still ask for a result; inactive ones reject goals.
     for (const auto & server : action_servers_) {
       server->end();
     }
@@ -291,7 +291,7 @@ private:
     data_.out_status_subscribers = out_status_->get_subscription_count();
     impl_->update(data_, *std::atomic_load(config_.get()));
     if (!calls_->is_open()) {
-      return;  // It came too late: the node has stopped.
+      return;  // update returned after the node had stopped
     }
     if (data_.out_counter_active) {
       out_counter_->publish(data_.out_counter);

@@ -123,7 +123,7 @@ private:
     stop_receivers();
   }
 
-  /// Create subscriptions and servers; callbacks that may block get their own thread.
+  /// Create subscriptions and servers; each callback gets its own thread.
   void connect_receivers()
   {
     subscribe(
@@ -170,7 +170,7 @@ private:
     wait_for_sending();  // the last responses and results
   }
 
-  /// Run one cycle: take the latest messages, call update, publish the active outputs.
+  /// Run one cycle: take the latest messages, call update.
   void update()
   {
     data_.in_status_updated = in_status_.take(data_.in_status);

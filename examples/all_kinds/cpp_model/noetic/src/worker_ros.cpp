@@ -209,8 +209,7 @@ private:
     stop_receivers();
   }
 
-  /// Create subscriptions and servers, and start threads; callbacks that may block get their own
-  /// thread.
+  /// Create subscriptions and servers, and start threads; each callback gets its own thread.
   void connect_receivers()
   {
     subscribe(

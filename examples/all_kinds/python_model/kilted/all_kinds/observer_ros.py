@@ -106,7 +106,7 @@ class ObserverNode(ManagedNode):
         )
 
     def _update(self) -> None:
-        """Run one cycle: take the latest messages, call update, publish the active outputs."""
+        """Run one cycle: take the latest messages, call update."""
         data = self._data
         with self._received_lock:
             received, self._received = self._received, {}

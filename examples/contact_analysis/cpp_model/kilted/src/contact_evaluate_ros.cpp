@@ -120,10 +120,10 @@ public:
     }
   }
 
-  /// Destroy subscriptions and servers; give every goal a result.
+  /// Destroy subscriptions and service servers; give every goal a result.
   void disconnect() override
   {
-    // They stay, as a client may ask for a result later on; while inactive they reject goals.
+    // Action servers stay, as a client may still ask for a result; inactive ones reject goals.
     for (const auto & server : action_servers_) {
       server->end();
     }
@@ -141,7 +141,7 @@ public:
   }
 
 private:
-  /// Run one cycle: take the latest messages, call update, publish the active outputs.
+  /// Run one cycle: take the latest messages, call update.
   void update()
   {
     data_.in_cop_updated = in_cop_.take(data_.in_cop);

@@ -127,7 +127,7 @@ class ContactEvaluateNode(ManagedNode):
         self._action_server_evaluate.accept_goals(True)
 
     def _update(self) -> None:
-        """Run one cycle: take the latest messages, call update, publish the active outputs."""
+        """Run one cycle: take the latest messages, call update."""
         data = self._data
         with self._received_lock:
             received, self._received = self._received, {}

@@ -83,7 +83,7 @@ public:
         &ControllerImpl::serve_stop));
   }
 
-  /// Destroy subscriptions and servers.
+  /// Destroy subscriptions and service servers.
   void disconnect() override
   {
     topics_.unsubscribe();
@@ -105,7 +105,7 @@ private:
     data_.out_speed_subscribers = out_speed_->get_subscription_count();
     impl_->update(data_, *std::atomic_load(config_.get()));
     if (!calls_->is_open()) {
-      return;  // It came too late: the node has stopped.
+      return;  // update returned after the node had stopped
     }
     if (data_.out_speed_active) {
       out_speed_->publish(data_.out_speed);

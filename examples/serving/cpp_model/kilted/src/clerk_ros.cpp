@@ -94,10 +94,10 @@ public:
     }
   }
 
-  /// Destroy subscriptions and servers; give every goal a result.
+  /// Destroy subscriptions and service servers; give every goal a result.
   void disconnect() override
   {
-    // They stay, as a client may ask for a result later on; while inactive they reject goals.
+    // Action servers stay, as a client may still ask for a result; inactive ones reject goals.
     for (const auto & server : action_servers_) {
       server->end();
     }

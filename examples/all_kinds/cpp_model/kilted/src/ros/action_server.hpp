@@ -31,15 +31,15 @@ struct GoalPolicy
 {
   enum Kind {replace, queue, reject, parallel};
 
-  /// Execute `at_once` goals at once: one, but where they are executed in parallel.
+  /// At most `at_once` goals run at a time: one, unless the policy is parallel.
   GoalPolicy(Kind kind, std::size_t at_once = 1)  // NOLINT(runtime/explicit)
   : kind(kind),
     at_once(at_once)
   {
   }
 
-  /// Return whether a goal is taken beside so many others.
-  bool takes_beside(std::size_t others) const
+  /// Return whether a goal is accepted beside so many others.
+  bool accepts_beside(std::size_t others) const
   {
     return kind == replace || kind == queue || others < at_once;
   }
@@ -98,7 +98,7 @@ public:
   bool is_open()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return is_open_ && policy_.takes_beside(goals_.size());
+    return is_open_ && policy_.accepts_beside(goals_.size());
   }
 
   void push(const Pointer & goal)
@@ -113,7 +113,7 @@ public:
     goals_.push_back(goal);
   }
 
-  /// Forget a goal that is executed, before its client hears of the end and sends another.
+  /// Forget a goal that ends, before its client learns of it and sends another.
   void remove(const Pointer & goal)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -163,7 +163,7 @@ public:
   template<typename Logic>
   using AcceptMethod = bool (Logic::*)(const typename Action::Goal &);
 
-  /// Call a method of the logic with each goal that another one accepts.
+  /// Call `method` of the logic with each goal that `accept` accepts.
   template<typename Logic, typename Method>
   ActionServer(
     ManagedNode & node,
@@ -246,7 +246,7 @@ public:
           accept),
         std::move(destroy));
     }
-    // Not by rclcpp_action::create_server, which has the same defect as create_client.
+    // Not by rclcpp_action::create_server: see create_client in ros_action_client.hpp.
     node.get_node_waitables_interface()->add_waitable(server_, node.callback_group("action", name));
   }
 

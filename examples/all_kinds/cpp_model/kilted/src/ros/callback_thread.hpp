@@ -63,7 +63,7 @@ public:
 
   const rclcpp::CallbackGroup::SharedPtr & group() const {return spinner_->group;}
 
-  /// Have the executor let go of what is destroyed, which one of rclcpp 29.3 owns while it waits.
+  /// Wake the executor: while it waits, that of rclcpp 29.3 keeps what is destroyed alive.
   void wake() {spinner_->group->trigger_notify_guard_condition();}
 
 private:

@@ -83,7 +83,7 @@ public:
     return call(method, callback);
   }
 
-  /// Count a method as running until it has been called.
+  /// Count a method as running until `call` returns.
   void enter(const std::string & method)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -127,7 +127,7 @@ public:
   /// Return how often the logic has failed.
   std::uint64_t failures() const {return failures_;}
 
-  /// Say why the logic does not go on, where it has not failed; empty if it does.
+  /// Set why a transition was refused, for diagnostics; empty if it was not.
   void set_refusal(const std::string & refusal)
   {
     const std::lock_guard<std::mutex> lock(mutex_);

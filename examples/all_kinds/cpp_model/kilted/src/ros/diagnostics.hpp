@@ -51,7 +51,7 @@ public:
   {
   }
 
-  /// Return where a new logic says how it is, as long as it keeps it.
+  /// Return the status of a new logic, reported as long as the logic keeps it.
   std::shared_ptr<LogicStatus> renew()
   {
     const std::lock_guard<std::mutex> lock(life_->mutex);
@@ -60,7 +60,7 @@ public:
     return status;
   }
 
-  /// Report topics that are late, from now on those that these watch.
+  /// From now on report the topics that are late by these deadlines.
   void watch(const std::vector<std::shared_ptr<Deadline>> & deadlines)
   {
     const std::lock_guard<std::mutex> lock(life_->mutex);

@@ -26,7 +26,7 @@ public:
     slot_->is_new = true;
   }
 
-  /// Swap a new message into `destination`, to free none under the lock; return if there was one.
+  /// Swap a new message into `destination`; return whether there was one.
   bool take(Message & destination) const
   {
     const std::lock_guard<std::mutex> lock(slot_->mutex);

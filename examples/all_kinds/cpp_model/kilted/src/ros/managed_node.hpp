@@ -66,13 +66,13 @@ public:
   /// Ask goals that are executed to end.
   virtual void stop() {}
 
-  /// Destroy subscriptions and servers; give every goal a result.
+  /// Destroy subscriptions and service servers; give every goal a result.
   virtual void disconnect() {}
 
-  /// Cancel the goals that the logic has sent, within this time.
+  /// Cancel the goals that the logic has sent; wait for that until `end`.
   virtual void cancel_goals(Stop::Clock::time_point /* end */) {}
 
-  /// Wait until the last messages and results have been received, within this time.
+  /// Wait until the last messages and results have been received, at most until `end`.
   virtual void flush(Stop::Clock::time_point /* end */) {}
 };
 
@@ -93,7 +93,7 @@ public:
     try {
       declare_own_parameters();
     } catch (const std::exception &) {
-      end();  // A LifecycleNode that is destroyed before its end warns of it.
+      end();  // A LifecycleNode that is not finalized logs a warning.
       throw;
     }
     // Communication still works in this callback.
@@ -330,7 +330,7 @@ protected:
     return has_returned ? answer.get() : "reconfigure has not returned";
   }
 
-  /// Refuse NaN and infinity, which pass every range of rclcpp 29.3; and changes of what is fixed.
+  /// Refuse NaN and infinity, as rclcpp 29.3 does not; and changes of what is fixed.
   rcl_interfaces::msg::SetParametersResult check(
     const std::vector<rclcpp::Parameter> & parameters)
   {
@@ -405,7 +405,7 @@ private:
       }
       has_failed_ = true;
     }
-    leave_alone();
+    end_process();
   }
 
   /// Deactivate or clean up after a failure, which goes through error processing.
@@ -420,11 +420,11 @@ private:
         cleanup();
       }
     }
-    leave_alone();
+    end_process();
   }
 
-  /// End the process, if the node is alone in it.
-  void leave_alone()
+  /// End the process, if no other node is in it.
+  void end_process()
   {
     if (is_alone_) {
       context_->shutdown("the node has failed");
@@ -434,7 +434,7 @@ private:
   /// Return whether the logic has thrown, or said that it fails, since it was configured.
   bool has_thrown() const {return calls_->failures() != known_failures_;}
 
-  /// Recover in the thread of transitions: one may be waiting for the caller.
+  /// Recover in the thread of transitions: a transition may be waiting for the caller.
   void fail()
   {
     has_failed_ = true;

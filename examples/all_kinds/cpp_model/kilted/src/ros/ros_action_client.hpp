@@ -169,7 +169,7 @@ private:
       client->async_cancel_goal(
         handle, [sent](const auto &) {
           if (const auto goal = sent.lock()) {
-            goal->set_canceled();
+            goal->set_cancel_answered();
           }
         });
     } catch (const std::exception &) {

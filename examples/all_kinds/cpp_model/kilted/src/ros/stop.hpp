@@ -27,7 +27,7 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds RETURN{100};  // for a method to return, once its waits have been ended
 constexpr milliseconds RECONFIGURE{2000};  // for reconfigure to return: the executor waits for it
-// For subscribers and clients to receive what was sent last. Fast DDS 3.2 acknowledges every 3 s.
+// For others to receive what was sent last; Fast DDS 3.2 may take 3 s to acknowledge it.
 constexpr milliseconds RECEIVE{500};
 constexpr milliseconds SETTLE{1};  // between checks whether a transition or a callback has ended
 constexpr milliseconds CALLBACK{1000};  // for a thread of callbacks to end
@@ -144,7 +144,7 @@ public:
   }
 
 private:
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   std::condition_variable changed_;
   std::atomic<bool> requested_{false};
   bool is_last_ = false;

@@ -48,8 +48,8 @@ public:
     static_assert(
       (message_filters::message_traits::HasHeader<Messages>::value && ...),
       "messages are joined by the stamps of their headers");
-    // A waiting executor of rclcpp 29.3 owns its subscriptions: they do not own the logic. Before
-    // Kilted, message_filters calls this with nine messages.
+    // Weak, as an executor of rclcpp 29.3 that waits keeps its subscriptions alive. Before Kilted,
+    // message_filters calls this with nine messages.
     const auto handle =
       [logic = std::weak_ptr<Logic>(logic), receive, calls = node.calls(),
         pass = node.calls()->pass(), label = "synchronizer " + name](

@@ -72,7 +72,7 @@ public:
     const rclcpp::QoS & qos = rclcpp::QoS(10),
     const std::shared_ptr<Deadline> & deadline = nullptr)
   {
-    // A waiting executor of rclcpp 29.3 owns its subscriptions: they do not own the logic.
+    // Weak, as an executor of rclcpp 29.3 that waits keeps its subscriptions alive.
     const auto handle = [logic = std::weak_ptr<Logic>(logic), receive, calls = node.calls(),
         pass = node.calls()->pass(), label = "topic " + topic, deadline](const Message & message) {
         calls->run(

@@ -56,11 +56,11 @@ public:
     return handle_;
   }
 
-  void set_canceled()
+  void set_cancel_answered()
   {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      is_canceled_ = true;
+      is_cancel_answered_ = true;
     }
     changed_.notify_all();
   }
@@ -69,7 +69,7 @@ public:
   void wait_until_canceled(Clock::time_point end)
   {
     std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait_until(lock, end, [this] {return is_canceled_ || !is_running();});
+    changed_.wait_until(lock, end, [this] {return is_cancel_answered_ || !is_running();});
   }
 
   /// End the goal, unless it has ended before.
@@ -88,7 +88,7 @@ public:
     changed_.notify_all();
   }
 
-  /// Take note of whether the server is there.
+  /// End the goal as lost when its server has been away for too long.
   void watch(bool is_server_ready)
   {
     {
@@ -139,7 +139,7 @@ private:
   Result result_;
   Handle handle_;
   bool wants_cancel_ = false;
-  bool is_canceled_ = false;
+  bool is_cancel_answered_ = false;
   bool is_server_away_ = false;
   Clock::time_point away_since_;
 };

@@ -571,7 +571,7 @@ class NodeTests:
                 nonlocal time
                 time += 0.25 / frequency
                 self.peer.set_time(time)
-                sleep(1.0 / frequency if frequency > 5.0 else 0.0)  # at another speed
+                sleep(1.0 / frequency if frequency > 5.0 else 0.0)  # not the speed of wall time
                 tick = self.turns(method, node=self.given)[2]
                 ticks.extend([tick] if tick not in ticks else [])
                 cycles = [(end - start) * frequency for start, end in zip(ticks, ticks[1:])]
@@ -666,7 +666,7 @@ class NodeTests:
         self.assertIn(case[0], node.log)
 
     def refuses(self, node, name, *values):
-        """See that a parameter cannot have some values, nor one that is out of bounds."""
+        """See that a parameter refuses some values, and NaN and infinity."""
         if len(values) > 1 and isinstance(values[1], float):
             values += float('nan'), float('inf')
         for value in values:
@@ -678,7 +678,7 @@ class NodeTests:
         self.assertTrue(eventually(lambda: self.node.got('config')[-1][name] == value), name)
 
     def test_diagnostics(self):
-        """The node says what its logic says, the worse of two levels counts; no failure is OK."""
+        """The node says what its logic says, the worse of two levels; a failure is ERROR."""
         if not self.diagnostics:
             return
         heard = self.peer.hear_diagnostics()
@@ -782,13 +782,13 @@ class NodeTests:
             ('activate refuse', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'refuse'),
             ('activate raise', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'told to raise'),
             ('configure sleep=1000', 2.0, [TERM], 0, [LIFE[0], 'cleanup'], '["sleep", false]'),
-            ('configure block', 0.1, [TERM], 1, LIFE[:1], 'till running'),
+            ('configure block', 0.1, [TERM], 1, LIFE[:1], 'Still running'),
             ('deactivate sleep=1000', 0.1, [TERM], None, LIFE, '["sleep", false]'),
             ('deactivate raise', 2.0, [INT], 1, LIFE, 'told to raise'),
             ('configure fail=lost', 2.0, [], 1, [LIFE[0], 'cleanup'], 'The logic failed: lost'),
             ('activate fail=lost', 2.0, [], 1, LIFE, 'The logic failed: lost'),
             ('cleanup raise', 2.0, [TERM], 1, LIFE, 'told to raise'),
-            ('deactivate block', 0.1, [TERM], 1, LIFE[:3], 'till running'),
+            ('deactivate block', 0.1, [TERM], 1, LIFE[:3], 'Still running'),
             ('deactivate block', 1e3, [INT, INT], -INT, LIFE[:3], ''),
             ('deactivate wait=2.5', 1e3, [INT], 0, LIFE, '["wait", null]'),
             ('deactivate sleep=0.1', 2.0, [TERM], 0, LIFE, '["sleep", true]'),
@@ -800,7 +800,7 @@ class NodeTests:
         for member in callbacks:
             ends.append((f'{member} raise', 2.0, [], 1, LIFE, 'told to raise'))
         for member in callbacks[:1]:
-            ends.append((f'{member} block', 0.1, [TERM], 1, LIFE, 'till running'))
+            ends.append((f'{member} block', 0.1, [TERM], 1, LIFE, 'Still running'))
         for member, *_ in self.each(*self.can_refuse):
             ends.append((f'{member} refuse', 2.0, [], 1, LIFE, 'no response'))
         for member, _, type_ in self.each('client_') if self.frequency else ():
@@ -809,11 +809,11 @@ class NodeTests:
         for method in [*self.threads, *self.timers]:
             ends.append((f'{method} raise', 2.0, [], 1, LIFE, 'told to raise'))
             ends.append((f'{method} sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
-            ends.append((f'{method} block', 0.1, [TERM], 1, LIFE, 'till running'))
+            ends.append((f'{method} block', 0.1, [TERM], 1, LIFE, 'Still running'))
         for late, *_ in self.lates():
             ends.append((f'{late} raise', 2.0, [], 1, LIFE, 'told to raise'))
             ends.append((f'{late} sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
-            ends.append((f'{late} block', 0.1, [TERM], 1, LIFE, 'till running'))
+            ends.append((f'{late} block', 0.1, [TERM], 1, LIFE, 'Still running'))
         with ThreadPoolExecutor(4) as pool:
             list(pool.map(self.end, ends))
 

@@ -109,7 +109,7 @@ class Peer:
         return messages
 
     def set_parameter(self, node, name, value):
-        """Set a parameter; return whether it was accepted, or refused without a reason."""
+        """Set a parameter; return False if it was refused, with a reason."""
         parameter = rclpy.parameter.Parameter(name, value=value).to_parameter_msg()
         request = SetParameters.Request(parameters=[parameter])
         response = self.call(node, SetParameters, node.name + '/set_parameters', request)
@@ -269,7 +269,6 @@ class GoalServer:
         self._feedback = feedback
         self._result = result
         self._handle = None
-        self._end = Future()
         self._server = ActionServer(
             node,
             action_type,

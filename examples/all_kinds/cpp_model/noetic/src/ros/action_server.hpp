@@ -34,15 +34,15 @@ struct GoalPolicy
 {
   enum Kind {replace, queue, reject, parallel};
 
-  /// Execute `at_once` goals at once: one, but where they are executed in parallel.
+  /// At most `at_once` goals run at a time: one, unless the policy is parallel.
   GoalPolicy(Kind kind, std::size_t at_once = 1)  // NOLINT(runtime/explicit)
   : kind(kind),
     at_once(at_once)
   {
   }
 
-  /// Return whether a goal is taken beside so many others.
-  bool takes_beside(std::size_t others) const
+  /// Return whether a goal is accepted beside so many others.
+  bool accepts_beside(std::size_t others) const
   {
     return kind == replace || kind == queue || others < at_once;
   }
@@ -199,7 +199,7 @@ private:
   bool is_refused()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return stopped_ || !policy_.takes_beside(current_.size() + waiting_.size());
+    return stopped_ || !policy_.accepts_beside(current_.size() + waiting_.size());
   }
 
   void cancel(Handle & handle)

@@ -15,7 +15,7 @@
 namespace all_kinds
 {
 
-/// Watches a topic, in simulated time or by a clock that nobody sets; thread-safe.
+/// Watches a topic, in simulated time or by the steady clock; thread-safe.
 class Deadline
 {
 public:
@@ -86,7 +86,7 @@ private:
     is_watched_ = true;
   }
 
-  /// Return for how long the topic will not be late; a late one becomes so again after that.
+  /// Return how long to sleep: until the topic is late, or for a deadline if it is.
   double left()
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -18,7 +18,7 @@
 namespace all_kinds
 {
 
-// roscpp 1.15 rounds a double where an int is asked for, and takes numbers of a list for any.
+// roscpp 1.15 rounds a double where an int is asked for, and converts the numbers of a list.
 inline bool convert(XmlRpc::XmlRpcValue & found, bool & value)
 {
   const bool fits = found.getType() == XmlRpc::XmlRpcValue::TypeBoolean;

@@ -37,7 +37,7 @@ namespace all_kinds
 class StopRequests
 {
 public:
-  /// Call `stop` at the first request, then give the process `limit` to end. Before ros::start.
+  /// Call `stop` at the first request, then give the process `limit` to end; before ros::start.
   StopRequests(std::function<void()> stop, std::function<Stop::Seconds()> limit)
   : stop_(std::move(stop)),
     limit_(std::move(limit))
@@ -101,7 +101,7 @@ private:
     stop_();
     if (ended.wait_for(limit_()) != std::future_status::ready) {
       // Not by the log, as roscpp 1.15 may ask the master before it logs.
-      std::fputs("The node does not end: its process is ended.\n", stderr);
+      std::fputs("The node does not end in time: its process is killed.\n", stderr);
       std::fflush(nullptr);
       _exit(1);
     }
@@ -171,7 +171,7 @@ int run_node(int argc, char ** argv, const std::string & name)
   set_log_level();
   std::unique_ptr<Node> node;
   try {
-    ros::start();  // else the destructor of a node that fails to be made ends the log
+    ros::start();  // else ROS ends, and with it the log, when making the node throws
     if (!supervisor.stopping()) {  // ros::start returns when a node that has no master is stopped
       node = std::make_unique<Node>(supervisor);
     }

@@ -72,7 +72,7 @@ public:
     return true;
   }
 
-  /// The server notes a cancel that comes before the goal.
+  /// Servers of actionlib keep a cancel that comes before its goal.
   void cancel() override
   {
     const std::lock_guard<std::mutex> lock(mutex_);

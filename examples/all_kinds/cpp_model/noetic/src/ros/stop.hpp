@@ -60,25 +60,16 @@ public:
   }
 
   /// End all waits, and at once those that begin before `clear`.
-  ///
-  /// Waits in `deactivate` and `cleanup`, after `clear(true)`, end only if `also_last`.
-  void request(bool also_last = true)
+  void request()
   {
-    change(
-      [&] {
-        if (also_last || !is_last_) {
-          requested_ = true;
-          ++requests_;
-        }
-      });
+    change([this] {requested_ = true; ++requests_;});
   }
 
   /// Withdraw the request: waits that begin from now on work again.
-  void clear(bool is_last = false)
+  void clear()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     requested_ = false;
-    is_last_ = is_last;
   }
 
   /// Wait until a condition holds; return false when no time is left, or when the node stops.
@@ -149,7 +140,6 @@ private:
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::atomic<bool> requested_{false};
-  bool is_last_ = false;
   std::uint64_t requests_ = 0;
 };
 

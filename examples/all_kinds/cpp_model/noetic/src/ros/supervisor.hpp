@@ -149,11 +149,10 @@ public:
     changed_.notify_all();
   }
 
-  /// Wait for the end; return false if a method of the logic does not return in time.
+  /// Wait for the end of a node that stops; return false if a method does not return in time.
   bool watch()
   {
     std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait(lock, [this] {return stopping_ || ended_;});
     while (!ended_) {
       const auto step = steps_;
       const auto goes_on = [&] {return ended_ || steps_ != step;};

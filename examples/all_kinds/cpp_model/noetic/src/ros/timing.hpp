@@ -22,7 +22,7 @@
 namespace all_kinds
 {
 
-/// Waits for times: simulated ones as /clock tells them, or those of a clock that is never set.
+/// Waits for times: simulated ones as /clock tells them, or those of the steady clock.
 class Clock
 {
 public:

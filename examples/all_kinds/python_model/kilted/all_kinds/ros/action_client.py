@@ -35,7 +35,6 @@ class ActionClient:
 
     def __init__(self, node: Node, action_type: Any, name: str) -> None:
         """Create the client."""
-        self.Goal = action_type.Goal
         self._client = GoalSender(node, action_type, name)
         self._goal = SentGoal(self._client, 'idle')
         self._under_way: list[SentGoal] = []

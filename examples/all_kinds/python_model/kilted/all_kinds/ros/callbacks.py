@@ -86,10 +86,10 @@ class CallbackThread:
 
     def _begin(self, *arguments: Any) -> Optional[Future[Any]]:
         """
-        Submit a call, unless the node stops; the thread begins it before this one goes on.
+        Submit a call, unless the node stops; wait until its thread begins it.
 
-        The executor would keep the interpreter until it waits again; so a short call has returned
-        by now. A thread that is not free has a call that was given up.
+        Otherwise the executor would hold the GIL until it waits again. A thread that is still busy
+        with a call that was given up is not waited for.
         """
         is_free = len(self._worker.pending()) < self.count
         begun: SimpleQueue[None] = SimpleQueue()

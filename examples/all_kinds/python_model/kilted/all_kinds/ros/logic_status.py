@@ -10,7 +10,7 @@ from typing import Dict, NamedTuple
 
 
 class Said(NamedTuple):
-    """Level, OK, WARN or ERROR, its sentence, hardware id and values at one time."""
+    """A snapshot: level (OK, WARN or ERROR), text, hardware id and values."""
 
     level: str
     text: str

@@ -279,7 +279,7 @@ class ManagedNode(LifecycleNode):
         return float(self.get_parameter('frequency').value)
 
     def _check_parameters(self, parameters: list[Parameter[Any]]) -> SetParametersResult:
-        """Refuse NaN and infinity, which pass every range of rclpy 9.1.2."""
+        """Refuse NaN and infinity, as rclpy 9.1.2 does not; and changes of what is fixed."""
         for parameter in parameters:
             name, value = parameter.name, parameter.value
             if name in self._ranged and isinstance(value, float) and not isfinite(value):
@@ -459,7 +459,7 @@ class ManagedNode(LifecycleNode):
         self._transitions.submit(self._leave)
 
     def _leave(self) -> None:
-        """Go to error processing, unless a transition has done so, and report the failure."""
+        """Go to error processing after a failure, unless a transition has; call on_failure."""
         if self.state == 'active':
             self.trigger_deactivate()
         elif self.state == 'inactive' and self.has_error:

@@ -10,7 +10,7 @@ class Publisher:
     """Publishes messages to a topic."""
 
     def __init__(self, publisher: Any) -> None:
-        """Publish by a publisher of rclpy."""
+        """Wrap a publisher of rclpy."""
         self._publisher = publisher
 
     def publish(self, message: Any, /) -> None:

@@ -3,7 +3,7 @@
 
 """Time-outs and periods of the node, in seconds."""
 
-# For subscribers to receive what was published last. Fast DDS 3.2 acknowledges every 3 s.
+# For subscribers to receive what was published last; Fast DDS 3.2 may take 3 s to acknowledge.
 ACKNOWLEDGE_TIMEOUT = 0.5
 DIAGNOSTICS_PERIOD = 1.0  # between two messages on /diagnostics
 DISCOVERY_PERIOD = 0.02  # between two checks whether the server of a call is available

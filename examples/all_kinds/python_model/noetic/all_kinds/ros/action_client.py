@@ -34,7 +34,6 @@ class ActionClient:
 
     def __init__(self, name: str, action_type: Any) -> None:
         """Create the client."""
-        self.Goal = type(action_type().action_goal.goal)
         self._client = actionlib.ActionClient(name, action_type)
         self._goal = SentGoal(self._client, 'idle')
         self._under_way: List[SentGoal] = []

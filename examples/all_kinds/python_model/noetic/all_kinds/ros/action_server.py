@@ -194,7 +194,7 @@ class RosActionServer(actionlib.ActionServer):
     """
 
     def initialize(self) -> None:
-        """Advertise and subscribe, with actionlib's queue sizes; start to publish the status."""
+        """Advertise and subscribe, with actionlib's defaults; start to publish the status."""
         self.ended = Event()
         self.status_list_timeout = rospy.Duration(timeouts.STATUS_TIMEOUT)
         name = rospy.remap_name(self.ns)

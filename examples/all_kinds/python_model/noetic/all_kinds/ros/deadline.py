@@ -15,7 +15,7 @@ SHORTEST = 0.001  # s, between two looks
 
 
 class Deadline:
-    """Watches a topic, in simulated time or by a clock that nobody sets."""
+    """Watches a topic, in simulated time or by the monotonic clock."""
 
     def __init__(self, seconds: float, time: RosTime) -> None:
         """Prepare: the topic will be late when no message has come for so long."""
@@ -66,7 +66,7 @@ class Deadline:
         return f'no message on {self._topic} for {silence:.1f} s' if is_late else ''
 
     def _left(self) -> float:
-        """Return how long the topic will not be late; a late one becomes so again after that."""
+        """Return how long to sleep: until the topic is late, or for a deadline if it is."""
         with self._lock:
             left = self._seconds - self._silence()
         return max(left, SHORTEST) if left > 0.0 else self._seconds

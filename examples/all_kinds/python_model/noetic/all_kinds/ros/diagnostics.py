@@ -44,7 +44,7 @@ class Diagnostics:
         self._late_until = 0.0
 
     def renew(self) -> LogicStatus:
-        """Forget what the logic has said; return where the next one says it."""
+        """Drop the status of the logic; return that of the next one."""
         self._logic = LogicStatus()
         return self._logic
 

@@ -13,10 +13,10 @@ from typing import Any, Callable, Dict, Tuple
 
 
 class Log:
-    """Writes to the ROS log; `_once` and `_throttle` count by the line that calls."""
+    """Writes to the ROS log; `_once` and `_throttle` are for each line that calls."""
 
     def __init__(self, logger: Any) -> None:
-        """Write by a logger of ROS."""
+        """Write with a logger of ROS."""
         self.debug: Callable[[str], object] = logger.debug
         self.info: Callable[[str], object] = logger.info
         self.warning: Callable[[str], object] = logger.warning

@@ -46,7 +46,6 @@ class ManagedNode:
         self.stop = Stop()
         self._time = RosTime(self.stop)
         self.loop: Optional[Loop] = None
-        self._loops: dict[str, Loop] = {}
         self._config: Any = None
         self._impl: Any = None
         self._log = logging.getLogger('rosout')
@@ -115,7 +114,7 @@ class ManagedNode:
         """Let the logic take changed parameters; return why it refuses, or ''."""
         if self.state not in ('inactive', 'active'):
             return ''
-        return self._logic.reconfigure(lambda: str(self._impl.reconfigure(config)))
+        return self._logic.reconfigure(lambda: self._impl.reconfigure(config))
 
     def _running(self) -> dict[Future[Any], str]:
         """Return the calls of the logic that have not returned, with their names."""
@@ -176,10 +175,9 @@ class ManagedNode:
 
     def _call_at(self, frequency: float, method: str) -> None:
         """Call a method of the logic at a frequency, in a thread of its own."""
-        if method not in self._loops:
-            call = partial(self.call, method)
-            self._loops[method] = Loop(call, frequency, self._time, self._log.warning, method)
-        self._logic.beside(method, self._loops[method].run, self.stop)
+        call = partial(self.call, method)
+        loop = Loop(call, frequency, self._time, self._log.warning, method)
+        self._logic.beside(method, loop.run, self.stop)
 
     def _begin(self, name: str, method: Callable[[], bool]) -> bool:
         """Call configure or activate; leave if the logic refuses."""

@@ -41,7 +41,7 @@ def run(name: str, node_type: Callable[[], ManagedNode]) -> int:
         if is_up.is_set():  # rospy 1.15.15 now holds a lock that init_node() needs
             ended.wait()
 
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # init_node() waits for the master
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # init_node() may wait for the master
     rospy.on_shutdown(end_before_shutdown)
     rospy.init_node(name, disable_signals=True)
     signal.signal(signal.SIGINT, end)

@@ -19,7 +19,7 @@ from rospy.impl.tcpros_base import TCPROSTransport
 
 
 class Call:
-    """A call in a thread of its own: rospy 1.15.15 has no time-outs, nor for its master."""
+    """A call in a thread of its own, as rospy 1.15.15 has no time-outs."""
 
     def __init__(self, request: Any) -> None:
         """Start without a connection."""
@@ -128,7 +128,7 @@ class ServiceClient:
 
 
 def is_open(connection: socket.socket) -> bool:
-    """Return whether the other side, which says nothing unasked, has not closed a connection."""
+    """Return whether the other side, which sends nothing unasked, has not closed a connection."""
     try:
         connection.recv(1, socket.MSG_PEEK | socket.MSG_DONTWAIT)
     except BlockingIOError:

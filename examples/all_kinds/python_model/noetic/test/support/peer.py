@@ -67,7 +67,7 @@ class Peer:
         return messages
 
     def set_parameter(self, node, name, value):
-        """Set a dynamic parameter; return whether it was accepted, not bounded."""
+        """Set a dynamic parameter; return whether the server took it unchanged."""
         if node.name not in self._clients:
             self._clients[node.name] = Client(node.name, TIMEOUT)
         return self._clients[node.name].update_configuration({name: value})[name] == value
@@ -100,9 +100,7 @@ class Peer:
         publisher = rospy.Publisher(topic, message_type, queue_size=1000)
         assert eventually(publisher.get_num_connections), f'{topic} has no subscription'
         publish = publisher.publish
-        publisher.publish = lambda message: publish(
-            deepcopy(message)
-        )  # publish() numbers its message
+        publisher.publish = lambda message: publish(deepcopy(message))  # publish() sets header.seq
         return publisher
 
     def call(self, node, service_type, name, request):

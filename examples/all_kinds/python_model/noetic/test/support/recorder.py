@@ -254,7 +254,5 @@ class _Recorder:
 
 if __name__ == '__main__':
     node = import_module('all_kinds.' + sys.argv.pop(1) + '_ros')
-    logic = sys.argv.pop(1)
-    if logic:  # else its own
-        setattr(node, logic, _Recorder)
+    setattr(node, sys.argv.pop(1), _Recorder)
     sys.exit(node.main())

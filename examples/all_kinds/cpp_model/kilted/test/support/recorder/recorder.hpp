@@ -88,7 +88,7 @@ void add(std::string & members, const std::string & name, const Value & value)
   members += (members.empty() ? "" : ", ") + to_json(name) + ": " + to_json(value);
 }
 
-/// Return a message, serialized, in hexadecimal.
+/// Return a serialized message as a JSON string of hexadecimal digits.
 template<typename Message>
 std::string encode(const Message & message)
 {
@@ -173,7 +173,7 @@ public:
     }
   }
 
-  /// Report a call of one of the five methods, and obey; return false where it is to refuse.
+  /// Report a call with the name of its thread, and obey; return false where it is to refuse.
   bool called(const std::string & method)
   {
     std::ifstream file("/proc/thread-self/comm");
@@ -246,7 +246,7 @@ private:
     std::ifstream input{"/dev/stdin"};  // not std::cin: exit() would wait for the thread that reads
     std::mutex mutex;
     std::map<std::string, std::deque<Words>> orders;
-    // How often each method was called, and both times of the last call
+    // How often each method was called; wall and ROS time of the last call
     std::map<std::string, std::pair<int, std::string>> turns;
     std::weak_ptr<Steps> steps;  // they keep publishers and clients
     bool is_listening = false;
@@ -309,7 +309,7 @@ Step sets(Message & message)
          };
 }
 
-/// Return the words of a text that commas part.
+/// Split a text at its commas.
 inline Words split(const std::string & text)
 {
   Words words;
