@@ -1,9 +1,15 @@
-"""A package whose logic is filled in, and its updates."""
+"""The laboratory, and a package whose logic is filled in with its updates."""
 
 import pytest
 
 from support.arm import EDITS, SPEC
+from support.laboratory.trials import Laboratory
 from support.repository import commit
+
+
+@pytest.fixture(scope="session")
+def laboratory(tmp_path_factory):
+    return Laboratory(tmp_path_factory.mktemp("lab"))
 
 
 @pytest.fixture

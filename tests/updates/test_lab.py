@@ -16,7 +16,7 @@ from support.laboratory import branches, specs
 from support.laboratory.edits import HABITS
 from support.laboratory.mutants import MUTANTS, OF_HABITS
 from support.laboratory.running import compiles, runs
-from support.laboratory.trials import ALL_MODELS, DISTROS, MODELS, Counts, Laboratory, chain, trial
+from support.laboratory.trials import ALL_MODELS, DISTROS, MODELS, Counts, chain, trial
 
 TRIALS = int(os.environ.get("LAB_TRIALS", "10"))
 """Updates for each model and each ROS."""
@@ -30,11 +30,6 @@ EACH = 2
 """How often one pair of renders is edited."""
 AT_LENGTH = TRIALS >= 100
 VARIANTS = [(model, distro) for model in MODELS for distro in DISTROS]
-
-
-@pytest.fixture(scope="module")
-def laboratory(tmp_path_factory):
-    return Laboratory(tmp_path_factory.mktemp("lab"))
 
 
 @pytest.fixture(scope="module")

@@ -15,15 +15,9 @@ from hooks.merge.renaming import Renaming
 from hooks.merge.tree import File, encode
 from hooks.merge.versions import Versions
 from support.laboratory.judge import nesting
-from support.laboratory.trials import Laboratory
 
 ARM, LEG, FOOT = ({"name": name, "frequency": 10, "items": []} for name in ("arm", "leg", "foot"))
 PUBLISHER = {"kind": "publisher", "name": "pose", "type": 0, "text": ""}
-
-
-@pytest.fixture(scope="module")
-def laboratory(tmp_path_factory):
-    return Laboratory(tmp_path_factory.mktemp("lab"))
 
 
 @pytest.fixture(scope="module")

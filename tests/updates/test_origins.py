@@ -9,7 +9,7 @@ from hooks.merge.languages import CMAKE
 from hooks.merge.tokens import words
 from hooks.merge.versions import Versions
 from support.arm import SPEC
-from support.laboratory.trials import Laboratory, tree_of
+from support.laboratory.trials import tree_of
 from support.repository import commit, git
 
 KINDS = {
@@ -30,8 +30,7 @@ OWN = {"python_model": "lab/tools.py", "cpp_model": "src/tools.cpp"}
 
 
 @pytest.fixture(scope="module")
-def pairs(tmp_path_factory):
-    laboratory = Laboratory(tmp_path_factory.mktemp("lab"))
+def pairs(laboratory):
     specs = [{"description": "Arms", "nodes": [node]} for node in (OLD, NEW)]
     return {
         model: laboratory.pair(*specs, model, ("kilted", "kilted"), "1.0.0", own=[path])

@@ -14,7 +14,7 @@ from hooks.merge.versions import Versions
 from support.laboratory import specs
 from support.laboratory.edits import edit
 from support.laboratory.mutants import MUTANTS, OF_HABITS
-from support.laboratory.trials import MODELS, Laboratory, ahead, tree_of
+from support.laboratory.trials import MODELS, ahead, tree_of
 
 CMAKE = "project(arm)\n\nadd_library(core src/core.cpp)\n"
 README = "# Arm\n\nMoves.\n\n## Use\n\nRun it.\n"
@@ -150,9 +150,9 @@ FIRST = {"line_at_the_end", "bodies_swapped", "condition_ends_elsewhere"}
 
 
 @pytest.fixture(scope="module")
-def seen(tmp_path_factory):
+def seen(laboratory):
     """Count by mutant how often it spoils a merge, and how often each proof sees that."""
-    laboratory, found = Laboratory(tmp_path_factory.mktemp("lab")), {}
+    found = {}
     for model in MODELS * 2:
         random = Random(f"{model} {len(laboratory.versions)} {sum(map(len, found.values()))}")
         spec = specs.random_spec(random)

@@ -6,43 +6,30 @@ import re
 import pytest
 
 from hooks.changes import GONE, Mark
+from hooks.merge.proof import uses
 from hooks.merge.renaming import plan
 from hooks.merge.tree import File, encode
 from hooks.merge.versions import Versions
 from support.arm import SPEC
+from support.laboratory.trials import tree_of
 from support.repository import commit, git
 
-LOGIC = '''"""Compute the outputs of one cycle from the latest inputs."""
+CYCLE = '        """Compute the outputs of one cycle from the latest inputs."""\n'
+LOGIC = """\
         for i in range(3):
             total = config.range + i
         data.out_pose.data = data.out_pose.data + total
         frame = "map"  # the map frame, not the topic map
         point = data.in_map.pose.position
-'''
+"""
 NAMES = SPEC.replace('name="goal"', 'name="map"').replace('name="gain"', 'name="range"')
-
-
-@pytest.fixture
-def package(render):
-    package = render(NAMES, name="arm")
-    impl = package / "arm/reach_impl.py"
-    line = '"""Compute the outputs of one cycle from the latest inputs."""\n'
-    text = impl.read_text()
-    assert line in text
-    impl.write_text(text.replace(line, LOGIC, 1))
-    commit(package, "Write the logic")
-    return package
 
 
 @pytest.fixture
 def update(copier_command):
     def run(package, *changes):
         (spec,) = package.glob("*.ros_package")
-        text = spec.read_text()
-        for old, new in changes:
-            assert old in text
-            text = text.replace(old, new, 1)
-        spec.write_text(text)
+        spec.write_text(changed(spec.read_text(), *changes))
         commit(package, "Rename")
         result = copier_command("update", "--trust", "--defaults", cwd=package)
         assert result.returncode == 0, result.stderr
@@ -50,6 +37,40 @@ def update(copier_command):
         return result.stderr
 
     return run
+
+
+@pytest.fixture
+def merge(laboratory):
+    """Merge changes of a spec into a package with edits; return the files, and uses of old names.
+
+    `edits` are, by path, the text of a file of the developer's or pairs of old and new text.
+    """
+
+    def run(spec, changes, edits, model="python_model", distro="kilted"):
+        own = [path for path, edit in edits.items() if isinstance(edit, str)]
+        specs = (spec, changed(spec, *changes))
+        pair = laboratory.pair(*specs, model, (distro, distro), "1.0.0", own=own)
+        edited = {
+            path: edit if path in own else changed(pair.old[path], *edit)
+            for path, edit in edits.items()
+        }
+        mine = {**pair.old, **edited, "lab.ros_package": specs[1]}
+        old, new = (side | {"lab.ros_package": ""} for side in (pair.old, pair.new))
+        trees = [tree_of(texts) for texts in (mine, old, new)]
+        result, doubts = Versions(*trees, pair.renaming, pair.is_kept).merged()
+        assert (doubts, result.conflicts) == ([], {})
+        files = {path: file.text for path, file in result.tree.items()}
+        return files, [*uses(*trees, result.tree, pair.renaming)]
+
+    return run
+
+
+def changed(text, *changes):
+    """Exchange a text for another, once for each pair."""
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new, 1)
+    return text
 
 
 def test_was_itself_is_no_use_of_the_old_name(arm, update):
@@ -66,40 +87,41 @@ def test_was_itself_is_no_use_of_the_old_name(arm, update):
     assert "arm/notes.txt:1: reach" in still
 
 
-def test_parameter_in_a_group(arm, update):
+GROUPED = [*itertools.pairwise(["gain", "control.gain", "control.factor", "factor"])]
+
+
+@pytest.mark.parametrize(("old", "new"), GROUPED)
+def test_parameter_in_a_group(merge, old, new):
     """Its value in config/ and its name in the logic follow, into a group and out of it."""
-    config, impl = arm / "config/reach.yaml", arm / "arm/reach_impl.py"
-    before = config.read_text()
-    config.write_text(re.sub(r"\bgain: .*", "gain: 7.5  # tuned", before))
-    line = '"""Compute the outputs of one cycle from the latest inputs."""\n'
-    impl.write_text(impl.read_text().replace(line, f"{line}        config.gain.hex()\n"))
-    commit(arm, "Tune")
-    names = ("gain", "control.gain", "control.factor", "factor")
-    for old, new in itertools.pairwise(names):
-        update(arm, (f'name="{old}"', f'name="{new}" was="{old}"'))
-        assert f"    {new}: 7.5  # tuned\n" in config.read_text()
-        assert f"config.{new.replace('.', '_')}.hex()" in impl.read_text()
-        commit(arm, "Take it")
-        spec = arm / "arm.ros_package"
-        spec.write_text(spec.read_text().replace(f' was="{old}"', ""))
+    before, after = (name.replace(".", "_") for name in (old, new))
+    files, _ = merge(
+        SPEC.replace('"gain"', f'"{old}"'),
+        [(f'name="{old}"', f'name="{new}" was="{old}"')],
+        {
+            "config/reach.yaml": [(f"{old}: 1.0", f"{old}: 7.5  # tuned")],
+            "arm/reach_impl.py": [(CYCLE, f"{CYCLE}        config.{before}.hex()\n")],
+        },
+    )
+    assert f"    {new}: 7.5  # tuned\n" in files["config/reach.yaml"]
+    assert f"config.{after}.hex()" in files["arm/reach_impl.py"]
 
 
-def test_words_that_only_look_alike_stay(package, update):
-    said = update(
-        package,
+def test_words_that_only_look_alike_stay(merge):
+    changes = [
         ('name="range"', 'name="distance" was="range"'),
         ('name="map"', 'name="costmap" was="map"'),
         ('name="pose"', 'name="turtle_pose" was="pose"'),
-    )
-    impl = (package / "arm/reach_impl.py").read_text()
+    ]
+    files, said = merge(NAMES, changes, {"arm/reach_impl.py": [(CYCLE, CYCLE + LOGIC)]})
+    impl = files["arm/reach_impl.py"]
     assert "for i in range(3):" in impl
     assert "config.distance + i" in impl
     assert "data.out_turtle_pose.data = data.out_turtle_pose.data" in impl
     assert "data.in_costmap.pose.position" in impl
     assert 'frame = "map"  # the map frame, not the topic map' in impl
-    assert 'was="pose"' in (package / "arm.ros_package").read_text()
+    assert 'was="pose"' in files["lab.ros_package"]
     number = impl.split("\n").index('        frame = "map"  # the map frame, not the topic map')
-    assert f"still     arm/reach_impl.py:{number + 1}: map" in said
+    assert f"arm/reach_impl.py:{number + 1}: map" in said
 
 
 def test_swapped_names_swap_their_code(arm, update):
@@ -124,16 +146,14 @@ def test_swapped_names_swap_their_code(arm, update):
     assert "Nothing has changed." in again
 
 
-def test_node_named_like_its_package(render, update):
+def test_node_named_like_its_package(merge):
     spec = SPEC.replace('<node name="reach"', '<node name="arm"')
-    package = render(spec, name="arm")
-    impl = package / "arm/arm_impl.py"
-    impl.write_text(impl.read_text().replace("return True", "self.mine = 1\n        return True"))
-    commit(package, "Write the logic")
-    update(package, ('<node name="arm"', '<node name="grasp" was="arm"'))
-    assert "self.mine = 1" in (package / "arm/grasp_impl.py").read_text()
-    assert "from arm.grasp_interface import" in (package / "arm/grasp_impl.py").read_text()
-    assert not impl.exists()
+    edit = ("        return True\n", "        self.mine = 1\n        return True\n")
+    change = ('<node name="arm"', '<node name="grasp" was="arm"')
+    files, _ = merge(spec, [change], {"arm/arm_impl.py": [edit]})
+    assert "self.mine = 1" in files["arm/grasp_impl.py"]
+    assert "from arm.grasp_interface import" in files["arm/grasp_impl.py"]
+    assert "arm/arm_impl.py" not in files
 
 
 def test_renamed_package_keeps_its_code(arm, update):
@@ -152,49 +172,41 @@ def test_renamed_package_keeps_its_code(arm, update):
     assert not (arm / "arm").exists()
 
 
-def test_renamed_in_cpp(render, update):
-    package = render(SPEC, model="cpp_model", name="arm")
-    impl = package / "src/reach_impl.cpp"
-    text = impl.read_text()
-    body = "  int load = 1;\n  data.out_pose.data = load * config.gain * data.in_goal.data;\n}"
-    start = text.index("void ReachImpl::update(")
-    text = text[:start] + text[start:].replace("{\n}", "{\n" + body, 1)
-    impl.write_text(text)
-    commit(package, "Write the logic")
-    update(
-        package,
+def test_renamed_in_cpp(merge):
+    changes = [
         ('<node name="reach"', '<node name="grasp" was="reach"'),
         ('name="goal" type="std_msgs::Float64"', 'name="aim" was="goal" type="std_msgs::Float32"'),
         ('name="gain"', 'name="factor" was="gain"'),
         ('name="load"', 'name="fetch" was="load"'),
-    )
-    text = (package / "src/grasp_impl.cpp").read_text()
+    ]
+    start = "  [[maybe_unused]] const ReachConfig & config)\n{\n"
+    body = "  int load = 1;\n  data.out_pose.data = load * config.gain * data.in_goal.data;\n"
+    files, _ = merge(SPEC, changes, {"src/reach_impl.cpp": [(start, start + body)]}, "cpp_model")
+    text = files["src/grasp_impl.cpp"]
     assert "  int load = 1;" in text
     assert "data.out_pose.data = load * config.factor * data.in_aim.data;" in text
     assert "GraspImpl::serve_fetch(" in text
-    assert "ARM__GRASP_IMPL_HPP_" in (package / "include/arm/grasp_impl.hpp").read_text()
+    assert "ARM__GRASP_IMPL_HPP_" in files["include/arm/grasp_impl.hpp"]
 
 
-def test_uses_of_what_left_are_said_where_its_name_is_taken(arm, update):
+def test_uses_of_what_left_are_said_where_its_name_is_taken(merge):
     """The developer's `in_goal` was the old goal, and is the new one now."""
-    spec = arm / "arm.ros_package"
-    aim = '    <subscriber name="aim" type="std_msgs::Float64"/>\n'
     goal = '    <subscriber name="goal" type="std_msgs::Float64"/>\n'
-    update(arm, (goal, aim + goal))
-    impl = arm / "arm/reach_impl.py"
-    code = "config.gain * data.in_goal.data"
-    assert code in impl.read_text()
-    impl.write_text(impl.read_text().replace(code, f"{code} + data.in_aim.data"))
-    (arm / "arm/helper.py").write_text("def reached(data):\n    return data.in_goal\n")
-    commit(arm, "Use both")
-    said = update(arm, (aim + goal, goal.replace('"goal"', '"goal" was="aim"')))
-    assert code in spec.with_name("arm").joinpath("reach_impl.py").read_text()
-    lines = impl.read_text().split("\n")
+    aim = goal.replace("goal", "aim")
+    code = "        data.out_pose.data = data.in_goal.data + data.in_aim.data\n"
+    edits = {
+        "arm/reach_impl.py": [(CYCLE, CYCLE + code)],
+        "arm/helper.py": "def reached(data):\n    return data.in_goal\n",
+    }
+    taken = goal.replace('"goal"', '"goal" was="aim"')
+    files, said = merge(SPEC.replace(goal, aim + goal), [(aim + goal, taken)], edits)
+    lines = files["arm/reach_impl.py"].split("\n")
+    assert "data.in_goal.data + data.in_goal.data" in files["arm/reach_impl.py"]
     number = next(i for i, line in enumerate(lines, 1) if "data.in_goal.data" in line)
-    taken = "in_goal, which is another's now"
-    assert f"still     arm/reach_impl.py:{number}: {taken}" in said
-    assert f"still     arm/helper.py:2: {taken}" in said
-    assert said.count(taken) == 2
+    assert [use for use in said if "in_goal" in use] == [
+        "arm/helper.py:2: in_goal, which is another's now",
+        f"arm/reach_impl.py:{number}: in_goal, which is another's now",
+    ]
 
 
 FIELDS = """<package name="m_msgs" author="A" author_email="a@b.org" description="The name"
@@ -210,24 +222,16 @@ FIELDS = """<package name="m_msgs" author="A" author_email="a@b.org" description
 """
 
 
-def test_words_of_xml_are_no_uses_of_a_name(render, update):
+def test_words_of_xml_are_no_uses_of_a_name(merge):
     """A field may have the name of an attribute or of a tag."""
-    package = render(FIELDS, model="interfaces_model", name="m_msgs")
-    (package / "view.launch").write_text('<launch>\n  <arg name="a" doc="name"/>\n</launch>\n')
-    commit(package, "Launch")
-    said = update(
-        package,
+    changes = [
         ('<field name="name"', '<field name="label" was="name"'),
         ('<field name="type"', '<field name="kind" was="type"'),
-    )
-    still = re.findall("still +(.*)", said)
-    spec = "m_msgs.ros_package"
-    assert still == [
-        f"{spec}:1: name",
-        f"{spec}:6: type",
-        f"{spec}:7: name",
-        "view.launch:2: name",
     ]
+    launch = '<launch>\n  <arg name="a" doc="name"/>\n</launch>\n'
+    _, said = merge(FIELDS, changes, {"view.launch": launch}, "interfaces_model")
+    spec = "lab.ros_package"
+    assert said == [f"{spec}:1: name", f"{spec}:6: type", f"{spec}:7: name", "view.launch:2: name"]
 
 
 MOVE = """<package name="m_msgs" author="A" author_email="a@b.org" description="Moves"
@@ -243,31 +247,31 @@ MOVE = """<package name="m_msgs" author="A" author_email="a@b.org" description="
   </service>
 </package>
 """
+PLACES = ("speed", "angle")
 
 
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
-def test_comments_go_with_fields_that_change_places(render, update, distro):
+def test_comments_go_with_fields_that_change_places(merge, distro):
     """In the response alone the field keeps its name."""
-    package = render(MOVE, model="interfaces_model", ros_distro=distro, name="m_msgs")
-    for name, fields in {"msg/Move.msg": ["speed", "angle"], "srv/Plan.srv": ["speed"]}.items():
-        text = (package / name).read_text()
-        for field in fields:
-            text = text.replace(f"float64 {field}\n", f"# my {field}\nfloat64 {field}\n")
-        (package / name).write_text(text)
-    commit(package, "Say more")
     speed, angle = ('name="speed" type="float64"', 'name="angle" type="float64"')
-    update(
-        package,
+    changes = [
         (speed, angle.replace("type", 'was="speed" type')),
         (f'{angle} description="W', speed + ' was="angle" description="W'),
         ('<field name="name"', '<field name="title" was="name"'),
         (f"<request><field {speed}", '<request><field name="pace" was="speed" type="float64"'),
-    )
-    assert (package / "msg/Move.msg").read_text().lstrip() == (
+    ]
+    named = {name: (f"float64 {name}\n", f"# my {name}\nfloat64 {name}\n") for name in PLACES}
+    both = ("float64 speed\n---\nfloat64 speed\n", "{0}float64 speed\n---\n{0}float64 speed\n")
+    edits = {
+        "msg/Move.msg": [*named.values()],
+        "srv/Plan.srv": [(both[0], both[1].format("# my speed\n"))],
+    }
+    files, _ = merge(MOVE, changes, edits, "interfaces_model", distro)
+    assert files["msg/Move.msg"].lstrip() == (
         "# How fast [m/s]\n# my speed\nfloat64 angle\n"
         "# Which way [rad]\n# my angle\nfloat64 speed\nstring title\n"
     )
-    assert (package / "srv/Plan.srv").read_text().split() == (
+    assert files["srv/Plan.srv"].split() == (
         "# my speed float64 pace --- # my speed float64 speed".split()
     )
 

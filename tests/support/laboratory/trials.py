@@ -117,9 +117,13 @@ class Laboratory:
         return folder
 
     def pair(self, spec, new_spec, model, distros, version, old_version="1.0.0", own=()):
-        """Render both sides of an update; `own` are paths of the developer's own files."""
+        """Render both sides of an update; `own` are paths of the developer's own files.
+
+        A spec is one of `specs`, or XML.
+        """
         known = self.models[model]
-        xmls = [specs.xml(one, model) for one in (spec, new_spec)]
+        given = (spec, new_spec)
+        xmls = [one if isinstance(one, str) else specs.xml(one, model) for one in given]
         contexts = [
             known.context(xml.encode(), "lab.ros_package", distro)
             for xml, distro in zip(xmls, distros, strict=True)
