@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from .blocks import Block, Span, arrange, collapsed, one_sort, squeezed
@@ -18,19 +17,6 @@ _MARKUP = re.compile(
 )
 _ATTRIBUTE = re.compile(r"""([\w:.-]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
 _NAMING = ("name", "from", "file", "param", "id", "exec", "type", "if", "unless")
-
-
-@dataclass
-class _Element:
-    tag: str
-    attributes: dict[str, str]
-    start: int
-    inner: int
-    """Where its content begins."""
-    outer: int = 0
-    """Where its content ends."""
-    end: int = 0
-    children: list[_Element] = field(default_factory=list)
 
 
 _COMMENTS = re.compile(r"<!--.*?-->", re.DOTALL)
@@ -48,8 +34,7 @@ def blocks(text: str) -> list[Block]:
     except expat.ExpatError as error:
         raise ValueError(str(error)) from error
     lines = split(text)
-    spans = tuple(_span(text, element) for element in _elements(text))
-    return arrange(lines, spans, 0, len(lines), _COMMENTS)
+    return arrange(lines, _spans(text), 0, len(lines), _COMMENTS)
 
 
 _EXACT = re.compile(
@@ -107,44 +92,36 @@ def _attributes(text: str) -> dict[str, str]:
     return {name: one or other for name, one, other in _ATTRIBUTE.findall(text)}
 
 
-def _elements(text: str) -> list[_Element]:
-    top = _Element("", {}, 0, 0)
-    stack = [top]
+def _spans(text: str) -> list[Span]:
+    top: list[Span] = []
+    open_: list[tuple[re.Match[str], list[Span]]] = []
     for match in _MARKUP.finditer(text):
         if match["open"]:
-            attributes = match["attributes"]
-            found = _attributes(attributes)
-            element = _Element(match["tag"], found, match.start(), match.end())
-            stack[-1].children.append(element)
-            if attributes.rstrip().endswith("/"):
-                element.outer = element.end = match.end()
-            else:
-                stack.append(element)
-        elif match["close"]:
-            element = stack.pop()
-            element.outer, element.end = match.start(), match.end()
-    return top.children
+            open_.append((match, []))
+        if match["close"] or (match["open"] and match["attributes"].rstrip().endswith("/")):
+            start, inside = open_.pop()
+            (open_[-1][1] if open_ else top).append(_span(text, start, match, inside))
+    return top
 
 
-def _span(text: str, element: _Element) -> Span:
-    first, last = _line(text, element.start), _line(text, element.end) + 1
-    key = _key(text, element)
-    body = (_line(text, element.inner) + 1, _line(text, element.outer))
-    starts = [_line(text, child.start) for child in element.children]
-    if element.children and body[0] <= starts[0] and body[0] < body[1]:
-        inner = tuple(_span(text, child) for child in element.children)
-        if inner[-1].end <= body[1]:
-            return Span(key, first, last, body, inner)
+def _span(text: str, start: re.Match[str], end: re.Match[str], inside: list[Span]) -> Span:
+    """Return an element from its first tag to its last one, which may be the same."""
+    first, last = _line(text, start.start()), _line(text, end.end()) + 1
+    key = _key(start, text[start.end() : end.start()], bool(inside))
+    body = (_line(text, start.end()) + 1, _line(text, end.start()))
+    if inside and body[0] <= inside[0].start and body[0] < body[1] and inside[-1].end <= body[1]:
+        return Span(key, first, last, body, tuple(inside))
     return Span(key, first, last)
 
 
-def _key(text: str, element: _Element) -> str:
+def _key(start: re.Match[str], content: str, has_children: bool) -> str:
     """Name an element: `exec_depend rclpy`, `node reach`, `arg log_level`."""
-    name = _named(element.tag, element.attributes)
-    is_of_content = element.tag.endswith("depend") or element.tag == "url"
-    if name != element.tag or element.children or not is_of_content:
+    tag = start["tag"]
+    name = _named(tag, _attributes(start["attributes"]))
+    is_of_content = tag.endswith("depend") or tag == "url"
+    if name != tag or has_children or not is_of_content:
         return name
-    return f"{element.tag} {squeezed(text[element.inner : element.outer])}"
+    return f"{tag} {squeezed(content)}"
 
 
 def _named(tag: str, attributes: Mapping[str, str]) -> str:
