@@ -8,11 +8,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 from types import MappingProxyType
-from typing import NamedTuple
 
 from . import lines
 from .languages import language
-from .merging import Outcome, Version, Way, conflict, merge
+from .merging import Version, Way, conflict, merge
 from .renaming import Renaming
 from .tree import LINK, File, Tree, encode
 
@@ -126,9 +125,12 @@ class _Package:
         result = self.result
         if self.of_people and old and (mine is None) != (new is None):
             self._deleted(path, old, mine, new)
+        elif mine and old and not (new or is_kept):
+            self._leaves(self.source[path], mine, old)
         elif mine and (is_kept or not new):
-            if is_kept or not old or not self._leaves(path, mine, old):
-                result.tree[path] = self._renamed(path, mine)
+            source, text = self.source[path], mine.text
+            data = mine.data if text is None else encode(self.renaming.text(source, text))
+            result.tree[path] = replace(mine, data=data)
         elif mine and new:
             result.tree[path] = self._merged(path, mine, old, new)
         elif new and old and not is_kept:
@@ -144,32 +146,28 @@ class _Package:
             self.result.conflicts[path] = {n: one.data for n, one in stages.items() if one}
             self.result.tree[path] = self.result.settled[path] = file
 
-    def _leaves(self, path: str, mine: File, old: File) -> bool:
+    def _leaves(self, source: str, mine: File, old: File) -> None:
         """Note that a file leaves, which was the developer's too if edited."""
-        source = self.source[path]
         one, other = mine.text, old.text
-        if mine.data != old.data and not (
-            one is not None and other is not None and language(source, one).same(one, other)
+        if mine.data != old.data and (
+            one is None or other is None or not language(source, one).same(one, other)
         ):
             self.result.left.append(source)
-        return True
-
-    def _renamed(self, path: str, mine: File) -> File:
-        source = self.source.get(path, path)
-        if mine.text is None:
-            return mine
-        return replace(mine, data=encode(self.renaming.text(source, mine.text)))
 
     def _merged(self, path: str, mine: File, old: File | None, new: File) -> File:
         mode = mine.mode if old is None or mine.mode != old.mode else new.mode
-        texts = [file.text if file else "" for file in (mine, old, new)]
-        if None in texts or LINK in (mine.mode, new.mode):
+        files = (mine, old or File(b""), new)
+        texts = [file.text for file in files if file.text is not None]
+        if len(texts) < len(files):
             return self._opaque(path, mine, old, new)
-        source = self.source.get(path, path)
+        source = self.source[path]
         origin = self.origin.get(path, source)
-        form, (ours, base, theirs) = bare(
-            texts[0] or "", texts[1] if old else None, texts[2] or ""
+        forms = [_form(text) for text in texts]
+        ours, base, theirs = (
+            text.removeprefix(mark).replace(ends, "\n")
+            for text, (mark, ends) in zip(texts, forms, strict=True)
         )
+        mark, ends = forms[2] if old and forms[0] == forms[1] else forms[0]
         versions = (
             self._version(origin, ours),
             self._version(origin, base) if old else None,
@@ -182,14 +180,16 @@ class _Package:
             # What a developer puts around code, the merge follows on the one side alone.
             other = merge(path, *versions[::-1], True)
             outcome = outcome if other.conflict else other
-        self._note(path, source, outcome)
+        for name, key in (("removed", source), ("missing", path), ("own", path)):
+            if parts := getattr(outcome, name):
+                getattr(self.result, name)[key] = parts
         if outcome.conflict:
             stages = {2: mine.data, 3: new.data} | ({1: old.data} if old else {})
             self.result.conflicts[path] = stages
             self.result.rejected[path] = File(encode(lines.rejected(path, outcome.merged)))
-            settled = "".join(lines.settled(outcome.merged))
-            self.result.settled[path] = File(form.encode(settled), mode)
-        return File(form.encode(outcome.text), mode)
+            settled = "".join(lines.settled(outcome.merged)).replace("\n", ends)
+            self.result.settled[path] = File(encode(mark + settled), mode)
+        return File(encode(mark + outcome.text.replace("\n", ends)), mode)
 
     def _version(self, path: str, text: str) -> Version:
         """Return a version of before the update, with what a rename has exchanged."""
@@ -209,43 +209,11 @@ class _Package:
             self.result.conflicts[path] = versions
         return mine
 
-    def _note(self, path: str, source: str, outcome: Outcome) -> None:
-        if outcome.removed:
-            self.result.removed[source] = outcome.removed
-        if outcome.missing:
-            self.result.missing[path] = outcome.missing
-        if outcome.own:
-            self.result.own[path] = outcome.own
 
-
-class Form(NamedTuple):
-    """How a text is written: the mark of its encoding, if any, and whether with Windows' ends."""
-
-    bom: str = ""
-    crlf: bool = False
-
-    @classmethod
-    def of(cls, text: str) -> Form:
-        """Return the form of a text."""
-        is_windows = "\r\n" in text and text.count("\r\n") == text.count("\n")
-        return cls(BOM if text.startswith(BOM) else "", is_windows)
-
-    def bare(self, text: str) -> str:
-        """Return a text of this form without it."""
-        text = text.removeprefix(self.bom)
-        return text.replace("\r\n", "\n") if self.crlf else text
-
-    def encode(self, bare: str) -> bytes:
-        """Return a text in this form."""
-        return encode(self.bom + (bare.replace("\n", "\r\n") if self.crlf else bare))
-
-
-def bare(ours: str, base: str | None, theirs: str) -> tuple[Form, list[str]]:
-    """Return the form that three versions become one in, and the three without theirs."""
-    texts = [ours, base or "", theirs]
-    forms = [Form.of(text) for text in texts]
-    form = forms[2] if base is not None and forms[0] == forms[1] else forms[0]
-    return form, [each.bare(text) for each, text in zip(forms, texts, strict=True)]
+def _form(text: str) -> tuple[str, str]:
+    """Return how a text is written: the mark of its encoding, if any, and the ends of lines."""
+    is_windows = 0 < text.count("\n") == text.count("\r\n")
+    return BOM if text.startswith(BOM) else "", "\r\n" if is_windows else "\n"
 
 
 def likeness(one: File, other: File) -> float:
