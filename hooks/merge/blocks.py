@@ -206,6 +206,13 @@ def _numbered(blocks: list[Block]) -> list[Block]:
     return blocks
 
 
+def every(blocks: Iterable[Block]) -> Iterator[Block]:
+    """Yield blocks, each before those inside of it."""
+    for block in blocks:
+        yield block
+        yield from every(block.children)
+
+
 def walk(blocks: Iterable[Block], scope: tuple[str, ...] = ()) -> Iterator[tuple[str, str]]:
     """Yield every line with the names of the blocks that it is in."""
     for block in blocks:

@@ -15,7 +15,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..data import load_data
-from .blocks import Block
+from .blocks import Block, every
 from .languages import XML
 from .lines import plain, split
 from .matching import Blocks, match, set_beside
@@ -85,11 +85,9 @@ def carry(mine: Sequence[Block], old: Sequence[Block], new: str, ros: int) -> Ca
     return Carried("".join(block.text for block in carrier.new), carrier.lines, back)
 
 
-def keys(blocks: Sequence[Block]) -> Iterator[str]:
-    """Yield the keys of blocks, and of those inside of them."""
-    for block in blocks:
-        yield block.key
-        yield from keys(block.children)
+def keys(blocks: Sequence[Block]) -> list[str]:
+    """Return the keys of blocks, and of those inside of them."""
+    return [block.key for block in every(blocks)]
 
 
 class _Carrier:
@@ -166,7 +164,7 @@ class _Carrier:
         is_for_more = block.key.split()[0].removeprefix("set_") in _KNOWN["beside_nodes"]
         siblings = keys(behind) if is_for_more else (one.key for one in reversed(before))
         for sibling in siblings:
-            for level in _levels([root]):
+            for level in (block.children for block in every([root])):
                 names = [child.key for child in level]
                 if sibling in names and not sibling.startswith("arg "):
                     yield level, names.index(sibling) + (not is_for_more)
@@ -194,12 +192,6 @@ class _Carrier:
             new = [f"{n}={v}" for name, (n, v) in changed.items() if name in given]
             if new:
                 self.lines[number + i] = tuple(new)
-
-
-def _levels(blocks: list[Block]) -> Iterator[list[Block]]:
-    for block in blocks:
-        yield block.children
-        yield from _levels(block.children)
 
 
 def _found(blocks: Sequence[Block], key: str) -> Iterator[Block]:

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import count, islice, takewhile
 
-from .blocks import Block, is_condition, walk
+from .blocks import Block, every, is_condition, walk
 from .lines import depth, margin, split
 
 Blocks = Sequence[Block]
@@ -202,7 +202,7 @@ def _match_changed(block: Block, free: dict[str, Block], known: Mapping[str, Blo
         if len(ways) == 1:
             _take_key(block, free[ways[0]], free)
     if is_condition(block) and _name(block.key) not in map(_name, known):
-        inside = set(_names_in(block))
+        inside = _names_in(block)
         alike = _most_like(
             block,
             (o for k, o in free.items() if is_condition(o) and _name(k) not in inside),
@@ -211,10 +211,8 @@ def _match_changed(block: Block, free: dict[str, Block], known: Mapping[str, Blo
             _take_key(block, alike, free)
 
 
-def _names_in(block: Block) -> Iterator[str]:
-    for child in block.children:
-        yield _name(child.key)
-        yield from _names_in(child)
+def _names_in(block: Block) -> set[str]:
+    return {_name(inner.key) for inner in every(block.children)}
 
 
 def _likeness(one: Block, other: Block) -> float:

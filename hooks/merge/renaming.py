@@ -6,6 +6,7 @@ out, there the model has used the name, and in which form.
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -18,7 +19,7 @@ from ..changes import GONE, Mark, marked
 from ..dictionary import Dictionary
 from ..package import SUFFIX
 from . import xml_blocks
-from .blocks import Block, collapsed
+from .blocks import Block, collapsed, every
 from .depth import Shift, compose, shifts
 from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
 from .lines import split
@@ -448,18 +449,11 @@ def _folders(folders: dict[str, str], before: str, after: str) -> None:
 def _keys(reader: _Reader, path: str, text: str) -> dict[str, str]:
     keys: dict[str, str] = {}
     known = language(path, text)
-
-    def visit(blocks: Iterable[Block]) -> None:
-        for block in blocks:
+    with contextlib.suppress(ValueError):
+        for block in every(known.blocks(text)):
             if _MARK.search(block.key):
                 before, after = reader.both(block.key)
-                keys.update(reader.keys(block.key) if known is YAML else {before: after})
-            visit(block.children)
-
-    try:
-        visit(known.blocks(text))
-    except ValueError:
-        return {}
+                keys |= reader.keys(block.key) if known is YAML else {before: after}
     return keys
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from . import git
-from .blocks import Block
+from .blocks import every
 from .languages import CPP, PYTHON, Language, language
 from .merging import block_name
 from .package import Result
@@ -100,17 +100,11 @@ def _returned(package: Path, before: Tree, after: Tree, result: Result) -> Itera
 
 def _functions(known: Language, file: File) -> dict[str, str]:
     """Return the text of each function of a file by its key."""
-    found: dict[str, str] = {}
-
-    def visit(blocks: Iterable[Block]) -> None:
-        for block in blocks:
-            if block.key.startswith("def ") or block.key.endswith("()"):
-                found[block.key] = block.text
-            visit(block.children)
-
     with contextlib.suppress(ValueError, RecursionError):
-        visit(known.blocks(file.text or ""))
-    return found
+        found = every(known.blocks(file.text or ""))
+        functions = (b for b in found if b.key.startswith("def ") or b.key.endswith("()"))
+        return {block.key: block.text for block in functions}
+    return {}
 
 
 def removed(
