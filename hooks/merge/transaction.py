@@ -30,17 +30,7 @@ class Snapshot:
 
     def restore(self) -> None:
         """Bring everything back."""
-        for path in set(paths(self.package)) - self.all_paths:
-            remove(self.package, path)
-        for path, file in self.files.items():
-            _write(self.package, path, file)
-        self._restore_index()
-
-    def _restore_index(self) -> None:
-        if self.index:
-            file = git.index_file(self.package)
-            write(file, self.index)
-            os.utime(file, ns=(self.index_time, self.index_time))
+        self.put(Result(self.files), set(), inline=True)
 
     def put(self, result: Result, touched: set[str], inline: bool) -> None:
         """Put a merged package in the place of what Copier has made of it."""
@@ -48,13 +38,17 @@ class Snapshot:
         if not inline:
             wanted |= result.settled
             wanted |= {path + REJECTED: file for path, file in result.rejected.items()}
-        for path in set(paths(self.package)) - self.all_paths - set(wanted) - touched:
-            remove(self.package, path)
-        for path in set(self.files) - set(wanted) - touched:
-            remove(self.package, path)
+        added = set(paths(self.package)) - self.all_paths
+        for path in [*added, *self.files]:  # a file may be where a folder was added
+            if path not in wanted and path not in touched:
+                remove(self.package, path)
         for path, file in wanted.items():
-            _write(self.package, path, file)
-        self._restore_index()
+            if read(self.package / path) != file:
+                write(self.package / path, file)
+        if self.index:
+            index = git.own_file(self.package, "index")
+            write(index, self.index)
+            os.utime(index, ns=(self.index_time, self.index_time))
         for path, versions in result.conflicts.items() if inline else ():
             if path in wanted:
                 git.mark_conflict(self.package, path, wanted[path].mode, versions)
@@ -64,7 +58,7 @@ def take(package: Path) -> Snapshot:
     """Take a snapshot of the files that git has."""
     modes = git.tracked(package)
     plain = [path for path, mode in modes.items() if mode != SUBMODULE]
-    index = git.index_file(package)
+    index = git.own_file(package, "index")
     return Snapshot(
         package,
         read_paths(package, plain),
@@ -84,7 +78,7 @@ class Guard:
 
     def __init__(self, snapshot: Snapshot) -> None:
         package = snapshot.package
-        self._token = _token(package)
+        self._token = git.own_file(package, TOKEN)
         text = f"{uuid.uuid4().hex} {git.last_commit(package)}"
         self._token.write_text(text, encoding="utf-8")
         self._undo = weakref.finalize(self, _undo, snapshot, self._token, text)
@@ -99,17 +93,8 @@ class Guard:
         self._token.unlink(missing_ok=True)
 
 
-def _token(package: Path) -> Path:
-    return git.own_file(package, TOKEN)
-
-
 def _undo(snapshot: Snapshot, token: Path, text: str) -> None:
     if token.exists() and token.read_text(encoding="utf-8") == text:
         if text.endswith(f" {git.last_commit(snapshot.package)}"):
             snapshot.restore()
         token.unlink()
-
-
-def _write(package: Path, path: str, file: File) -> None:
-    if read(package / path) != file:
-        write(package / path, file)
