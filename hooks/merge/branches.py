@@ -52,10 +52,11 @@ def under_way(package: Path, answers_file: str) -> Branches | None:
 
     """
     for name, folder in _UNDER_WAY.items():
-        commits = git.pseudo_commits(package, name) if git.has(package, folder) else []
-        if not all(git.name_in(package, one, answers_file) for one in ("HEAD", *commits)):
+        file = git.own_file(package, name)
+        if not (git.own_file(package, folder).exists() and file.is_file()):
             continue
-        if commits:
+        commits = file.read_text(encoding="ascii").split()
+        if commits and all(git.name_in(package, one, answers_file) for one in ("HEAD", *commits)):
             _refuse_octopus(commits)
             theirs = commits[0]
             if name == "MERGE_HEAD":

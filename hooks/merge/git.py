@@ -37,11 +37,6 @@ def changed(folder: Path) -> list[str]:
     return [entry[3:].removeprefix(prefix) for entry in status.split("\0") if entry]
 
 
-def index_file(folder: Path) -> Path:
-    """Return where git keeps its index."""
-    return own_file(folder, "index")
-
-
 def committed(folder: Path, path: str, commit: str = "HEAD") -> bytes:
     """Return a file of a commit, by default the last one; nothing where it has none."""
     return os.fsencode(git(folder, "show", f"{commit}:./{path}", check=False))
@@ -86,19 +81,8 @@ def changing(folder: Path, path: str, start: str, end: str) -> list[str]:
     return git(folder, "rev-list", *options, f"{start}..{end}", "--", path).split()
 
 
-def pseudo_commits(folder: Path, name: str) -> list[str]:
-    """Return the commits that a file of git's, like MERGE_HEAD, names."""
-    file = own_file(folder, name)
-    return file.read_text(encoding="ascii").split() if file.is_file() else []
-
-
-def has(folder: Path, name: str) -> bool:
-    """Say whether git has a file or folder of its own, like rebase-merge."""
-    return own_file(folder, name).exists()
-
-
 def own_file(folder: Path, name: str) -> Path:
-    """Return where git keeps a file of its own."""
+    """Return where git keeps a file or folder of its own, like MERGE_HEAD."""
     return folder / git(folder, "rev-parse", "--git-path", name).rstrip("\n")
 
 
@@ -131,10 +115,7 @@ def commit_that_had(folder: Path, path: str, word: str = "") -> str:
 
 def mark_conflict(folder: Path, path: str, mode: str, versions: dict[int, bytes]) -> None:
     """Tell git of a conflict: the base is version 1, the developer's 2, the new one 3."""
-    # One line for each version, where git itself has left a conflict.
-    full = git(folder, "ls-files", "--full-name", "--", path).partition("\n")[0] or (
-        git(folder, "rev-parse", "--show-prefix").strip("\n") + path
-    )
+    full = git(folder, "rev-parse", "--show-prefix").rstrip("\n") + path
     lines = [f"0 {'0' * 40}\t{full}"]
     for stage, data in versions.items():
         name = git(folder, "hash-object", "-w", "--stdin", "--no-filters", given=data).strip()

@@ -123,19 +123,24 @@ def test_new_name_that_a_file_has_is_refused(package):
     refuse(package, [], {"reach.py": "watch.py", "watch.py": "reach.py"})
 
 
-def test_conflict_is_marked_whatever_the_name_and_the_settings(package):
+@pytest.mark.parametrize(
+    "name", ["wörter.py", pytest.param('a "b"\t\\.py', marks=pytest.mark.posix)]
+)
+def test_conflict_is_marked_whatever_the_name_and_the_settings(package, name):
     """Git quotes such a name by default, and a hook would see the index change."""
     (package / "hooks").mkdir()
     hook = package / "hooks/post-index-change"
     hook.write_text(f"#!/bin/sh\necho seen > {package}/seen\n")
     hook.chmod(0o755)
-    (package / "wörter.py").write_text("MINE = 5\n")
+    (package / name).write_text("MINE = 5\n")
     commit(package)
     git(package, "config", "core.hooksPath", str(package / "hooks"))
-    mark_conflict(package, "wörter.py", "100644", {1: b"old", 2: b"mine", 3: b"new"})
+    mark_conflict(package, name, "100644", {1: b"old", 2: b"mine", 3: b"new"})
     assert not (package / "seen").exists()
     found = git(package, "ls-files", "-u", "-z").split("\0")
-    assert [entry.split()[2:] for entry in found if entry] == [[n, "wörter.py"] for n in "123"]
+    assert [entry.split(maxsplit=2)[2] for entry in found if entry] == [
+        f"{n}\t{name}" for n in "123"
+    ]
 
 
 def file_in_the_place_of_a_folder(package):
