@@ -71,7 +71,12 @@ class Update:
 
     def _finish(self, joiner: Joiner, inline: bool, given: Iterable[str]) -> Report:
         """Join branches, where there are two; else merge what the new version changes."""
-        self._insist_on_answers()
+        file = self.package / self.answers_file
+        if not file.exists() or "_src_path" not in file.read_text(encoding="utf-8"):
+            what = "this version of the template does not write Copier's answers"
+            raise SpecError(
+                f"{self.answers_file}: {what}; take another one, by --vcs-ref", "no-answers"
+            )
         files = self.snapshot.files.items()
         mine = {path: file for path, file in files if path != self.answers_file}
         answers, dictionary = joiner.answers, joiner.dictionary
@@ -108,39 +113,19 @@ class Update:
         holders = joiner.dictionary.holders
         return still + [*uses_of_left(gone, made.old, made.new, found, holders)]
 
-    def _insist_on_answers(self) -> None:
-        """Insist that there can be another update after this one.
-
-        Raises:
-            SpecError: the template has not written the answers.
-
-        """
-        file = self.package / self.answers_file
-        if not file.exists() or "_src_path" not in file.read_text(encoding="utf-8"):
-            what = "this version of the template does not write Copier's answers"
-            raise SpecError(
-                f"{self.answers_file}: {what}; take another one, by --vcs-ref", "no-answers"
-            )
-
     def _insist(self, made: Versions, result: Result, found: Tree, proof: Proof) -> None:
-        """Look once more, at what is on the disk now.
-
-        Raises:
-            SpecError: something is not where it should be.
-
-        """
-        if lost := [*places(made.mine, proof.lost, made.renaming)]:
+        """Look once more, at what is on the disk now."""
+        why, yours = "it would have put lines of yours where you did not write them", "these lines"
+        said = [*places(made.mine, proof.lost, made.renaming)]
+        if not said:
+            why = "these files would not be what both sides made of them"
+            yours = "your changes of them"
+            said = [f"{path}: {what}" for path, what in made.wrong(result, found, proof)]
+        if said:
+            shown = "".join(f"\n  {line}" for line in said[:20])
             raise SpecError(
-                "the update was undone, for it would have put lines of yours where you did not"
-                " write them; take these lines out and commit; update; put them in again:"
-                + _listed(lost),
-                "merge-not-proved",
-            )
-        if wrong := made.wrong(result, found, proof):
-            raise SpecError(
-                "the update was undone, for these files would not be what both sides made of them;"
-                " take your changes of them out and commit; update; put them in again:"
-                + _listed(f"{path}: {what}" for path, what in wrong),
+                f"the update was undone, for {why}; take {yours} out and commit; update; put them"
+                f" in again:{shown}\n",
                 "merge-not-proved",
             )
 
@@ -198,7 +183,3 @@ def _noted(branches: Branches) -> str:
     cure = "joined again from its two sides" if branches.ours else "made of the spec before it"
     what = "has left files that were not made of the recorded spec"
     return f"! {branches.merge[:7]} {what}: {names}: {cure}"
-
-
-def _listed(lines: Iterable[str]) -> str:
-    return "".join(f"\n  {line}" for line in [*lines][:20]) + "\n"
