@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -100,23 +101,21 @@ class Joined:
     """What stood in the place of the joined files: where git, or a hand, has merged them."""
 
 
+@dataclass
 class Joiner:
-    """Brings commits of a package to new answers, and joins them there."""
+    """Brings commits of a package to new answers, and joins them there.
 
-    def __init__(
-        self,
-        package: Path,
-        answers_file: str,
-        answers: Answers,
-        renderer: Renderer,
-        dictionary: Dictionary,
-        moved: Mapping[str, str],
-    ) -> None:
-        """Say where the package is, and what it is to be; arguments as those of an update."""
-        self.package, self.answers_file, self.answers = package, answers_file, answers
-        self.renderer, self.dictionary, self.moved = renderer, dictionary, moved
-        self.histories: dict[str, list[Values]] = {}
-        """The contexts of each branch that is joined, from that of the base on."""
+    `moved` has the new paths of files that the new version of the model renames.
+    """
+
+    package: Path
+    answers_file: str
+    answers: Answers
+    renderer: Renderer
+    dictionary: Dictionary
+    moved: Mapping[str, str]
+    histories: dict[str, list[Values]] = field(default_factory=dict)
+    """The contexts of each branch that is joined, from that of the base on."""
 
     def recorded(self, commit: str) -> dict[str, Any]:
         """Return the answers that a commit has."""
@@ -314,16 +313,13 @@ def _keep_conflicts(result: Result, side: Side, moved: Mapping[str, str]) -> Non
 
 def _refuse_older(version: str, others: Iterable[str]) -> None:
     for other in others:
-        try:
-            is_older = Version(version) < Version(other)
-        except InvalidVersion:  # a commit without a tag
-            continue
-        if is_older:
-            raise SpecError(
-                f"one branch was made by version {other} of the model, newer than {version};"
-                f" add --vcs-ref={other}",
-                "older-version",
-            )
+        with contextlib.suppress(InvalidVersion):  # a commit without a tag
+            if Version(version) < Version(other):
+                raise SpecError(
+                    f"one branch was made by version {other} of the model, newer than {version};"
+                    f" add --vcs-ref={other}",
+                    "older-version",
+                )
 
 
 def wrong_merge(joiner: Joiner, now: Tree) -> Branches | None:
@@ -345,18 +341,16 @@ def wrong_merge(joiner: Joiner, now: Tree) -> Branches | None:
     if not (others and is_known):
         return None
     there, made = joiner.files(commit), joiner.renderer.recorded(answers)
-    befores = [(joiner.files(one), joiner.made(one)) for one in others]
+    sides = {one: (joiner.files(one), joiner.made(one)) for one in parents}
+    befores = [sides[one] for one in others]
     kept = {path for path in made.tree if made.is_kept(path)}
-    found = [path for path in _stale(there, made.tree, befores) if path not in kept]
-    found = [path for path in found if path in {*_stale(now, made.tree, befores)}]
+    found = _stale(there, made.tree, befores) & _stale(now, made.tree, befores) - kept
     if len(parents) > 1:
         bases = git.merge_bases(package, *parents[:2])
         base = joiner.files(bases[0]) if bases else {}
-        sides = [(joiner.files(one), joiner.made(one)) for one in parents]
-        dropped = [
-            path for path in _dropped(there, base, sides) if there.get(path) == now.get(path)
-        ]
-        found += [path for path in dropped if path not in found and not path.endswith(SUFFIX)]
+        dropped = {*_dropped(there, base, [sides[one] for one in parents])}
+        dropped = {path for path in dropped if there.get(path) == now.get(path)}
+        found |= {path for path in dropped if not path.endswith(SUFFIX)}
     if not found:
         return None
     files = tuple(sorted(found))
@@ -385,33 +379,27 @@ AROUND = 3
 """How many lines tell the place of a change."""
 
 
-def _stale(found: Tree, made: Tree, befores: Sequence[tuple[Tree, Tree]]) -> Iterator[str]:
-    """Yield the files of which a part is as another spec makes it, and not as their own does.
+def _stale(found: Tree, made: Tree, befores: Sequence[tuple[Tree, Tree]]) -> set[str]:
+    """Return the files of which a part is as another spec makes it, and not as their own does.
 
     `befores` are packages that this one comes from, and what their specs make.
     """
-    for path in sorted({*made, *(path for _, before in befores for path in before)}):
-        text = found[path].text if path in found else None
-        for there, before in befores:
-            if path not in made or path not in before:
-                is_due, was_made = path in made, path in before
-                is_deleted = any(path in one and path not in files for files, one in befores)
-                was = there.get(path)
-                if (is_due and path not in found and not is_deleted) or (
-                    was_made and was is not None and was == found.get(path)
-                ):
-                    yield path
-                    break
-                continue
+
+    def is_as_before(path: str, there: Tree, before: Tree) -> bool:
+        if path in made and path in before:
+            text = (found[path].text if path in found else "") or ""
             old, new = (tree[path].text or "" for tree in (before, made))
-            if any(
-                was in (text or "")
-                and now not in (text or "")
-                and not _is_edited(path, now, befores)
+            return any(
+                was in text and now not in text and not _is_edited(path, now, befores)
                 for was, now in _changes(old, new)
-            ):
-                yield path
-                break
+            )
+        if path in made:
+            is_deleted = any(path in one and path not in files for files, one in befores)
+            return path not in found and not is_deleted
+        return path in before and path in there and there[path] == found.get(path)
+
+    paths = {*made, *(path for _, before in befores for path in before)}
+    return {path for path in paths if any(is_as_before(path, *each) for each in befores)}
 
 
 def _changes(old: str, new: str) -> Iterator[tuple[str, str]]:
