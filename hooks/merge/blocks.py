@@ -135,7 +135,7 @@ def arrange(
         at = span.end
     rest = _paragraphs(lines[at:end], comments)
     blocks += [_comment(part, at == start and not i) for i, part in enumerate(rest)]
-    return _numbered(_close_gaps(blocks))
+    return numbered(_close_gaps(blocks))
 
 
 def _joined(spans: Iterable[Span]) -> list[Span]:
@@ -196,7 +196,7 @@ def _close_gaps(blocks: list[Block]) -> list[Block]:
     return closed
 
 
-def _numbered(blocks: list[Block]) -> list[Block]:
+def numbered(blocks: list[Block]) -> list[Block]:
     """Tell blocks of one key apart."""
     seen: dict[str, int] = {}
     for block in blocks:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -31,11 +32,7 @@ def _margin_counts(line: str) -> str:
     return line[: margin(line)] + squeezed(line)
 
 
-def _exactly(one: str, other: str) -> bool:
-    return one == other
-
-
-TEXT = Language("text", _lines, _exactly, str.rstrip)
+TEXT = Language("text", _lines, operator.eq, str.rstrip)
 PYTHON = Language("python", checked(python_blocks.blocks), python_blocks.same, _margin_counts)
 CPP = Language("c++", checked(cpp_blocks.blocks), cpp_blocks.same, squeezed)
 XML = Language("xml", checked(xml_blocks.blocks), xml_blocks.same, squeezed)
@@ -44,7 +41,7 @@ CMAKE = Language("cmake", checked(outlines.cmake_blocks), outlines.same_cmake, s
 MARKDOWN = Language(
     "markdown", checked(outlines.markdown_blocks), outlines.same_markdown, str.rstrip
 )
-MESSAGE = Language("message", checked(outlines.message_blocks), _exactly, str.rstrip)
+MESSAGE = Language("message", checked(outlines.message_blocks), operator.eq, str.rstrip)
 
 _SUFFIXES = {
     PYTHON: ".py .cfg .pyi",

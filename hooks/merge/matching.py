@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import count, islice, takewhile
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import chain, count, islice, takewhile
 
 from .blocks import Block, every, is_condition, walk
 from .lines import depth, margin, split
@@ -54,7 +54,7 @@ _HEADING = re.compile(r"#+ ")
 
 def _rejoined(mine: Blocks, *versions: Blocks) -> list[Block]:
     """Return blocks with generated comments above them that the developer's lines part off."""
-    known = _by_key(versions)
+    known = _by_key(chain(*versions))
     whole: list[Block] = []
     for block in mine:
         if block.key in known:
@@ -168,14 +168,14 @@ def match(blocks: Blocks, *versions: Blocks) -> None:
 
     What a container of the developer's holds is looked for around that container.
     """
-    known = _by_key(versions)
+    known = _by_key(chain(*versions))
     _match(blocks, {key: same[0] for key, same in known.items()}, known)
 
 
 def _match(blocks: Blocks, free: dict[str, Block], known: Mapping[str, Blocks]) -> None:
     """Match blocks with those that are `free`, which become less."""
-    others = _by_name([same[0] for same in known.values()])
-    for name, ours in _by_name(blocks).items():
+    others = _by_key((same[0] for same in known.values()), _name)
+    for name, ours in _by_key(blocks, _name).items():
         namesakes = others.get(name)
         if namesakes:
             pairs = _pairs(ours, namesakes, free)
@@ -277,7 +277,7 @@ def wrap(
     what `mine` has not goes where both its neighbours are. `by` is how far to the right all of
     `mine` is already.
     """
-    known = _by_key((old, *others))
+    known = _by_key(chain(old, *others))
     places = dict(_places(mine, known, ()))
     base = {block.key for block in old}
 
@@ -337,7 +337,7 @@ def _places(
 def tell_apart(mine: Blocks, old: Blocks, new: Blocks) -> None:
     """Give containers of one name, put around other things by either side, keys of their own."""
     for ours, base, theirs in _levels(mine, old, new):
-        known = _by_key([base])
+        known = _by_key(base)
         inside, others = (_by_container(side, known) for side in (ours, theirs))
         for block in theirs:
             if block.key in inside:
@@ -350,7 +350,7 @@ def tell_apart(mine: Blocks, old: Blocks, new: Blocks) -> None:
 def _refuse_both(mine: Blocks, old: Blocks, new: Blocks) -> None:
     """Insist that the two sides have not put other containers around one thing."""
     for level in _levels(mine, old, new):
-        known = _by_key([level[1]])
+        known = _by_key(level[1])
         ours, theirs = (dict(_places(side, known, ())) for side in level[::2])
         inside, others = (_by_container(side, known) for side in level[::2])
         for key in ours.keys() & theirs.keys():
@@ -363,7 +363,7 @@ def _refuse_both(mine: Blocks, old: Blocks, new: Blocks) -> None:
 def _levels(mine: Blocks, old: Blocks, new: Blocks) -> Iterator[tuple[Blocks, Blocks, Blocks]]:
     """Yield three versions, and those of what each generated block holds that all of them have."""
     yield mine, old, new
-    known = _by_key([old])
+    known = _by_key(old)
     ours, theirs = (dict(_places(side, known, ())) for side in (mine, new))
     for key in ours.keys() & theirs.keys():
         sides = (ours[key][-1], known[key][0], theirs[key][-1])
@@ -421,18 +421,11 @@ def _shifted(block: Block, by: int) -> Block:
     return Block(block.key, [*map(shift, block.lines)], children, [*map(shift, block.tail)])
 
 
-def _by_key(versions: Sequence[Blocks]) -> dict[str, list[Block]]:
-    found: dict[str, list[Block]] = {}
-    for version in versions:
-        for block in version:
-            found.setdefault(block.key, []).append(block)
-    return found
-
-
-def _by_name(blocks: Blocks) -> dict[str, list[Block]]:
+def _by_key(blocks: Iterable[Block], of: Callable[[str], str] = str) -> dict[str, list[Block]]:
+    """Return blocks by their keys, or by what `of` makes of these."""
     found: dict[str, list[Block]] = {}
     for block in blocks:
-        found.setdefault(_name(block.key), []).append(block)
+        found.setdefault(of(block.key), []).append(block)
     return found
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 import yaml
 
 from ..data import LOADER
-from .blocks import Block, Span, arrange, nested, squeezed, unicode
+from .blocks import Block, Span, arrange, nested, numbered, squeezed, unicode
 from .lines import margin, split
 
 
@@ -164,11 +164,7 @@ def markdown_blocks(text: str) -> list[Block]:
     for i, head in enumerate(heads):
         end = heads[i + 1] if i + 1 < len(heads) else len(lines)
         blocks.append(Block(squeezed(lines[head]), lines[head:end]))
-    seen: dict[str, int] = {}
-    for block in blocks:
-        seen[block.key] = seen.get(block.key, 0) + 1
-        block.key += f" #{seen[block.key]}" if seen[block.key] > 1 else ""
-    return [block for block in blocks if block.lines]
+    return [block for block in numbered(blocks) if block.lines]
 
 
 def message_blocks(text: str) -> list[Block]:

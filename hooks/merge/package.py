@@ -173,7 +173,7 @@ class _Package:
             self._version(origin, base) if old else None,
             Version(theirs, lambda known: known.blocks(theirs)),
         )
-        is_stuck = self.renaming.is_stuck(origin, ours)
+        is_stuck = self.renaming.behind(origin, ours) is None
         way = conflict if is_stuck else self.ways.get(path, merge)
         outcome = way(path, *versions, self.of_people)
         if outcome.conflict and self.of_people and way is merge:

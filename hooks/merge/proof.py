@@ -16,6 +16,7 @@ from .blocks import Block, is_comment, walk
 from .languages import PYTHON, TEXT, XML, Language, language
 from .lines import MARKS, plain, split
 from .matching import identify, match, tell_apart, wrap
+from .merging import readable
 from .origins import is_holder
 from .package import Result
 from .renaming import Renaming
@@ -92,7 +93,7 @@ def _prove_file(
         return
     ours, old = plain(mine.text), (base.text if base else None) or ""
     known = language(path, mine.text)
-    if not _parses(known, ours):
+    if not readable(known, [ours]):
         known = TEXT
     before, after = (_blocks(known, text, origin, renaming) for text in (old, ours))
     after = identify(after, before, before)
@@ -105,7 +106,7 @@ def _prove_file(
         (scope, line, _number(own, number, line))
         for scope, line, number in _developer_lines(known, after, before)
     ]
-    behind = [(path, number, own[number - 1]) for number in renaming.behind(origin, ours)]
+    behind = [(path, number, own[number - 1]) for number in renaming.behind(origin, ours) or ()]
     proof.left += behind
     proof.total += len(lines) + len(behind)
     if path in result.left or path in result.carried:
@@ -127,7 +128,7 @@ def _prove_file(
         proof, (path, target), known, lines, there, shown, {*split(old)}, removed, of_people
     )
     changed = found is not None and target not in result.conflicts and text != ours
-    if changed and _parses(known, ours) and not _parses(known, text):
+    if changed and readable(known, [ours]) and not readable(known, [text]):
         proof.lost.append((target, "cannot be read any more"))
 
 
@@ -260,14 +261,6 @@ def _walk(blocks: list[Block]) -> Iterator[tuple[str, str]]:
         yield around if last.startswith("name ") else scope, line
 
 
-def _parses(known: Language, text: str) -> bool:
-    try:
-        known.blocks(text)
-    except (ValueError, RecursionError):
-        return known is TEXT
-    return True
-
-
 def _sides(text: str) -> Iterator[tuple[str, str]]:
     """Yield the lines of a file, each with the side of a conflict that it is on."""
     sides = ("both", "mine", "new")
@@ -356,8 +349,10 @@ def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str,
     for path, file in mine.items() if renaming.taken else ():
         text = plain(file.text or "")
         generated = set(split((old.get(path) or File(b"")).text or ""))
-        before, after = split(text), split(renaming.text(path, text))
-        for number, word in renaming.uses_of_taken(path, text):
-            if before[number] not in generated:
-                found.setdefault((renaming.path(path), after[number]), []).append(word)
+        known, taken = language(path, text), renaming.taken.get(path, set())
+        after = split(renaming.text(path, text))
+        for number, line in enumerate(split(text) if taken else ()):
+            if line not in generated:
+                for word in taken & {word.text for word in words(known, line)}:
+                    found.setdefault((renaming.path(path), after[number]), []).append(word)
     return found

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 from typing import Any
@@ -60,6 +60,8 @@ class Renaming:
 
     One that is several lines then is empty.
     """
+    heads: dict[str, dict[str, str]] = field(default_factory=dict)
+    """By file, the heads of such lines that change, each as it is after the update."""
     attributes: dict[str, dict[tuple[str, str, str], str]] = field(default_factory=dict)
     """By file of XML, what becomes of the value of an attribute of a generated element."""
     vocabulary: dict[str, set[str]] = field(default_factory=dict)
@@ -76,7 +78,6 @@ class Renaming:
     shifts: dict[str, Shift] = field(default_factory=dict)
     """What gives a file the depth that its keys have in the new version."""
     _texts: dict[tuple[str, str], str] = field(default_factory=dict, repr=False, compare=False)
-    _heads: dict[str, dict[str, str]] = field(default_factory=dict, repr=False, compare=False)
 
     def follow(self, moved: Mapping[str, str], old: Iterable[str], new: Collection[str]) -> None:
         """Take files along that the new version of the model renames; `moved` says how."""
@@ -122,15 +123,15 @@ class Renaming:
         found = self.shifts[path](text) if path in self.shifts else None
         return found[0] if found else text
 
-    def is_stuck(self, path: str, text: str) -> bool:
-        """Say whether a file cannot have the depth that its keys have in the new version."""
-        return path in self.shifts and self.shifts[path](self._exchanged(path, text)) is None
+    def behind(self, path: str, text: str) -> list[int] | None:
+        """Return the numbers of the lines that a file of another ROS cannot have, from 1.
 
-    def behind(self, path: str, text: str) -> list[int]:
-        """Return the numbers of the lines that a file of another ROS cannot have, from 1."""
-        shift = self.shifts.get(path)
-        found = shift(self._exchanged(path, text)) if shift else None
-        return found[1] if found else []
+        None of a file that cannot have the depth that its keys have in the new version.
+        """
+        if path not in self.shifts:
+            return []
+        found = self.shifts[path](self._exchanged(path, text))
+        return found[1] if found else None
 
     def _exchanged(self, path: str, text: str) -> str:
         known = language(path, text)
@@ -143,7 +144,8 @@ class Renaming:
         exact = {**self.everywhere, **self.in_file.get(path, {})}
         members = self.members.get(path, {})
         names = {*exact, *members, *self.packages, *self.targets}
-        generated, heads = self.generated.get(path, {}), self._heads_of(known, path)
+        generated = self.generated.get(path, {})
+        heads = self.heads.get(path, {}) if known.name in _ENDS else {}
         lines = [line.strip() for line in split(text)]
         is_same = all(generated.get(line) in (None, "", line) for line in lines)
         if is_same and not heads and names.isdisjoint(re.findall(r"[A-Za-z_]\w*", text)):
@@ -176,19 +178,6 @@ class Renaming:
 
         pairs = zip(split(text), split(exchange(known, text, by, names)), strict=True)
         return "".join(_as_made(known, *pair, generated, heads) for pair in pairs)
-
-    def _heads_of(self, known: Language, path: str) -> dict[str, str]:
-        if path not in self._heads:
-            self._heads[path] = _heads(known, self.generated.get(path, {}))
-        return self._heads[path]
-
-    def uses_of_taken(self, path: str, text: str) -> Iterator[tuple[int, str]]:
-        """Yield the line number, from 0, and the identifier of each use of what `taken` has."""
-        taken = self.taken.get(path, set())
-        known = language(path, text)
-        for number, line in enumerate(split(text) if taken else ()):
-            for word in taken & {word.text for word in words(known, line)}:
-                yield number, word
 
     def blocks(self, known: Language, path: str, text: str) -> list[Block]:
         """Return the blocks of a file, with the names and lines that they have after the update.
@@ -378,6 +367,7 @@ def plan(
         renaming.classes |= {reader.both(word)[0] for word in classes}
         renaming.vocabulary[before] = {reader.both(word)[0] for word in plain}
         renaming.generated[before] = reader.lines(text)
+        renaming.heads[before] = _heads(known, renaming.generated[before])
         if known in (CPP, PYTHON):
             renaming.roots |= {*PurePosixPath(before).parts[:-1][known is CPP :][:1]}
         renaming.keys[before] = _keys(reader, before, text)
