@@ -6,8 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from pathlib import Path
+from collections.abc import Mapping
 from typing import Any
 
 import yaml
@@ -28,35 +27,27 @@ def moved_files(spec: Mapping[str, Any], dictionary: Dictionary) -> dict[str, st
         SpecError: the file is not a mapping of paths.
 
     """
-    moved: dict[str, str] = {}
-    for file in dictionary.files:
-        moved |= _moved(file.with_name(FILE), list(_names(spec, dictionary)))
-    return moved
-
-
-def _moved(file: Path, names: list[dict[str, str]]) -> dict[str, str]:
-    if not file.exists():
-        return {}
-    try:
-        content = load_yaml(file.read_text(encoding="utf-8")) or {}
-        return {
-            old.format_map(name): new.format_map(name)
-            for new, old in content.items()
-            for name in names
-            if _fits(new, name)
-        }
-    except (AttributeError, IndexError, KeyError, ValueError, yaml.YAMLError) as error:
-        what = f"{file}: must be a mapping of new paths to old ones: {error}"
-        raise SpecError(what, "wrong-shape") from error
-
-
-def _names(spec: Mapping[str, Any], dictionary: Dictionary) -> Iterator[dict[str, str]]:
-    """Yield what the braces of a path may stand for: the package, and a component of it."""
-    package = {PACKAGE: str(spec[dictionary.naming])}
-    yield package
+    # What the braces of a path may stand for: the package, and a component of it.
+    names = [{PACKAGE: str(spec[dictionary.naming])}]
     for component in dictionary.components.values():
-        for item in spec.get(component.key, []):
-            yield {**package, component.tag: str(item[component.naming])}
+        items = spec.get(component.key, [])
+        names += [{**names[0], component.tag: str(item[component.naming])} for item in items]
+    moved: dict[str, str] = {}
+    for file in (file.with_name(FILE) for file in dictionary.files):
+        if not file.exists():
+            continue
+        try:
+            content = load_yaml(file.read_text(encoding="utf-8")) or {}
+            moved |= {
+                old.format_map(name): new.format_map(name)
+                for new, old in content.items()
+                for name in names
+                if _fits(new, name)
+            }
+        except (AttributeError, IndexError, KeyError, ValueError, yaml.YAMLError) as error:
+            what = f"{file}: must be a mapping of new paths to old ones: {error}"
+            raise SpecError(what, "wrong-shape") from error
+    return moved
 
 
 def _fits(path: str, names: Mapping[str, str]) -> bool:

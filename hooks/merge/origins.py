@@ -19,11 +19,6 @@ from .tokens import Word
 SELF = ("self", "cls", "this")
 
 
-def is_holder(name: str, holders: Collection[str]) -> bool:
-    """Say whether an object is one of the `holders` of a dictionary by its name."""
-    return name.strip("_") in holders
-
-
 @dataclass
 class Origins:
     """What the code of a file says of its names."""
@@ -46,7 +41,7 @@ class Origins:
 
     def is_holder(self, name: str) -> bool:
         """Say whether an object is of a class of the package."""
-        return name in self.holders or is_holder(name, self.known_holders)
+        return name in self.holders or name.strip("_") in self.known_holders
 
     def has(self, word: Word, known: Collection[str]) -> bool:
         """Say whether a word is a name of the package; `known` are those that are, by themselves.
@@ -106,6 +101,7 @@ def _python(
     names: Collection[str],
     classes: Collection[str],
 ) -> None:
+    own: list[_Class] = []
     for node in tree:
         if isinstance(node, ast.ImportFrom):
             is_ours = bool(node.level) or (node.module or "").split(".")[0] in roots
@@ -116,18 +112,20 @@ def _python(
             found.imports |= dict.fromkeys(lines, is_ours)
         elif isinstance(node, ast.Import):
             for alias in node.names:
-                root = alias.name.split(".")[0]
-                is_ours = root in roots
-                bound = {alias.asname} if alias.asname else {*alias.name.split(".")}
+                parts, line = alias.name.split("."), node.lineno - 1
+                is_ours = parts[0] in roots
+                bound = {alias.asname} if alias.asname else {*parts}
                 (found.ours if is_ours else found.foreign).update(bound)
-                found.imports[node.lineno - 1] = is_ours or found.imports.get(
-                    node.lineno - 1, False
-                )
+                found.imports[line] = is_ours or found.imports.get(line, False)
+        elif isinstance(node, ast.ClassDef):
+            bases = {word for base in node.bases for word in _words(base)}
+            lines = range(node.lineno - 1, node.end_lineno or node.lineno)
+            own.append((node.name, bases, lines))
         elif isinstance(node, ast.Call) and _last(node.func) in classes:
             found.keywords |= {keyword.arg for keyword in node.keywords if keyword.arg}
     found.foreign -= found.ours
     found.types = found.ours
-    found.others = _others(_python_classes(tree), classes)
+    found.others = _others(own, classes)
     for target, value in _bindings(tree):
         if {*_words(value)} & {*classes} - found.foreign or (
             isinstance(value, ast.Name | ast.Attribute) and found.is_holder(_last(value))
@@ -147,13 +145,6 @@ def _others(found: Iterable[_Class], classes: Collection[str]) -> set[int]:
     for _ in known:
         kin |= {base for name, bases, _ in known if name in kin for base in bases}
     return {line for name, _, lines in known if name not in kin for line in lines}
-
-
-def _python_classes(tree: Iterable[ast.AST]) -> Iterator[_Class]:
-    for node in tree:
-        if isinstance(node, ast.ClassDef):
-            bases = {word for base in node.bases for word in _words(base)}
-            yield node.name, bases, range(node.lineno - 1, node.end_lineno or node.lineno)
 
 
 def _cpp_classes(text: str) -> Iterator[_Class]:

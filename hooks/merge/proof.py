@@ -17,7 +17,6 @@ from .languages import PYTHON, TEXT, XML, Language, language
 from .lines import MARKS, plain, split
 from .matching import identify, match, tell_apart, wrap
 from .merging import readable
-from .origins import is_holder
 from .package import Result
 from .renaming import Renaming
 from .tokens import words
@@ -329,7 +328,7 @@ def uses_of_left(
             if owner in stem or re.search(rf"\b{owner}_(?:interface|impl|types)\b", text)
         ]
         for word in words(language(path, text), text):
-            is_member = bool(word.chain) and is_holder(word.chain[-1], holders)
+            is_member = bool(word.chain) and word.chain[-1].strip("_") in holders
             owners = {owner for owner, name in gone if name == word.text and is_member}
             is_own = bool(owners) and (word.text not in after or any(o in stem for o in owners))
             is_left = word.text in left or any(word.text in one for one in near)

@@ -90,19 +90,16 @@ class Renderer:
 
         """
         version = f"{self.url} {self.commit}" if self.commit else str(self.folder)
-        return self._once(version, answers, self._render_copy)
+        return self._once(version, answers, lambda: self._render_copy(answers))
 
     def _once(
-        self,
-        version: str,
-        answers: Mapping[str, Any],
-        render: Callable[[Mapping[str, Any]], Render],
+        self, version: str, answers: Mapping[str, Any], render: Callable[[], Render]
     ) -> Render:
         about = [version, self.name, self.answers_file, answers]
         key = json.dumps(about, sort_keys=True, default=str)
         if key not in _work.known:
             with _work.shown():
-                _work.known[key] = render(answers)
+                _work.known[key] = render()
         return _work.known[key]
 
     def _render_copy(self, answers: Mapping[str, Any]) -> Render:
@@ -113,7 +110,7 @@ class Renderer:
                 self.folder,
                 copy,
                 symlinks=True,
-                ignore=_without_git,
+                ignore=shutil.ignore_patterns(".git"),
                 copy_function=_link_or_copy,
             )
             return self._render(str(copy), None, answers)
@@ -123,11 +120,8 @@ class Renderer:
         url, commit = str(answers["_src_path"]), answers.get("_commit")
         if (url, commit) == (self.url, self.commit):
             return self.fresh(answers)
-
-        def render(answers: Mapping[str, Any]) -> Render:
-            return self._render(os.path.expanduser(url), commit, answers)
-
-        return self._once(f"{url} {commit}", answers, render)
+        source, version = os.path.expanduser(url), f"{url} {commit}"
+        return self._once(version, answers, lambda: self._render(source, commit, answers))
 
     def _render(self, source: str, version: str | None, answers: Mapping[str, Any]) -> Render:
         with tempfile.TemporaryDirectory(prefix="ros_package.") as folder:
@@ -144,10 +138,6 @@ def _link_or_copy(source: str, target: str) -> None:
         os.link(source, target)
         return
     shutil.copy2(source, target)
-
-
-def _without_git(_: str, names: list[str]) -> list[str]:
-    return [name for name in names if name == ".git"]
 
 
 def recorded_answers(package: Path, answers_file: str, commit: str = "HEAD") -> dict[str, Any]:
