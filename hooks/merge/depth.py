@@ -35,12 +35,12 @@ def shifts(old: Tree, new: Tree, path_of: Callable[[str], str]) -> dict[str, Shi
         if language(path, before) is YAML and before and after:
             above, below = map(_close, (before, after))
             if above and not below:
-                found[path] = _raise(split(before)[above[0] : above[-1] + 1], path)
+                first, last = above[0][0], above[-1][0]
+                found[path] = _raise(split(before)[first : last + 1], path)
             elif below and not above:
-                lines = split(after)
-                head = [line for line in split(before)[: below[0]] if line.strip()]
-                column = _column(after, len(below))
-                found[path] = _lower(lines[below[0] : below[-1] + 1], head, column)
+                first, (last, column) = below[0][0], below[-1]
+                head = [line for line in split(before)[:first] if line.strip()]
+                found[path] = _lower(split(after)[first : last + 1], head, column)
     return found
 
 
@@ -54,10 +54,11 @@ def _raise(above: Sequence[str], path: str) -> Shift:
         lines, beside = split(text), _beside(text, names[0])
         places = [number for number in range(len(lines)) if number not in beside]
         kept = "".join(lines[number] for number in places)
-        head = [places[number] for number in _above(kept)[: len(above)]]
+        nodes = _above(kept)[: len(above)]
+        head = [places[number] for number, _ in nodes]
         if not head or [_key(lines[number]) for number in head[1:]] != others:
             return None
-        column = _column(kept, len(above))
+        column = nodes[-1][1]
         rest = [lines[number] for number in places if number > head[0] and number not in head]
         own = {n for n, keys in zip(head, names, strict=True) if _is_own(lines[n], keys)}
         behind = [number + 1 for number in sorted(beside | own) if lines[number].strip()]
@@ -128,28 +129,23 @@ def compose(text: str) -> yaml.MappingNode | None:
     return node if isinstance(node, yaml.MappingNode) and node.value else None
 
 
-def _close(text: str) -> list[int]:
-    """Return the lines of the keys above all others where nothing stands between them."""
+def _close(text: str) -> list[tuple[int, int]]:
+    """Return the keys above all others, as `_above`, where nothing stands between them."""
     found = _above(text)
-    return found if found and found == [*range(found[0], found[-1] + 1)] else []
+    return found if all(below[0] == above[0] + 1 for above, below in pairwise(found)) else []
 
 
-def _above(text: str) -> list[int]:
-    """Return the lines of the keys that stand above all others, each alone on its line."""
-    found: list[int] = []
+def _above(text: str) -> list[tuple[int, int]]:
+    """Return the keys that stand above all others, each alone on its line.
+
+    Of each, its line and the column of those below it.
+    """
+    found: list[tuple[int, int]] = []
     node = compose(text)
     while node and not node.flow_style and len(node.value) == 1:
         key, value = node.value[0]
         if not isinstance(value, yaml.MappingNode) or value.flow_style or not value.value:
             break
-        found.append(key.start_mark.line)
+        found.append((key.start_mark.line, value.start_mark.column))
         node = value
     return found
-
-
-def _column(text: str, depth: int) -> int:
-    """Return where the keys begin that stand below so many."""
-    node = compose(text)
-    for _ in range(depth):
-        node = node.value[0][1]  # type: ignore[union-attr]
-    return node.start_mark.column if node else 0

@@ -6,6 +6,7 @@ version has it, and a block of the developer's own stays after the block it foll
 
 from __future__ import annotations
 
+import contextlib
 import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -63,8 +64,12 @@ def merge(
         return Outcome(lines.split(new.text))  # type: ignore[arg-type]
     known = language(path, new.text)
     if old and new.text == old.text:
-        missing = [] if of_people else _missing(known, mine, old, new)
-        return Outcome(lines.split(mine.text), [], missing)  # type: ignore[arg-type]
+        outcome = Outcome(lines.split(mine.text))  # type: ignore[arg-type]
+        with contextlib.suppress(ValueError, RecursionError):
+            if not of_people:
+                sides = align(mine.read(known), old.read(known), new.read(known))
+                outcome.missing = [*_deleted(*sides)]
+        return outcome
     if known not in (TEXT, MARKDOWN) or old is not None:
         try:
             merger = _Merger(known, of_people)
@@ -138,15 +143,8 @@ def _names(known: Language, version: Version) -> set[str]:
         return set()
 
 
-def _missing(known: Language, mine: Version, old: Version, new: Version) -> list[str]:
-    """Return the parts that the developer has deleted: functions, elements, keys, sections."""
-    try:
-        return list(_deleted(*align(mine.read(known), old.read(known), new.read(known))))
-    except (ValueError, RecursionError):
-        return []
-
-
 def _deleted(mine: Sequence[Block], old: Sequence[Block], new: Sequence[Block]) -> Iterator[str]:
+    """Yield the parts that the developer has deleted: functions, elements, keys, sections."""
     ours, base = ({block.key: block for block in side} for side in (mine, old))
     for block in new:
         if block.key in ours and block.key in base:
