@@ -40,6 +40,10 @@ _DEPENDENCIES = {
 _WORDS = {1: ("DEPENDENCIES", "CATKIN_DEPENDS"), 2: ("DEPENDENCIES", "")}
 # Commands about the parts of a target.
 _PARTS = ("target_link_libraries", "add_executable", "add_library")
+_ABOUT_TARGET = re.compile(
+    r"(?:target_|set_target_properties|add_dependencies|install(?=\s*\(\s*TARGETS))\w*"
+    r"\s*\(\s*(?:TARGETS\s+)?([^\s)]+)"
+)
 _ARGUMENT = re.compile(
     r'(?P<head>\w+[ \t]*\()|(?P<comment>[ \t]*#.*)|"(?:\\.|[^"\\])*"|[^\s()"#]+'
 )
@@ -176,18 +180,13 @@ class _Carrier:
         elif not self.has_cmake:
             if installed and (entry := self._as_entry(installed)):
                 self._note(number, block.text, entry)
-        elif self._has_target(code, name):
+        elif self._has_target(code):
             is_first = re.match(_KNOWN["first"], name)
             at = self._below_packages() if is_first else len(self.new)
             while re.match(_KNOWN["last"], self.new[at - 1].key):
                 at -= 1
-            self.new.insert(
-                at,
-                Block(
-                    f"find_package own {number}" if is_first else f"own {number}",
-                    split(text if text.endswith("\n") else text + "\n"),
-                ),
-            )
+            key = f"find_package own {number}" if is_first else f"own {number}"
+            self.new.insert(at, Block(key, split(text.removesuffix("\n") + "\n")))
             for i, line in enumerate(split(block.text)):
                 self._note(number + i, line, self._translated(line).strip())
 
@@ -220,15 +219,13 @@ class _Carrier:
             if at not in behind:
                 self.lines[number + at] = tuple(text for i, text in became.items() if i.at == at)
 
-    def _has_target(self, code: str, name: str) -> bool:
+    def _has_target(self, code: str) -> bool:
         """Say whether the target that a command is about is there."""
-        if not re.match(
-            r"(target_|set_target_properties|add_dependencies|install\(\s*TARGETS)", code
-        ):
+        target = _ABOUT_TARGET.match(code)
+        if target is None:
             return True
-        target = re.match(r"\w+\(\s*(?:TARGETS\s+)?([^\s)]+)", code)[1]  # type: ignore[index]
-        text = self.texts()[_CMAKE]
-        return bool(re.search(rf"add_(library|executable)\(\s*{re.escape(target)}[\s)]", text))
+        form = rf"add_(library|executable)\(\s*{re.escape(target[1])}[\s)]"
+        return bool(re.search(form, self.texts()[_CMAKE]))
 
     def _translated(self, text: str) -> str:
         for pair in _KNOWN["destinations"]:

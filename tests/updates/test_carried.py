@@ -948,6 +948,15 @@ def test_what_a_list_has_more(ros, change, carried, behind):
     assert "|".join(line.strip() for _, _, line in left) == behind
 
 
+@pytest.mark.parametrize(
+    "command", ["target_link_options (%s PRIVATE -g)\n", "install (TARGETS %s)\n"]
+)
+def test_command_with_a_blank_before_its_parenthesis_is_about_a_target(command):
+    path, own = "CMakeLists.txt", (command % "reach", command % "gone")
+    result = built({path: CMAKE_1 + "".join(own)}, {path: CMAKE_1}, {path: CMAKE_2}, 2)
+    assert [line in result.tree[path].text for line in own] == [True, False]
+
+
 def test_what_the_developer_deleted_of_cmake_is_said():
     path, other = "CMakeLists.txt", "install(DIRECTORY x DESTINATION include)\n"
     old = PACKAGES[1] + NESTED + "add_executable(reach x.cpp)\ninclude_directories()\n" + other
