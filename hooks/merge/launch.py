@@ -12,7 +12,6 @@ import contextlib
 import re
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 from ..data import load_data
 from .blocks import Block, every
@@ -38,16 +37,6 @@ class ForeignError(Exception):
     """Something has no meaning in the other ROS."""
 
 
-@dataclass
-class Carried:
-    """A launch file of the new ROS, and which lines of the old one are in it, as what."""
-
-    text: str
-    lines: dict[int, tuple[str, ...]]
-    back: list[str]
-    """What the developer had deleted from the old one."""
-
-
 def carry_launch_files(
     mine: Tree, old: Tree, new: Tree, renaming: Renaming, result: Result, ros: int
 ) -> None:
@@ -70,19 +59,16 @@ def carry_launch_files(
             result.carried[path] = ([target], carried.lines)
 
 
-def carry(mine: Sequence[Block], old: Sequence[Block], new: str, ros: int) -> Carried:
+def carry(mine: Sequence[Block], old: Sequence[Block], new: str, ros: int) -> Carrier:
     """Carry what `mine` has more than `old` into a file of another ROS, which is `new`."""
     lines = {line.strip() for block in old for line in split(block.text)}
-    carrier = _Carrier(XML.blocks(new), ros, lines)
+    carrier = Carrier(XML.blocks(new), ros, lines)
     match(mine, old)
     carrier.children(mine, old, [], 1)
     has = set(keys(XML.blocks(new)))
-    back = [
-        key
-        for key in sorted(Counter(keys(old)) - Counter(keys(mine)))
-        if key in has and " " in key
-    ]
-    return Carried("".join(block.text for block in carrier.new), carrier.lines, back)
+    gone = Counter(keys(old)) - Counter(keys(mine))
+    carrier.back = sorted(key for key in gone if key in has and " " in key)
+    return carrier
 
 
 def keys(blocks: Sequence[Block]) -> list[str]:
@@ -90,10 +76,20 @@ def keys(blocks: Sequence[Block]) -> list[str]:
     return [block.key for block in every(blocks)]
 
 
-class _Carrier:
+class Carrier:
+    """A launch file of the new ROS, into which is put what was written into the old one."""
+
     def __init__(self, new: list[Block], ros: int, generated: Collection[str]) -> None:
         self.new, self.ros, self.generated = new, ros, generated
         self.lines: dict[int, tuple[str, ...]] = {}
+        """Which lines of the old one came along, and as what."""
+        self.back: list[str] = []
+        """What the developer had deleted from the old one."""
+
+    @property
+    def text(self) -> str:
+        """Return all of it."""
+        return "".join(block.text for block in self.new)
 
     def children(
         self, mine: Sequence[Block], old: Sequence[Block], around: list[Block], number: int
@@ -263,16 +259,12 @@ def _attribute(tag: str, name: str, value: str, ros: int) -> tuple[str, str]:
 
     value = _SUBSTITUTION.sub(substitution, value)
     if (tag, name) == ("include", "file"):
-        value = _file(value, ros)
+        # By custom, packages of both ROS differ in the suffix.
+        before, after = (_KNOWN["suffixes"][n] for n in (3 - ros, ros))
+        if not value[1:-1].endswith(before):
+            raise ForeignError
+        value = value[:-1].removesuffix(before) + after + value[-1]
     return names[name], value
-
-
-def _file(value: str, ros: int) -> str:
-    """Return the file of an include: by custom, packages of both ROS differ in the suffix."""
-    before, after = (str(_KNOWN["suffixes"][n]) for n in (3 - ros, ros))
-    if not value[1:-1].endswith(before):
-        raise ForeignError
-    return value[:-1].removesuffix(before) + after + value[-1]
 
 
 def _attributes(text: str) -> dict[str, str]:
