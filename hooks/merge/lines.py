@@ -29,6 +29,7 @@ class Conflict:
 
 
 Merged = list["str | Conflict"]
+_Matches = list[tuple[int, int, int]]
 
 
 @dataclass(frozen=True)
@@ -81,11 +82,12 @@ def merge_lines(
     Lines of one `key` count as one line: the developer's form of it stays. Where both sides
     changed lines and one of them changed nothing but their form, `same`, the other one counts.
     """
+    ours, theirs = (_matches(old, side, key) for side in (mine, new))
     changes = sorted(
-        [*_changes(old, mine, key, True), *_changes(old, new, key, False)],
+        [*_changes(mine, ours, True), *_changes(new, theirs, False)],
         key=lambda change: (change.start, change.end, change.is_mine),
     )
-    stable = _stable(mine, old, new, key)
+    stable = _stable(old, (new, theirs), (mine, ours))
     merged: Merged = []
     at = 0
     while changes:
@@ -102,23 +104,16 @@ def merge_lines(
     return [*merged, *stable[at:]]
 
 
-def _changes(old: Sequence[str], other: Sequence[str], key: Key, is_mine: bool) -> list[_Change]:
-    return [
-        _Change(start, end, list(other[first:last]), is_mine)
-        for start, end, first, last in _gaps(_matches(old, other, key))
-    ]
-
-
-def _gaps(matches: list[tuple[int, int, int]]) -> Iterator[tuple[int, int, int, int]]:
-    """Yield what is between matches: `start` and `end` in the one list, and in the other."""
+def _changes(other: Sequence[str], matches: _Matches, is_mine: bool) -> Iterator[_Change]:
+    """Yield what is between matches."""
     start = first = 0
     for end, last, size in matches:
         if start < end or first < last:
-            yield start, end, first, last
+            yield _Change(start, end, list(other[first:last]), is_mine)
         start, first = end + size, last + size
 
 
-def _matches(old: Sequence[str], other: Sequence[str], key: Key) -> list[tuple[int, int, int]]:
+def _matches(old: Sequence[str], other: Sequence[str], key: Key) -> _Matches:
     """Return the places and lengths of equal lines, as `SequenceMatcher.get_matching_blocks`.
 
     What both begin and end with matches first: or the brace that ends a function would match the
@@ -140,11 +135,11 @@ def _filled(lines: Lines) -> int:
     return max((number for number, line in enumerate(lines, 1) if line.strip()), default=0)
 
 
-def _stable(mine: Sequence[str], old: Sequence[str], new: Sequence[str], key: Key) -> Lines:
-    """Return the old lines, each in the form that a side gave it, the developer's first."""
+def _stable(old: Sequence[str], *sides: tuple[Sequence[str], _Matches]) -> Lines:
+    """Return the old lines, each in the form that the last side gave it which has another."""
     lines = list(old)
-    for other in (new, mine):
-        for start, first, size in _matches(old, other, key):
+    for other, matches in sides:
+        for start, first, size in matches:
             for i in range(size):
                 if other[first + i] != old[start + i]:
                     lines[start + i] = other[first + i]
@@ -192,8 +187,8 @@ def _apply(changes: list[_Change], stable: Lines, start: int, end: int) -> Lines
     return lines + stable[start:end]
 
 
-def _ended(lines: object) -> Lines:
-    return [line if line.endswith("\n") else line + "\n" for line in lines]  # type: ignore[attr-defined]
+def _ended(lines: Iterable[str]) -> Lines:
+    return [line if line.endswith("\n") else line + "\n" for line in lines]
 
 
 def conflicts(merged: Merged) -> bool:
@@ -203,10 +198,6 @@ def conflicts(merged: Merged) -> bool:
 
 def text(merged: Merged) -> str:
     """Write a merge, its conflicts between git's marks."""
-    return "".join(_ended_but_last([*_marked(merged)]))
-
-
-def _marked(merged: Merged) -> Lines:
     lines: Lines = []
     for part in merged:
         for piece in [part] if isinstance(part, str) else _apart(part):
@@ -215,7 +206,7 @@ def _marked(merged: Merged) -> Lines:
             else:
                 first, middle, last = (f"{mark}\n" for mark in MARKS)
                 lines += [first, *_ended(piece.mine), middle, *_ended(piece.new), last]
-    return lines
+    return "".join(_ended_but_last(lines))
 
 
 def _apart(conflict: Conflict) -> Merged:
