@@ -125,12 +125,9 @@ def _whole(tokens: Tokens, at: int) -> tuple[Tokens, int]:
 
 
 def _balanced(tokens: Tokens) -> bool:
-    depth = 0
-    for token in tokens:
-        depth += (token.text in _OPEN) - (token.text in _CLOSE)
-        if depth < 0:
-            return False
-    return not depth
+    steps = ((token.text in _OPEN) - (token.text in _CLOSE) for token in tokens)
+    depths = [*accumulate(steps, initial=0)]
+    return min(depths) == depths[-1] == 0
 
 
 def _with_conditions(spans: list[Span]) -> list[Span]:
@@ -279,13 +276,13 @@ def _item(tokens: Tokens, start: int) -> tuple[Span, int]:
                 break
         elif text in _OPEN:
             at = _closing(tokens, at) + 1
-            if text == "{" and not _goes_on(tokens, at):
+            after = tokens[at].text if at < len(tokens) else ""
+            if text == "{" and after not in (";", ",", "{", "=", "(", "."):  # as in `int x{1};`
                 break
         else:
             at += 1
-    return Span(
-        _key(tokens[start:at]), tokens[start].line, tokens[at - 1].last + 1, body, items
-    ), at
+    key, end = _key(tokens[start:at]), tokens[at - 1].last + 1
+    return Span(key, tokens[start].line, end, body, items), at
 
 
 def _inside(
@@ -304,11 +301,6 @@ def _inside(
     if first > last or any(span.start < first or span.end > last for span in inner):
         return None, ()
     return (first, last), tuple(inner)
-
-
-def _goes_on(tokens: Tokens, at: int) -> bool:
-    """Say whether a declaration goes on after a closing brace, as in `int x{1};`."""
-    return at < len(tokens) and tokens[at].text in (";", ",", "{", "=", "(", ".")
 
 
 def _holds_items(tokens: Tokens) -> bool:
