@@ -19,9 +19,10 @@ from . import git
 from .lines import plain, split
 from .package import ALIKE, Result, likeness
 from .proof import Proof
+from .renaming import plan_renames
 from .render import Renderer, recorded_answers
 from .tree import LINK, File, Tree, encode
-from .versions import Answers, Versions, versions
+from .versions import Versions
 
 _UNDER_WAY = {
     "MERGE_HEAD": "MERGE_HEAD",
@@ -110,7 +111,7 @@ class Joiner:
 
     package: Path
     answers_file: str
-    answers: Answers
+    answers: Mapping[str, Any]
     renderer: Renderer
     dictionary: Dictionary
     moved: Mapping[str, str]
@@ -129,6 +130,23 @@ class Joiner:
         """Return the files of a commit, but for its answers."""
         found = git.files_of(self.package, commit)
         return {path: file for path, file in found.items() if path != self.answers_file}
+
+    def versions(
+        self, mine: Tree, answers: Mapping[str, Any], contexts: Contexts | None = None
+    ) -> Versions:
+        """Render what a package was made of, and what it is to be.
+
+        `contexts`, by default those of the answers, say what was renamed.
+        """
+        old, new = self.renderer.recorded(answers), self.renderer.fresh(self.answers)
+        before, after = contexts or (answers.get("spec") or {}, self.answers["spec"])
+        named = {**answers, "spec": before}
+        renaming = plan_renames(named, after, self.dictionary, old.tree, mine, self.renderer)
+        renaming.follow(self.moved, old.tree, new.tree)
+        renaming.move(old.tree, new.tree)
+        ros = [context.get("ros") for context in (before, after)]
+        to_ros = int(ros[1] or 0) if ros[0] != ros[1] else None
+        return Versions(mine, old.tree, new.tree, renaming, new.is_kept, to_ros)
 
     def check(self, branches: Branches, given: Iterable[str]) -> None:
         """Insist that the answers are those of both sides; `given` are the ones that `-d` gives.
@@ -173,8 +191,8 @@ class Joiner:
             SpecError: a line would not be in its place.
 
         """
-        about = (self.answers, self.renderer, self.dictionary, self.moved, self.contexts(commit))
-        made = versions(self.files(commit), self.recorded(commit), *about)
+        recorded = self.recorded(commit)
+        made = self.versions(self.files(commit), recorded, self.contexts(commit))
         result = settle(made)
         return Side(commit, made, result, made.proof(result, result.tree))
 

@@ -19,7 +19,7 @@ from .render import Renderer, begin, recorded_answers
 from .report import Report, left_behind, removed, report
 from .transaction import Guard, Snapshot, take
 from .tree import SUBMODULE, Tree, read_paths
-from .versions import Versions, versions
+from .versions import Versions
 
 
 class Update:
@@ -79,15 +79,13 @@ class Update:
             )
         files = self.snapshot.files.items()
         mine = {path: file for path, file in files if path != self.answers_file}
-        answers, dictionary = joiner.answers, joiner.dictionary
         branches = under_way(self.package, self.answers_file)
         with contextlib.suppress(UnrenderedError, OSError):  # a version that is no longer there
             branches = branches or wrong_merge(joiner, mine)
         if branches and branches.ours:
             joiner.check(branches, given)
             return self._joined(joiner, branches, joiner.join(branches, mine), inline)
-        about = (joiner.renderer, dictionary, joiner.moved)
-        made = versions(mine, self.answers, answers, *about)
+        made = joiner.versions(mine, self.answers)
         notes = []
         if branches:  # each file on what it was made of
             before = joiner.made(branches.theirs)
@@ -100,9 +98,9 @@ class Update:
         found = read_paths(self.package, result.tree)
         proof = made.proof(result, found)
         self._insist(made, result, found, proof)
-        said = [*notes, *changed_answers(self.answers, answers)]
-        contexts = (self.answers.get("spec") or {}, answers["spec"])
-        said += changes(*contexts, dictionary)
+        said = [*notes, *changed_answers(self.answers, joiner.answers)]
+        contexts = (self.answers.get("spec") or {}, joiner.answers["spec"])
+        said += changes(*contexts, joiner.dictionary)
         still = self._still(contexts, joiner, made, found)
         return report(self.package, self.snapshot.files, found, result, said, still, proof)
 

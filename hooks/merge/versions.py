@@ -4,21 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
 
-from ..changes import Contexts
-from ..dictionary import Dictionary
 from .builds import carry_build_files
 from .launch import carry_launch_files
 from .merging import Way, by_line, conflict
 from .package import Result, merge_package
 from .proof import Proof, prove
 from .recount import Places, recount
-from .renaming import Renaming, plan_renames
-from .render import Renderer
+from .renaming import Renaming
 from .tree import Tree
-
-Answers = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -80,27 +74,3 @@ class Versions:
         """Count all lines of a merged package."""
         trees = (self.mine, self.old, self.new, self.renaming, self.is_kept)
         return recount(*trees, result, found, proof.left)
-
-
-def versions(
-    mine: Tree,
-    answers: Answers,
-    new_answers: Answers,
-    renderer: Renderer,
-    dictionary: Dictionary,
-    moved: Mapping[str, str],
-    contexts: Contexts | None = None,
-) -> Versions:
-    """Render what a package was made of, and what it is to be.
-
-    `contexts`, by default those of the answers, say what was renamed.
-    """
-    old, new = renderer.recorded(answers), renderer.fresh(new_answers)
-    before, after = contexts or (answers.get("spec") or {}, new_answers["spec"])
-    named = {**answers, "spec": before}
-    renaming = plan_renames(named, after, dictionary, old.tree, mine, renderer)
-    renaming.follow(moved, old.tree, new.tree)
-    renaming.move(old.tree, new.tree)
-    ros = [context.get("ros") for context in (before, after)]
-    to_ros = int(ros[1] or 0) if ros[0] != ros[1] else None
-    return Versions(mine, old.tree, new.tree, renaming, new.is_kept, to_ros)
