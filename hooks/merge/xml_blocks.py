@@ -10,7 +10,8 @@ from .blocks import Block, Span, arrange, collapsed, one_sort, squeezed
 from .lines import split
 
 _MARKUP = re.compile(
-    r"""(?P<other> <!--.*?--> | <\?.*?\?> | <!\[CDATA\[.*?\]\]> | <![^>]*> )
+    r"""(?P<other> <!--.*?--> | <\?.*?\?> | <!\[CDATA\[.*?\]\]>
+      | <!DOCTYPE[^>[]*\[.*?\]\s*> | <![^>]*> )
       | (?P<close> </[^>]+> )
       | (?P<open> <(?P<tag>[^\s/>]+) (?P<attributes> (?: "[^"]*" | '[^']*' | [^>"'] )* ) > )""",
     re.VERBOSE | re.DOTALL,

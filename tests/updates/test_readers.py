@@ -784,6 +784,12 @@ def test_text_that_is_not_of_its_language(path, text, why):
         language(path, text).blocks(text)
 
 
+def test_elements_of_xml_that_an_entity_stands_for_are_no_blocks():
+    text = '<!DOCTYPE a [\n  <!ENTITY e "<b>1</b>">\n]>\n<a>\n  <c/>\n</a>\n'
+    (block,) = language("a.xml", text).blocks(text)
+    assert (block.key, [inner.key for inner in block.children]) == ("a", ["c"])
+
+
 def test_blocks_are_the_whole_text():
     for known, text in ((CPP, HPP), (PYTHON, PY), (MARKDOWN, README)):
         assert "".join(block.text for block in known.blocks(text)) == text
