@@ -56,10 +56,7 @@ def nested(spans: Iterable[Span], role: Callable[[Span], tuple[str, str]]) -> li
 
     `role` says of an item which statement it belongs to, and whether it is the `start`, another
     `branch` or the `end` of that; of any other item, two empty texts. Each branch is an item, too.
-
-    Raises:
-        ValueError: something ends that has not begun, or does not end.
-
+    It raises ValueError where something ends that has not begun, or does not end.
     """
     found: list[Span] = []
     open_: list[tuple[str, list[Span]]] = [("", found)]

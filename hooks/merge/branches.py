@@ -49,9 +49,7 @@ class Branches:
 def under_way(package: Path, answers_file: str) -> Branches | None:
     """Return what git is about to join: a merge, a rebase or a cherry-pick that is not ended.
 
-    Raises:
-        SpecError: it is a merge of more than two.
-
+    Of a merge of more than two it raises SpecError.
     """
     for name, folder in _UNDER_WAY.items():
         file = git.own_file(package, name)
@@ -151,9 +149,7 @@ class Joiner:
     def check(self, branches: Branches, given: Iterable[str]) -> None:
         """Insist that the answers are those of both sides; `given` are the ones that `-d` gives.
 
-        Raises:
-            SpecError: another one is; the message says what to do.
-
+        Else it raises SpecError, which says what to do.
         """
         sides = [self.recorded(one) for one in (branches.ours, branches.theirs)]
         base = self.recorded(branches.bases[0]) if branches.bases else {}
@@ -185,12 +181,7 @@ class Joiner:
         return as_parted([own, *others], spec, self.dictionary)
 
     def side(self, commit: str) -> Side:
-        """Bring a commit to the new answers.
-
-        Raises:
-            SpecError: a line would not be in its place.
-
-        """
+        """Bring a commit to the new answers; SpecError if a line would not be in its place."""
         recorded = self.recorded(commit)
         made = self.versions(self.files(commit), recorded, self.contexts(commit))
         result = settle(made)
@@ -199,9 +190,7 @@ class Joiner:
     def join(self, branches: Branches, now: Tree) -> Joined:
         """Bring two commits to the new answers, and join them; `now` is the package as it is.
 
-        Raises:
-            SpecError: as above.
-
+        It raises SpecError as above.
         """
         for start in branches.bases[:1]:
             commits = (branches.ours, branches.theirs, start)
@@ -254,12 +243,7 @@ def _lines(text: str | None) -> list[str]:
 
 
 def settle(made: Versions) -> Result:
-    """Merge in memory, and insist on the proofs.
-
-    Raises:
-        SpecError: lines would not be in their place.
-
-    """
+    """Merge in memory; SpecError if lines would not be in their place."""
     result, wrong = made.merged()
     if wrong:
         said = "".join(f"\n  {path}: {what}" for path, what in wrong[:20])
@@ -343,12 +327,8 @@ def _refuse_older(version: str, others: Iterable[str]) -> None:
 def wrong_merge(joiner: Joiner, now: Tree) -> Branches | None:
     """Return the last merge, or other change of the answers, that has left files of another spec.
 
-    Files count which are so since then, and still are (decision 105).
-
-    Raises:
-        SpecError: more than two branches have become one, or files are half of the one spec and
-            half of the other.
-
+    Files count which are so since then, and still are (decision 105). Of a merge of more than two
+    it raises SpecError.
     """
     package, answers_file = joiner.package, joiner.answers_file
     commit, parents = _last_making(package, answers_file)

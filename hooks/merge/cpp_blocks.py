@@ -53,10 +53,6 @@ def blocks(text: str) -> list[Block]:
     """Return the blocks of a source or header; those of a class or namespace are inside of it.
 
     So are those of an `#if`, but for the one that keeps a header from being included twice.
-
-    Raises:
-        ValueError: its braces, or its conditions, do not match.
-
     """
     lines = split(text)
     tokens = [token for token in tokenize(text) if token.kind not in ("blank", "comment")]

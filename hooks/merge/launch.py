@@ -202,12 +202,7 @@ def _found(blocks: Sequence[Block], key: str) -> Iterator[Block]:
 
 
 def translate(text: str, ros: int, around: str = "node") -> str:
-    """Return elements as a ROS writes them, in an element with the tag `around`.
-
-    Raises:
-        ForeignError: it cannot.
-
-    """
+    """Return elements as a ROS writes them inside of the tag `around`, or raise ForeignError."""
     open_ = [around]
 
     def tag(match: re.Match[str]) -> str:

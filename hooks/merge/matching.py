@@ -28,10 +28,7 @@ def align(
     """Return three versions in which a key is that of one thing, at one place.
 
     `of_people`: both sides are developers', who may put containers around what is there.
-
-    Raises:
-        BothAroundError: both sides have put containers of their own around one thing.
-
+    Where both sides have put some around one thing, it raises BothAroundError.
     """
     match(new, old)
     mine = identify(mine, old, new)

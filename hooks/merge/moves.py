@@ -22,10 +22,7 @@ def moved_files(spec: Mapping[str, Any], dictionary: Dictionary) -> dict[str, st
     """Return the new path of each old one, for the components of a spec.
 
     What a model says counts for those whose dictionaries include its own.
-
-    Raises:
-        SpecError: the file is not a mapping of paths.
-
+    Where that is no mapping of paths, it raises SpecError.
     """
     # What the braces of a path may stand for: the package, and a component of it.
     names = [{PACKAGE: str(spec[dictionary.naming])}]

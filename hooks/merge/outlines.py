@@ -15,12 +15,7 @@ from .lines import margin, split
 
 
 def yaml_blocks(text: str) -> list[Block]:
-    """Return the keys of a document, each with those below it.
-
-    Raises:
-        ValueError: it is not YAML.
-
-    """
+    """Return the keys of a document, each with those below it."""
     try:
         nodes = list(yaml.compose_all(unicode(text), LOADER))
     except yaml.YAMLError as error:
@@ -97,12 +92,7 @@ _LISTS = "catkin_package|generate_messages|generate_dynamic_reconfigure_options|
 
 
 def cmake_blocks(text: str) -> list[Block]:
-    """Return the commands of a file, each known by its name and its first argument.
-
-    Raises:
-        ValueError: its parentheses, or its conditions, do not match.
-
-    """
+    """Return the commands of a file, each known by its name and its first argument."""
     lines = split(text)
     spans: list[Span] = []
     depth, start, name = 0, 0, ""

@@ -1,4 +1,7 @@
-"""Refuse what an update could not undo: what git does not have, links out of the package."""
+"""Refuse what an update could not undo: what git does not have, links out of the package.
+
+What refuses raises SpecError, whose message has the remedy.
+"""
 
 from __future__ import annotations
 
@@ -35,10 +38,6 @@ def check(
     `moved` has the new paths of files that the new version of the model renames.
     The new version is rendered to see which files it would write, and that it can be rendered at
     all; the old one where that is needed.
-
-    Raises:
-        SpecError: it cannot; the message has the remedy.
-
     """
     spec = new_answers["spec"]
     answers = recorded_answers(package, renderer.answers_file)
@@ -70,9 +69,7 @@ def check(
 def refuse_version_of_others(answers: Mapping[str, Any], renderer: Renderer) -> None:
     """Insist that a version with a local part, as of a house, is followed by such a one.
 
-    Raises:
-        SpecError: it is not: a tag of upstream's has got where Copier looks (decision 112).
-
+    Else a tag of upstream's has got where Copier looks (decision 112).
     """
     before, after = str(answers.get("_commit")), str(renderer.commit)
     with contextlib.suppress(InvalidVersion):
@@ -91,12 +88,7 @@ def is_joining(package: Path, answers_file: str) -> bool:
 
 
 def refuse_join(package: Path, answers: Mapping[str, Any], renderer: Renderer) -> None:
-    """Insist that git has what is written over when two branches are joined.
-
-    Raises:
-        SpecError: it has not; the message has the remedy.
-
-    """
+    """Insist that git has what is written over when two branches are joined."""
     paths = sorted({renderer.answers_file, *renderer.fresh(answers).tree})
     modes = tracked(package)
     refuse_names(modes)
@@ -111,9 +103,7 @@ def refuse_copy(
 ) -> None:
     """Insist that Copier can write a package into a folder, without a question if it cannot ask.
 
-    Raises:
-        SpecError: some files could not be written, or would be replaced; Copier ends at the first.
-
+    It would end at the first file that could not be written, or would be replaced.
     """
     if all(entry.suffix == SUFFIX or entry.name == ".git" for entry in package.iterdir()):
         return
@@ -134,10 +124,6 @@ def refuse(package: Path, paths: Iterable[str], moves: dict[str, str]) -> None:
     """Insist that git can bring back each of the `paths`, which an update may touch.
 
     `moves` are the files that a rename gives another path.
-
-    Raises:
-        SpecError: it could not; the message has the remedy.
-
     """
     paths = sorted(set(paths))
     if not is_repository(package):
@@ -167,12 +153,7 @@ def refuse(package: Path, paths: Iterable[str], moves: dict[str, str]) -> None:
 
 
 def refuse_names(paths: Iterable[str]) -> None:
-    """Insist that Copier can read the names of files.
-
-    Raises:
-        SpecError: it could not; the message has the remedy.
-
-    """
+    """Insist that Copier can read the names of files."""
     for path in paths:
         if any("\udc80" <= letter <= "\udcff" for letter in path):
             shown = os.fsencode(path).decode(errors="backslashreplace")
@@ -184,10 +165,6 @@ def refuse_places(package: Path, paths: Iterable[str]) -> None:
     """Insist that each of the `paths` can be written: no file is where a folder has to be.
 
     Nor may one be too large, for the snapshot and the merge would be without it.
-
-    Raises:
-        SpecError: one could not; the message has the remedy.
-
     """
     for path in sorted(paths):
         for parent in _parents(path):

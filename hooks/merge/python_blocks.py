@@ -19,12 +19,7 @@ from .lines import Conflict, split
 
 
 def blocks(text: str) -> list[Block]:
-    """Return the blocks of a module; those of a class, `if`, `try` or `with` are inside.
-
-    Raises:
-        ValueError: it is not Python.
-
-    """
+    """Return the blocks of a module; those of a class, `if`, `try` or `with` are inside."""
     lines = split(text)
     module = cast(ast.Module, nodes(text)[0])
     return arrange(lines, _spans(module.body, lines), 0, len(lines))
@@ -49,22 +44,12 @@ _ENDS = ("", " pass\n", "\nclass _: pass\n")
 
 @functools.lru_cache(maxsize=64)
 def nodes(text: str) -> tuple[ast.AST, ...]:
-    """Return the nodes of a module, itself the first.
-
-    Raises:
-        ValueError: it is not Python.
-
-    """
+    """Return the nodes of a module, itself the first; ValueError if that is no Python."""
     return (*ast.walk(parse(text)),)
 
 
 def parse(text: str) -> ast.Module:
-    """Read Python.
-
-    Raises:
-        ValueError: it is not Python.
-
-    """
+    """Read Python; ValueError if it is no Python."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")

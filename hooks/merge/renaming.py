@@ -182,9 +182,7 @@ class Renaming:
     def blocks(self, known: Language, path: str, text: str) -> list[Block]:
         """Return the blocks of a file, with the names and lines that they have after the update.
 
-        Raises:
-            ValueError: it is not of this language.
-
+        It raises ValueError where a file is not of this language.
         """
         exchanged = known.blocks(self.text(path, text))
         if path in self.keys:

@@ -83,12 +83,7 @@ class Renderer:
     answers_file: str
 
     def fresh(self, answers: Mapping[str, Any]) -> Render:
-        """Render with the template of now.
-
-        Raises:
-            UnrenderedError: the template or the answers have a fault.
-
-        """
+        """Render with the template of now; UnrenderedError if it, or the answers, have a fault."""
         version = f"{self.url} {self.commit}" if self.commit else str(self.folder)
         return self._once(version, answers, lambda: self._render_copy(answers))
 

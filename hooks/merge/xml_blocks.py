@@ -24,12 +24,7 @@ _COMMENTS = re.compile(r"<!--.*?-->", re.DOTALL)
 
 
 def blocks(text: str) -> list[Block]:
-    """Return the elements of a document; those inside of others are inside of them.
-
-    Raises:
-        ValueError: it is not XML.
-
-    """
+    """Return the elements of a document; those inside of others are inside of them."""
     try:
         expat.ParserCreate().Parse(text.encode(errors="surrogateescape"), True)
     except expat.ExpatError as error:
