@@ -16,7 +16,7 @@ from .blocks import Block
 from .languages import CMAKE
 from .launch import keys
 from .lines import plain, split
-from .matching import match
+from .matching import Blocks, match
 from .package import Result
 from .renaming import Renaming
 from .tree import File, Tree, encode
@@ -139,12 +139,7 @@ class _Carrier:
         return self.lines
 
     def _commands(
-        self,
-        mine: Sequence[Block],
-        old: Sequence[Block],
-        new: list[Block],
-        number: int,
-        is_top: bool = False,
+        self, mine: Blocks, old: Blocks, new: list[Block], number: int, is_top: bool = False
     ) -> None:
         known = {block.key: block for block in old}
         lists = {_name(b.key): b for b in old if _name(b.key) in _DEPENDENCIES[3 - self.ros]}

@@ -7,13 +7,14 @@ may change beside one that the other side changed. Only changes of the same line
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 from os.path import commonprefix
 
 Lines = list[str]
 Key = Callable[[str], str]
+Same = Callable[[str, str], bool]
 FEW = 3
 """Lines in common that part a conflict in two."""
 MARKS = ("<<<<<<< before updating", "=======", ">>>>>>> after updating")
@@ -70,12 +71,7 @@ def plain(text: str) -> str:
 
 
 def merge_lines(
-    mine: Sequence[str],
-    old: Sequence[str],
-    new: Sequence[str],
-    key: Key,
-    same: Callable[[str, str], bool],
-    of_people: bool = False,
+    mine: Lines, old: Lines, new: Lines, key: Key, same: Same, of_people: bool = False
 ) -> Merged:
     """Merge two descendants of `old`.
 
@@ -104,7 +100,7 @@ def merge_lines(
     return [*merged, *stable[at:]]
 
 
-def _changes(other: Sequence[str], matches: _Matches, is_mine: bool) -> Iterator[_Change]:
+def _changes(other: Lines, matches: _Matches, is_mine: bool) -> Iterator[_Change]:
     """Yield what is between matches."""
     start = first = 0
     for end, last, size in matches:
@@ -113,7 +109,7 @@ def _changes(other: Sequence[str], matches: _Matches, is_mine: bool) -> Iterator
         start, first = end + size, last + size
 
 
-def _matches(old: Sequence[str], other: Sequence[str], key: Key) -> _Matches:
+def _matches(old: Lines, other: Lines, key: Key) -> _Matches:
     """Return the places and lengths of equal lines, as `SequenceMatcher.get_matching_blocks`.
 
     What both begin and end with matches first: or the brace that ends a function would match the
@@ -135,7 +131,7 @@ def _filled(lines: Lines) -> int:
     return max((number for number, line in enumerate(lines, 1) if line.strip()), default=0)
 
 
-def _stable(old: Sequence[str], *sides: tuple[Sequence[str], _Matches]) -> Lines:
+def _stable(old: Lines, *sides: tuple[Lines, _Matches]) -> Lines:
     """Return the old lines, each in the form that the last side gave it which has another."""
     lines = list(old)
     for other, matches in sides:
@@ -149,11 +145,11 @@ def _stable(old: Sequence[str], *sides: tuple[Sequence[str], _Matches]) -> Lines
 def _settle(
     group: list[_Change],
     stable: Lines,
-    old: Sequence[str],
+    old: Lines,
     start: int,
     end: int,
     key: Key,
-    same: Callable[[str, str], bool],
+    same: Same,
     of_people: bool,
 ) -> Merged:
     """Return what changes that meet come to.

@@ -201,8 +201,7 @@ def _match_changed(block: Block, free: dict[str, Block], known: Mapping[str, Blo
     if is_condition(block) and _name(block.key) not in map(_name, known):
         inside = _names_in(block)
         alike = _most_like(
-            block,
-            (o for k, o in free.items() if is_condition(o) and _name(k) not in inside),
+            block, (o for k, o in free.items() if is_condition(o) and _name(k) not in inside)
         )
         if alike:
             _take_key(block, alike, free)

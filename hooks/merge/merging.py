@@ -171,10 +171,7 @@ class _Merger:
         self.own: list[str] = []
 
     def sequence(
-        self,
-        mine: Sequence[Block],
-        old: Sequence[Block],
-        new: Sequence[Block],
+        self, mine: Sequence[Block], old: Sequence[Block], new: Sequence[Block]
     ) -> Merged:
         """Merge the blocks of a file, a class, an element."""
         ours, base, theirs = ({block.key: block for block in side} for side in (mine, old, new))

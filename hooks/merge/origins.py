@@ -17,6 +17,7 @@ from .python_blocks import nodes
 from .tokens import Word
 
 SELF = ("self", "cls", "this")
+Names = Collection[str]
 
 
 @dataclass
@@ -27,7 +28,7 @@ class Origins:
     foreign: set[str] = field(default_factory=set)
     holders: set[str] = field(default_factory=set)
     """Names of objects whose classes are of the package."""
-    known_holders: Collection[str] = ()
+    known_holders: Names = ()
     """Names that such objects have in any file, as the dictionary says."""
     keywords: set[str] = field(default_factory=set)
     """Those of arguments of these classes."""
@@ -43,7 +44,7 @@ class Origins:
         """Say whether an object is of a class of the package."""
         return name in self.holders or name.strip("_") in self.known_holders
 
-    def has(self, word: Word, known: Collection[str]) -> bool:
+    def has(self, word: Word, known: Names) -> bool:
         """Say whether a word is a name of the package; `known` are those that are, by themselves.
 
         A member is one where the object, the module, the namespace before it is.
@@ -67,12 +68,7 @@ class Origins:
 
 
 def origins(
-    known: Language,
-    text: str,
-    roots: Collection[str],
-    names: Collection[str],
-    classes: Collection[str],
-    holders: Collection[str] = (),
+    known: Language, text: str, roots: Names, names: Names, classes: Names, holders: Names = ()
 ) -> Origins:
     """Read where the names of a file come from.
 
@@ -95,11 +91,7 @@ def origins(
 
 
 def _python(
-    found: Origins,
-    tree: Sequence[ast.AST],
-    roots: Collection[str],
-    names: Collection[str],
-    classes: Collection[str],
+    found: Origins, tree: Sequence[ast.AST], roots: Names, names: Names, classes: Names
 ) -> None:
     own: list[_Class] = []
     for node in tree:
@@ -137,7 +129,7 @@ _Class = tuple[str, set[str], range]
 """A class: its name, what it derives from, its lines."""
 
 
-def _others(found: Iterable[_Class], classes: Collection[str]) -> set[int]:
+def _others(found: Iterable[_Class], classes: Names) -> set[int]:
     """Return the lines of classes that are none of these, nor derive from one or the other way."""
     known = [*found]
     kin = {*classes}
@@ -198,13 +190,7 @@ _INCLUDE = re.compile(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"](\w+)/')
 _USING = re.compile(r"\busing\s+(?:(namespace)\s+)?(?:(\w+)\s*=\s*)?(?:::)?(\w+)(?:::(\w+))*\s*;")
 
 
-def _cpp(
-    found: Origins,
-    text: str,
-    roots: Collection[str],
-    names: Collection[str],
-    classes: Collection[str],
-) -> None:
+def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Names) -> None:
     is_user = any(root in roots for root in _INCLUDE.findall(text))
     for kind, alias, root, last in _USING.findall(text):
         if root not in {*roots, *classes, "std"}:

@@ -194,8 +194,7 @@ class _Package:
     def _version(self, path: str, text: str) -> Version:
         """Return a version of before the update, with what a rename has exchanged."""
         return Version(
-            self.renaming.text(path, text),
-            lambda known: self.renaming.blocks(known, path, text),
+            self.renaming.text(path, text), lambda known: self.renaming.blocks(known, path, text)
         )
 
     def _opaque(self, path: str, mine: File, old: File | None, new: File) -> File:

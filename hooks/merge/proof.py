@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 from pathlib import PurePosixPath
@@ -17,6 +17,7 @@ from .languages import PYTHON, TEXT, XML, Language, language
 from .lines import MARKS, plain, split
 from .matching import identify, match, tell_apart, wrap
 from .merging import readable
+from .origins import Names
 from .package import Result
 from .renaming import Renaming
 from .tokens import words
@@ -294,11 +295,7 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
 
 
 def uses_of_left(
-    gone: Iterable[tuple[str, str]],
-    old: Tree,
-    new: Tree,
-    found: Tree,
-    holders: Collection[str] = (),
+    gone: Iterable[tuple[str, str]], old: Tree, new: Tree, found: Tree, holders: Names = ()
 ) -> Iterator[str]:
     """Yield `file:line: word` for each name of what left that the developer's lines still have.
 

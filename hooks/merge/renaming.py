@@ -23,7 +23,7 @@ from .blocks import Block, collapsed, every
 from .depth import Shift, compose, shifts
 from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
 from .lines import split
-from .origins import SELF, origins
+from .origins import SELF, Names, origins
 from .render import Renderer
 from .tokens import Word, exchange, words
 from .tree import File, Tree
@@ -70,7 +70,7 @@ class Renaming:
     """Those of the package."""
     roots: set[str] = field(default_factory=set)
     """What imports and includes call the package."""
-    holders: Collection[str] = ()
+    holders: Names = ()
     """What the logic calls objects of these classes."""
     names: list[tuple[str, str]] = field(default_factory=list)
     moved: dict[str, str] = field(default_factory=dict)
@@ -225,11 +225,7 @@ def _heads(known: Language, generated: Mapping[str, str]) -> dict[str, str]:
 
 
 def _as_made(
-    known: Language,
-    before: str,
-    after: str,
-    generated: Mapping[str, str],
-    heads: Mapping[str, str],
+    known: Language, before: str, after: str, generated: dict[str, str], heads: dict[str, str]
 ) -> str:
     """Return a line whose words are exchanged; of a generated one, comment and head, too."""
     line, changed = before.strip(), after.strip()
@@ -259,10 +255,7 @@ def plan_renames(
 
 
 def rename(
-    blocks: Iterable[Block],
-    before: Iterable[Block],
-    keys: Mapping[str, str],
-    shows: bool = False,
+    blocks: Iterable[Block], before: Iterable[Block], keys: Mapping[str, str], shows: bool = False
 ) -> None:
     """Give blocks the names that they have after the update; `before` are the same ones.
 
@@ -333,11 +326,7 @@ def _key_nodes(text: str) -> list[tuple[_Holder, yaml.ScalarNode]]:
 
 
 def plan(
-    old: Tree,
-    marked: Tree,
-    marks: Sequence[Mark],
-    mine: Iterable[str],
-    holders: Collection[str] = (),
+    old: Tree, marked: Tree, marks: Sequence[Mark], mine: Iterable[str], holders: Names = ()
 ) -> Renaming:
     """Find what depends on the names that changed; `mine` are the paths of the package."""
     reader = _Reader(marks)

@@ -50,15 +50,13 @@ class Word(NamedTuple):
     """Counted from 0."""
 
 
+By = Callable[[Word], str]
+"""Says what a word becomes."""
 _JOINTS = (".", "->", "::")
 
 
 def exchange(
-    known: Language,
-    text: str,
-    by: Callable[[Word], str],
-    among: Container[str] | None = None,
-    line: int = 0,
+    known: Language, text: str, by: By, among: Container[str] | None = None, line: int = 0
 ) -> str:
     """Return a text with each word of its code exchanged; a text without code as it is.
 
@@ -99,7 +97,7 @@ def exchange(
     return "".join(parts) + text[at:]
 
 
-def _path(include: str, by: Callable[[Word], str], line: int) -> str:
+def _path(include: str, by: By, line: int) -> str:
     """Exchange the words of an included file's path; the first part is that of a package."""
     head, quote, path = re.match(r"(.*?)([\"<])(.*)", include, re.DOTALL).groups()  # type: ignore[union-attr]
     words = re.split(r"(\W)", path)
