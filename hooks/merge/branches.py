@@ -182,8 +182,7 @@ class Joiner:
 
     def side(self, commit: str) -> Side:
         """Bring a commit to the new answers; SpecError if a line would not be in its place."""
-        recorded = self.recorded(commit)
-        made = self.versions(self.files(commit), recorded, self.contexts(commit))
+        made = self.versions(self.files(commit), self.recorded(commit), self.contexts(commit))
         result = settle(made)
         return Side(commit, made, result, made.proof(result, result.tree))
 

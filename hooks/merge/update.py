@@ -71,7 +71,7 @@ class Update:
 
     def _finish(self, joiner: Joiner, inline: bool, given: Iterable[str]) -> Report:
         """Join branches, where there are two; else merge what the new version changes."""
-        file = self.package / self.answers_file
+        file = self.package / self.answers_file  # without it, there could be no other update
         if not file.exists() or "_src_path" not in file.read_text(encoding="utf-8"):
             what = "this version of the template does not write Copier's answers"
             raise SpecError(
