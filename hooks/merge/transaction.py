@@ -30,7 +30,7 @@ class Snapshot:
 
     def restore(self) -> None:
         """Bring everything back."""
-        self.put(Result(self.files), set(), inline=True)
+        self.put(Result(self.files), set(), True)
 
     def put(self, result: Result, touched: set[str], inline: bool) -> None:
         """Put a merged package in the place of what Copier has made of it."""
