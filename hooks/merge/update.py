@@ -113,17 +113,18 @@ class Update:
 
     def _insist(self, made: Versions, result: Result, found: Tree, proof: Proof) -> None:
         """Look once more, at what is on the disk now."""
-        why, yours = "it would have put lines of yours where you did not write them", "these lines"
-        said = [*places(made.mine, proof.lost, made.renaming)]
-        if not said:
-            why = "these files would not be what both sides made of them"
-            yours = "your changes of them"
-            said = [f"{path}: {what}" for path, what in made.wrong(result, found, proof)]
-        if said:
-            shown = "".join(f"\n  {line}" for line in said[:20])
+        if lost := [*places(made.mine, proof.lost, made.renaming)]:
             raise SpecError(
-                f"the update was undone, for {why}; take {yours} out and commit; update; put them"
-                f" in again:{shown}\n",
+                "the update was undone, for it would have put lines of yours where you did not"
+                " write them; take these lines out and commit; update; put them in again:"
+                + _listed(lost),
+                "merge-not-proved",
+            )
+        if wrong := made.wrong(result, found, proof):
+            raise SpecError(
+                "the update was undone, for these files would not be what both sides made of them;"
+                " take your changes of them out and commit; update; put them in again:"
+                + _listed(f"{path}: {what}" for path, what in wrong),
                 "merge-not-proved",
             )
 
@@ -181,3 +182,7 @@ def _noted(branches: Branches) -> str:
     cure = "joined again from its two sides" if branches.ours else "made of the spec before it"
     what = "has left files that were not made of the recorded spec"
     return f"! {branches.merge[:7]} {what}: {names}: {cure}"
+
+
+def _listed(lines: Iterable[str]) -> str:
+    return "".join(f"\n  {line}" for line in [*lines][:20]) + "\n"

@@ -564,7 +564,7 @@ def test_stop_while_the_master_is_asked(stage, parameter):
         assert code == 0, node.story()
     else:  # roscpp does not come back from its request
         assert code == 1, node.story()
-        assert "its process is ended" in node.log(), node.story()
+        assert "its process is killed" in node.log(), node.story()
         node.ended_well = False
     assert node.methods() == []
 
