@@ -34,7 +34,7 @@ RECORD = ROOT / "build/mutate"
 MODULES = ("hooks", "extensions")
 FOLDERS = ("tests/hook", "tests/updates", "tests/models/test_qos.py")
 LONGEST = """
-  branches lab mechanism moves runtime transaction update work_done_once
+  branches lab mechanism moves runtime update work_done_once
 """.split()
 FAST = (*FOLDERS, *(f"--ignore=tests/updates/test_{name}.py" for name in LONGEST))
 PYTEST = (sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider")

@@ -6,11 +6,14 @@ import pytest
 from extensions import cpp, python, text
 from extensions.layout import LayoutExtension, fold_python
 from extensions.paths import PathsExtension, all_of, value_of
+from hooks import names
 
 
 @pytest.mark.parametrize(
     ("function", "arguments", "wanted"),
     [
+        (names.ros_type, ("a/msg/B", 1), "a/B"),
+        (names.ros_type, ("a/msg/B", 2), "a/msg/B"),
         (python.python_type, ("double",), "float"),
         (python.python_type, ("string[]",), "Sequence[str]"),
         (python.python_type, ("std_msgs/msg/String",), "std_msgs.msg.String"),

@@ -4,6 +4,7 @@ import itertools
 import re
 import subprocess
 import textwrap
+from functools import partial
 from pathlib import PurePosixPath
 
 import pytest
@@ -534,6 +535,19 @@ def test_lines_alone_do_not_tell_how_deep_they_are_in_what_the_other_puts_around
     for sides in ((mine, new), (new, mine)):
         versions = [Version(text, lambda known: []) for text in (sides[0], old, sides[1])]
         assert by_line("arm/a.py", *versions, of_people=True).conflict
+
+
+@pytest.mark.parametrize("of_people", [True, False])
+def test_lines_alone_do_not_tell_whose_the_body_of_a_new_function_is(of_people):
+    """The model gives a name another function; two people only add their own."""
+
+    def read(text, known):
+        return known.blocks(text)
+
+    old = "def a():\n    pass\n\n\nx = 1\n"
+    mine, new = old.replace("x = 1", "x = 2"), "def b():\n    pass\n\n\n" + old
+    versions = [Version(text, partial(read, text)) for text in (mine, old, new)]
+    assert by_line("arm/a.py", *versions, of_people=of_people).conflict is not of_people
 
 
 @pytest.mark.parametrize("path", AROUND)

@@ -48,6 +48,12 @@ def never_added(package):
     git(package, "commit", "-q", "-m", "Forget it")
 
 
+def repository_of_its_own(package):
+    (package / "config/arm.yaml").write_text("MINE: 1\n")
+    git(package / "config", "init", "-q")
+    commit(package / "config")
+
+
 def link_out_of_the_package(package):
     (package / "reach.py").unlink()
     (package / "reach.py").symlink_to("../outside.py")
@@ -91,6 +97,7 @@ def no_repository(package):
     [
         (ignored, "reach.py: not in git (ignored, or never added)", "not-in-git"),
         (never_added, "reach.py: not in git (ignored, or never added)", "not-in-git"),
+        (repository_of_its_own, "config/arm.yaml: not in git", "not-in-git"),
         (link_out_of_the_package, "reach.py: a link to", "link-out-of-package"),
         (folder_that_leads_out, "config: a link to", "link-out-of-package"),
         (link_to_what_git_does_not_have, "reach.py: a link to", "link-out-of-package"),

@@ -176,6 +176,18 @@ def test_rejected_conflict_is_said(arm, copier_command):
     assert "+FREQUENCY = 20" in (arm / "arm/reach_ros.py.rej").read_text()
 
 
+def test_file_that_is_as_it_was_is_not_written_again(tmp_path):
+    """Editors and builds look at its time."""
+    paths = ["a.py", "b.py"]
+    for path in paths:
+        (tmp_path / path).write_text("MINE = 1\n")
+    commit(tmp_path, "Begin")
+    before = [(tmp_path / path).stat().st_ino for path in paths]
+    result = Result({"a.py": File(b"MINE = 1\n"), "b.py": File(b"MINE = 1\n")})
+    take(tmp_path).put(result, set(), inline=True)
+    assert [(tmp_path / path).stat().st_ino for path in paths] == before
+
+
 @pytest.mark.parametrize("way", ["put", "restore"])
 def test_git_sees_a_file_of_the_same_size_that_is_written_in_the_same_second(tmp_path, way):
     """It compares contents where a file is not older than its index."""
