@@ -118,6 +118,14 @@ def test_what_git_could_not_bring_back_is_refused(package, situation, message, i
     refuse(package, ["other.py"], {}) if situation is not no_repository else None
 
 
+def test_message_names_three_files(package):
+    paths = [f"{name}.py" for name in "abcde"]
+    for path in paths:
+        (package / path).write_text("MINE = 1\n")
+    with pytest.raises(SpecError, match=r"^a\.py, b\.py, c\.py and 2 more: not in git"):
+        refuse(package, paths, {})
+
+
 def test_links_inside_of_the_package_are_fine(package):
     (package / "link.py").symlink_to("watch.py")
     commit(package)
