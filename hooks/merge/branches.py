@@ -341,7 +341,9 @@ def wrong_merge(joiner: Joiner, now: Tree) -> Branches | None:
     sides = {one: (joiner.files(one), joiner.made(one)) for one in parents}
     befores = [sides[one] for one in others]
     kept = {path for path in made.tree if made.is_kept(path)}
-    found = _stale(there, made.tree, befores) & _stale(now, made.tree, befores) - kept
+    found = _stale(there, made.tree, befores) - kept
+    if found:
+        found &= _stale(now, made.tree, befores)
     if len(parents) > 1:
         bases = git.merge_bases(package, *parents[:2])
         base = joiner.files(bases[0]) if bases else {}

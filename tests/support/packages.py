@@ -87,6 +87,14 @@ def without_tf(text):
     return re.sub(TF, "", text)
 
 
+def changed(text, *changes):
+    """Exchange a text for another, once for each pair."""
+    for old, new in changes:
+        assert old in text, f"no {old} in:\n{text}"
+        text = text.replace(old, new, 1)
+    return text
+
+
 def answers(package):
     return yaml.safe_load((package / ".copier-answers.yml").read_text())
 

@@ -4,7 +4,7 @@ import itertools
 import re
 import subprocess
 import textwrap
-from functools import partial
+from operator import methodcaller
 from pathlib import PurePosixPath
 
 import pytest
@@ -540,13 +540,9 @@ def test_lines_alone_do_not_tell_how_deep_they_are_in_what_the_other_puts_around
 @pytest.mark.parametrize("of_people", [True, False])
 def test_lines_alone_do_not_tell_whose_the_body_of_a_new_function_is(of_people):
     """The model gives a name another function; two people only add their own."""
-
-    def read(text, known):
-        return known.blocks(text)
-
     old = "def a():\n    pass\n\n\nx = 1\n"
     mine, new = old.replace("x = 1", "x = 2"), "def b():\n    pass\n\n\n" + old
-    versions = [Version(text, partial(read, text)) for text in (mine, old, new)]
+    versions = [Version(text, methodcaller("blocks", text)) for text in (mine, old, new)]
     assert by_line("arm/a.py", *versions, of_people=of_people).conflict is not of_people
 
 

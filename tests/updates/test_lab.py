@@ -246,7 +246,7 @@ def pairs(laboratory):
 @pytest.mark.parametrize("mutant", [*MUTANTS, *OF_HABITS], ids=lambda mutant: mutant.__name__)
 def test_the_judge_sees_a_wrong_merge(pairs, mutant):
     spoiled = []
-    options = {"ways": (), "always": [OF_HABITS[mutant]] if mutant in OF_HABITS else []}
+    options = {"ways": (), "always": {OF_HABITS.get(mutant)}}
 
     def spoil(*arguments):
         spoiled.append(mutant(*arguments))

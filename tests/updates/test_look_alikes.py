@@ -3,6 +3,7 @@
 import pytest
 
 from support.arm import SPEC
+from support.packages import changed
 from support.repository import commit
 
 UPDATE = '"""Compute the outputs of one cycle from the latest inputs."""\n'
@@ -17,10 +18,8 @@ def change(render, copier_command):
 
     def run(edits, spec, *change_of_spec, model="python_model", options=()):
         package = render(spec, name="arm", model=model)
-        for path, (old, new) in edits.items():
-            text = (package / path).read_text()
-            assert old in text, old
-            (package / path).write_text(text.replace(old, new, 1))
+        for path, edit in edits.items():
+            (package / path).write_text(changed((package / path).read_text(), edit))
         (package / "arm.ros_package").write_text(spec.replace(*change_of_spec, 1))
         commit(package, "Edit")
         result = copier_command("update", "--trust", "--defaults", *options, cwd=package)

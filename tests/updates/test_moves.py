@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 import pytest
 import yaml
 
+from support.packages import changed
 from support.repository import commit, git
 
 ABOUT = 'author="A" author_email="a@example.org" license="MIT"'
@@ -52,11 +53,7 @@ def move(copier_command):
 
 def change(package, path, *pairs):
     file = package / path
-    text = file.read_text()
-    for old, new in pairs:
-        assert old in text, f"{path} has no {old}:\n{text}"
-        text = text.replace(old, new, 1)
-    file.write_text(text)
+    file.write_text(changed(file.read_text(), *pairs))
 
 
 def left(said):

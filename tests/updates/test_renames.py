@@ -12,6 +12,7 @@ from hooks.merge.tree import File, encode
 from hooks.merge.versions import Versions
 from support.arm import SPEC
 from support.laboratory.trials import tree_of
+from support.packages import changed
 from support.repository import commit, git
 
 CYCLE = '        """Compute the outputs of one cycle from the latest inputs."""\n'
@@ -63,14 +64,6 @@ def merge(laboratory):
         return files, [*uses(*trees, result.tree, pair.renaming)]
 
     return run
-
-
-def changed(text, *changes):
-    """Exchange a text for another, once for each pair."""
-    for old, new in changes:
-        assert old in text
-        text = text.replace(old, new, 1)
-    return text
 
 
 def test_was_itself_is_no_use_of_the_old_name(arm, update):
@@ -247,7 +240,6 @@ MOVE = """<package name="m_msgs" author="A" author_email="a@b.org" description="
   </service>
 </package>
 """
-PLACES = ("speed", "angle")
 
 
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
@@ -260,11 +252,10 @@ def test_comments_go_with_fields_that_change_places(merge, distro):
         ('<field name="name"', '<field name="title" was="name"'),
         (f"<request><field {speed}", '<request><field name="pace" was="speed" type="float64"'),
     ]
-    named = {name: (f"float64 {name}\n", f"# my {name}\nfloat64 {name}\n") for name in PLACES}
-    both = ("float64 speed\n---\nfloat64 speed\n", "{0}float64 speed\n---\n{0}float64 speed\n")
+    of_speed, of_angle = (f"# my {name}\nfloat64 {name}\n" for name in ("speed", "angle"))
     edits = {
-        "msg/Move.msg": [*named.values()],
-        "srv/Plan.srv": [(both[0], both[1].format("# my speed\n"))],
+        "msg/Move.msg": [("float64 speed\n", of_speed), ("float64 angle\n", of_angle)],
+        "srv/Plan.srv": [("float64 speed\n---\nfloat64 speed\n", f"{of_speed}---\n{of_speed}")],
     }
     files, _ = merge(MOVE, changes, edits, "interfaces_model", distro)
     assert files["msg/Move.msg"].lstrip() == (

@@ -28,7 +28,7 @@ public:
     slot_->is_new = true;
   }
 
-  /// Swap a new message into `destination`; return whether there was one.
+  /// Take a new message by a swap, which frees none under the lock; return whether there was one.
   bool take(Message & destination) const
   {
     const std::lock_guard<std::mutex> lock(slot_->mutex);

@@ -37,7 +37,7 @@ namespace all_kinds
 class StopRequests
 {
 public:
-  /// Call `stop` at the first request, then give the process `limit` to end; before ros::start.
+  /// Call `stop` at the first request, then give the process `limit` to end.
   StopRequests(std::function<void()> stop, std::function<Stop::Seconds()> limit)
   : stop_(std::move(stop)),
     limit_(std::move(limit))
@@ -45,7 +45,7 @@ public:
     sem_init(&wake_up(), 0, 0);
     std::signal(SIGINT, handle_signal);
     std::signal(SIGTERM, handle_signal);
-    // ros::start does not replace it: it binds only names that are not bound yet.
+    // Before ros::start, which binds only names that are not bound yet.
     ros::XMLRPCManager::instance()->bind("shutdown", handle_shutdown);
     thread_ = std::thread([this] {wait();});
   }
