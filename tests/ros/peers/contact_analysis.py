@@ -10,6 +10,7 @@ import time
 NODE = "contact_evaluate"
 CONTACTS = {"toe": (0.1, 0.02, 0.0), "heel": (-0.1, 0.0, 0.0)}
 UNTIL_CANCELED = 0.0
+ENOUGH = 10  # feedback for a majority: 3 % of the centers lie outside their contact
 _, peer_name, part, folder = sys.argv
 peer = importlib.import_module(peer_name).Peer()
 cop = peer.publisher("cop", "geometry_msgs/msg/Point")
@@ -62,8 +63,8 @@ def evaluated(center):
             evaluation = goal("evaluate", duration=duration)
             outcome, result = evaluation.answer()
         assert outcome == "succeeded", outcome
-        if evaluation.feedback:
-            break  # on a busy machine half a second may bring none
+        if len(evaluation.feedback) >= ENOUGH:
+            break  # on a busy machine half a second may not bring it
     last = evaluation.feedback[-1].cop
     assert abs(last.x - center[0]) < 0.02, last
     return result.contact
@@ -113,7 +114,7 @@ def remember():
         assert evaluated(CONTACTS["heel"]) == "heel"
     evaluation = goal("evaluate", duration=UNTIL_CANCELED)
     with measuring(CONTACTS["heel"]):
-        wait_for(lambda: evaluation.feedback, "no feedback")
+        wait_for(lambda: len(evaluation.feedback) >= ENOUGH, "no feedback")
     evaluation.cancel()
     outcome, result = evaluation.answer()
     assert (outcome, result.contact) == ("canceled", "heel"), (outcome, result)
