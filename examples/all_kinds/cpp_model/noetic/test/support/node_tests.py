@@ -290,14 +290,18 @@ class NodeTests:
                 found = self.node.got(f'receive_{name}')
                 return [list(map(decode, texts, types)) for texts in found]
 
+            def reach(*apart):
+                """Return whether what belongs together, and nothing else, reaches the logic."""
+                count = len(got())
+                sent = [(send(each), each <= slop) for each in apart]
+                expected = [messages for messages, together in sent if together]
+                eventually(lambda: expected[-1] in got(), TIMEOUT / 3)
+                return got()[count:] == expected
+
             self.assertTrue(eventually(lambda: send() and got()), name)
-            near, next_one = send(slop / 2), send()
-            self.assertTrue(eventually(lambda: next_one in got()), name)
-            send(2 * slop or 0.5)
-            last = send()
-            self.assertTrue(eventually(lambda: last in got()), name)
-            start = got().index(near)
-            self.assertEqual(got()[start:], [near, next_one, last])
+            for apart in (slop / 2, 2 * slop or 0.5):
+                # Best effort may lose a message.
+                self.assertTrue(any(reach(apart, 0.0) for _ in range(3)), f'{name}: {apart} s')
 
     def release(self, count=1):
         """Let callbacks go on that block, or are about to."""
