@@ -1823,6 +1823,17 @@ def test_call_of_a_server_that_is_killed(stage):
     node.expect("[ERROR]")
 
 
+@pytest.mark.parametrize("seconds", [0.2, 60.0])
+def test_calls_of_many_threads(stage, seconds):
+    """Each has its answer, and none when the node stops, however many there are at once."""
+    stage.serve(seconds=seconds)
+    node = stage.active("once update: calls 40 30")
+    if seconds == 60.0:
+        wait_for(lambda: stage.peer.served_log(name=stage.name("ask")), node.story)
+        assert node.stop() == 0, node.story()
+    assert node.value("update", "calls") == (40 if seconds < 1.0 else 0), node.story()
+
+
 def test_call_after_the_end_of_a_server(stage):
     """A dead server counts as none, though its address is known: the call waits for the next."""
     only_ros1(stage, "ROS 2 sends a request without a connection")

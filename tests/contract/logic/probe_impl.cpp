@@ -3,10 +3,12 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
+#include <future>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "contract/ros_places.hpp"
 
@@ -73,6 +75,9 @@ ProbeImpl::ProbeImpl(const ProbePassthrough & passthrough)
         }},
       {"keep", [this](const auto & a) {return publish(*passthrough_.pub_kept, a.at(0));}},
       {"call", [this](const auto & a) {return call(std::stod(a.at(0)));}},
+      {"calls", [this](const auto & a) {
+          return calls(std::stoul(a.at(0)), std::stod(a.at(1)));
+        }},
       {"send", [this](const auto & a) {return json(send(std::stoi(a.at(0))));}},
       {"cancel", [this](const auto &) {
           passthrough_.action_delegate->cancel();
@@ -123,6 +128,19 @@ std::string ProbeImpl::call(double seconds)
   const auto answer = passthrough_.client_ask->call(
     probe_types::ClientAsk::Request(), duration(seconds));
   return answer ? json(answer->message) : "null";
+}
+
+std::string ProbeImpl::calls(std::size_t count, double seconds)
+{
+  std::vector<std::future<std::string>> answers(count);
+  for (auto & answer : answers) {
+    answer = std::async(std::launch::async, [&] {return call(seconds);});
+  }
+  int answered = 0;
+  for (auto & answer : answers) {
+    answered += answer.get() != "null";
+  }
+  return std::to_string(answered);
 }
 
 bool ProbeImpl::send(int order)

@@ -35,6 +35,7 @@ public:
 
 private:
   std::string call(double seconds);
+  std::string calls(std::size_t count, double seconds);
   bool send(int order);
   std::string wait(const std::string & state);
   std::string goal(int order);

@@ -2,6 +2,7 @@
 
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import contract.places  # noqa: F401
 from contract.behaviour import Behaviour
@@ -23,6 +24,7 @@ class ProbeImpl:
                 "shout": lambda length: self.publish("x" * int(length)),
                 "keep": self.keep,
                 "call": self.call,
+                "calls": self.calls,
                 "send": self.send,
                 "cancel": self.delegate.cancel,
                 "state": lambda: self.delegate.state,
@@ -59,6 +61,12 @@ class ProbeImpl:
     def call(self, seconds):
         answer = self.passthrough.client_ask.call(ClientAskRequest(), timeout=float(seconds))
         return answer.message if answer else None
+
+    def calls(self, count, seconds):
+        """Call in as many threads at the same time; return how many have an answer."""
+        with ThreadPoolExecutor(int(count)) as pool:
+            answers = pool.map(self.call, [seconds] * int(count))
+        return sum(answer is not None for answer in answers)
 
     def send(self, order):
         """Send a goal once there is a server, without waiting for its end."""

@@ -41,8 +41,8 @@ protected:
   std::optional<Response> wait_for_response(const Request & request, Seconds timeout) override
   {
     const auto end = Stop::deadline(timeout);
-    const auto caller = take_caller();
-    if (!caller) {
+    ServiceCaller * caller = nullptr;
+    if (!stop_.wait_until(end, [&] {return (caller = take_caller()) != nullptr;})) {
       return std::nullopt;
     }
     const auto serialized = caller->call(ros::serialization::serializeMessage(request), end);
@@ -55,10 +55,10 @@ protected:
   }
 
 private:
-  /// Calls at the same time; there are more only when roscpp itself is blocked.
-  static constexpr std::size_t MAX_CALLERS = 8;
+  /// Further calls wait. Calls may pile up where roscpp blocks, as the master does not answer.
+  static constexpr std::size_t MAX_CALLERS = 32;
 
-  /// Return a caller without a call: there are as many as there have been calls at the same time.
+  /// Return a caller without a call, if there may be one.
   ServiceCaller * take_caller()
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -96,13 +96,13 @@ private:
       }
       lock.unlock();
       auto response = response_to(*call);
-      lock.lock();
-      call_ = nullptr;
-      taken_ = false;
       stop_.change(
         [&] {
           call->response = std::move(response);
           call->done = true;
+          lock.lock();
+          call_ = nullptr;
+          taken_ = false;
         });
     }
   }
