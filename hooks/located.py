@@ -58,7 +58,7 @@ def load_located(file: Path) -> Any:
     except UnicodeDecodeError:
         raise SpecError(f"{file}: not UTF-8 text; save it as UTF-8", "not-utf-8") from None
     except yaml.MarkedYAMLError as error:
-        mark = error.problem_mark or error.context_mark
+        mark = error.problem_mark
         why = ", ".join(filter(None, (error.problem, error.context)))
         line = f":{mark.line + 1}" if mark else ""
         raise SpecError(f"{file}{line}: not YAML: {why}", "not-yaml") from None

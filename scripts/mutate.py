@@ -323,7 +323,7 @@ def attempt(tried: list[Mutant], folder: Path, jobs: int) -> list[Mutant]:
         for mutant, lives in zip(tried, pool.map(survives, tried), strict=True):
             if lives:
                 survivors.append(mutant)
-                print(f"survives  {mutant}", flush=True)
+                print(f"survives  {mutant}  (line {mutant.lines.start})", flush=True)
     return survivors
 
 

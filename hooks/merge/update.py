@@ -139,7 +139,7 @@ class Update:
         if not branches.merge:
             paths = {p for p, mode in self.snapshot.modes.items() if mode != SUBMODULE}
             paths |= {*result.tree, self.answers_file}
-            git.stage(self.package, sorted(paths - {*result.conflicts}))
+            git.stage(self.package, paths - {*result.conflicts})
         said = [_noted(branches)] if branches.merge else []
         said += changed_answers(self.answers, joiner.answers)
         now: Contexts = (self.answers.get("spec") or {}, joiner.answers["spec"])
