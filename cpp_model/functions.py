@@ -36,13 +36,12 @@ def dependencies_from_interface(
     if ros1 and kind == "dynParameter" and name in _RESERVED:
         what = f'dynamic_reconfigure cannot make a parameter "{name}"; choose another'
         raise ValueError(what, "not-in-dynamic-reconfigure")
-    tf2_msgs = [] if ros1 else ["tf2_msgs"]
     packages = {
         "actionServer": ["actionlib" if ros1 else "rclcpp_action"],
         "actionClient": ["actionlib", "actionlib_msgs"] if ros1 else ["rclcpp_action"],
         "dynParameter": ["dynamic_reconfigure"] if ros1 else [],
-        "listener": ["geometry_msgs", "tf2", "tf2_ros", *tf2_msgs],
-        "broadcaster": ["geometry_msgs", "tf2_ros", *tf2_msgs],
+        "listener": ["geometry_msgs", "tf2", "tf2_ros", *([] if ros1 else ["tf2_msgs"])],
+        "broadcaster": ["geometry_msgs", "tf2_ros"],
         "synchronizer": ["message_filters"],
     }.get(kind, [])
     type_ = attributes.get("type", "")

@@ -27,8 +27,8 @@ def dependencies_from_interface(
         ),
         "serviceClient": ["rosgraph"] if ros1 else [],
         "dynParameter": ["dynamic_reconfigure"] if ros1 else [],
-        "listener": ["geometry_msgs", "tf2_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
-        "broadcaster": ["geometry_msgs", "tf2_msgs", *(["tf2_ros"] if ros1 else [])],
+        "listener": ["geometry_msgs", "tf2_ros" if ros1 else "tf2_ros_py"],
+        "broadcaster": ["geometry_msgs", "tf2_ros" if ros1 else "tf2_msgs"],
         "synchronizer": ["message_filters"],
     }.get(kind, [])
     if ros1 and (attributes.get("topic_parameter") or attributes.get("for_each")):

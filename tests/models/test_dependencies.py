@@ -1,5 +1,6 @@
 """What the code and the tests of a package import is in the package or in its package.xml."""
 
+import re
 import xml.etree.ElementTree as ET
 
 import pytest
@@ -12,6 +13,8 @@ from support.repository import ROOT
 from support.soundness import check_imports
 
 MADE = {name: Model(ROOT / name) for name in MODELS}
+OTHERWISE = {"launch_ros", "launch_xml", "tf2_ros_py"}
+"""What reads launch files, and has a module of another name."""
 KINDS = [(name, owner) for name, model in MADE.items() for owner in model.owners if owner.kind]
 each_ros = pytest.mark.parametrize("distro", ["noetic", "kilted"])
 
@@ -39,9 +42,23 @@ def test_of_a_node_without_interfaces(renderers, tmp_path, model, attribute, dis
     check_parts(renderers, tmp_path, spec, model, distro)
 
 
+def check_needed(texts):
+    """What the package itself depends on, and not its tests alone, is named outside of those."""
+    kinds = ("depend", "build_depend", "exec_depend")
+    wanted = {e.text for e in ET.fromstring(texts["package.xml"]) if e.tag in kinds}
+    used = "".join(
+        text
+        for path, text in texts.items()
+        if path.endswith((".cfg", ".cpp", ".hpp", ".launch", ".py", ".xml"))
+        and not path.startswith(("test/", "package.xml"))
+    )
+    assert {name for name in wanted - OTHERWISE if not re.search(rf"\b{name}\b", used)} == set()
+
+
 def check_parts(renderers, folder, spec, model, distro):
     texts = renderers[model].render(MADE[model].context(spec, distro), distro)
     write(folder, texts)
     check_imports(folder, distro)
+    check_needed(texts)
     code = {path: text for path, text in texts.items() if path.endswith((".cpp", ".hpp", ".py"))}
     check_own_files(code, ET.fromstring(texts["package.xml"]).findtext("name"))
