@@ -6,6 +6,7 @@ import functools
 import itertools
 import re
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 import yaml
 
@@ -23,9 +24,7 @@ def yaml_blocks(text: str) -> list[Block]:
     lines = split(text)
     spans: list[Span] = []
     for node in filter(None, nodes):
-        end = _index(node.end_mark)  # of a document: before `---` or `...`
-        until = len(lines) if end == len(text) else text.count("\n", 0, end)
-        spans += _keys(text, lines, node, until)
+        spans += _keys(text, lines, node, _ends(text, node))  # before `---` or `...`
     return arrange(lines, spans, 0, len(lines))
 
 
@@ -35,16 +34,14 @@ def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Itera
         return
     is_map = isinstance(node, yaml.MappingNode)
     entries = node.value if is_map else [(item, item) for item in node.value]
-    starts = [text.count("\n", 0, _index(key.start_mark)) for key, _ in entries]
-    above = [text.count("\n", 0, _index(node.start_mark)) - 1, *starts]
-    if any(one >= other for one, other in itertools.pairwise(above)):
+    starts = [_line(text, key) for key, _ in entries]
+    if any(one >= other for one, other in itertools.pairwise(starts)):
         return  # a member is an alias, of which the parser says where the anchor is
     for (key, value), start, end in zip(entries, starts, [*starts[1:], until], strict=True):
         column = margin(lines[start])
-        written = 0  # the lines of a text, where a number sign begins no comment
         is_here = _index(value.start_mark) >= _index(key.start_mark)  # no alias of another
-        if isinstance(value, yaml.ScalarNode) and is_here:
-            written = text.count("\n", 0, _index(value.end_mark))
+        # In a text a number sign begins no comment.
+        written = _ends(text, value) if isinstance(value, yaml.ScalarNode) else start
         while not (line := lines[end - 1].lstrip()) or (
             line.startswith("#") and end > written and margin(lines[end - 1]) <= column
         ):
@@ -70,7 +67,7 @@ def _first_entry(text: str, member: yaml.Node, is_nested: bool) -> str:
     parts = entry if isinstance(entry, tuple) else (entry,)
     start = text.rfind("\n", 0, _index(member.start_mark)) + 1
     until = max(_index(part.end_mark) for part in parts)
-    rest = re.split(r"\s#|\n", text[until:], maxsplit=1)[0]  # of an alias
+    rest = re.split(r"\s#|\n", text[until:])[0]  # of an alias
     return "" if "\n" in text[start:until] else text[start:until] + rest
 
 
@@ -110,8 +107,8 @@ def cmake_blocks(text: str) -> list[Block]:
                 key = " ".join(filter(None, (key, *(first.groups() if first else ()))))
             if name.lower() in ("if", "elseif"):
                 key = squeezed(command)
-            ends = text.count("\n", 0, match.end()) + 1
-            spans.append(Span(key, text.count("\n", 0, start), ends))
+            at, rest = text[:start].count("\n"), command.count("\n")
+            spans.append(Span(key, at, at + rest + 1))
     if depth:
         raise ValueError("a parenthesis that nothing closes")
     return arrange(lines, nested(spans, _role), 0, len(lines), _CMAKE_COMMENTS)
@@ -203,9 +200,19 @@ def _meaning(text: str) -> list[object]:
     return [*found, *_comments(text[at:])]
 
 
-def _index(mark: object) -> int:
+def _line(text: str, node: yaml.Node) -> int:
+    """Return the line that a node begins on, the first counted 0."""
+    return text[: _index(node.start_mark)].count("\n")
+
+
+def _ends(text: str, node: yaml.Node) -> int:
+    """Return how many lines there are up to the end of a node."""
+    return len(split(text[: _index(node.end_mark)]))
+
+
+def _index(mark: Any) -> int:
     """Return which character a mark of the parser stands for, in a text it has been given."""
-    return int(getattr(mark, "index", 0))
+    return int(mark.index)
 
 
 def _comments(text: str) -> list[str]:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from hooks.merge.blocks import every
 from hooks.merge.languages import CPP, MARKDOWN, PYTHON, language
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
@@ -480,6 +481,39 @@ LIST = """publishers:
 def test_aliases_in_a_list_are_where_they_are_written(text):
     blocks = language("a.yaml", text).blocks(text)
     assert "".join(block.text for block in blocks) == text
+
+
+PARTS = [
+    ["\n---\na: 1\n", "---\nb: 2\n"],
+    ['a: "x\n# y"\n', "b: |\n  1\n", "\n# c\nc: 2\n"],
+    ["\na:\n", "  b: 1\n", "  # b\n", "# c\nc: 2\n", "...\n"],
+    ["a:\n  {b: 1,\n  c: 2}\n", "d: &d\n", "  e: 1\n", "f: *d\n"],
+    ["&x a:\n  - *x\n  - 2\n"],
+    ["- &x a: 1\n- *x\n"],
+    ["- - a\n", "  - b\n", "- c: 1\n", "  d: 2\n", "- ? e\n  : 3\n", "- f\n"],
+]
+
+
+@pytest.mark.parametrize("parts", PARTS)
+def test_parts_of_yaml(parts):
+    """Each key has the lines below it, and the comment above; what shares a line is one part."""
+    blocks = language("a.yaml", "").blocks("".join(parts))
+    assert ["".join(block.lines) for block in every(blocks)] == parts
+
+
+NAMES = {
+    "a: &x 1  # y\n? [b, c]\n: 2\n": ["a", "? [b, c] : 2"],
+    "- &x a  # b\n- c\n  d\n- a\n- a\n": ["- &x a", "- c d", "- a", "- a #2"],
+    "- a: 1\n  b: 2\n- c: {d: 1,\n      e: 2}\n": ["- a: 1", "- c: {d: 1, e: 2}"],
+    "\n- - a  # b\n  - c\n-\n  d: 1\n": ["- - a", "d: 1"],
+    "- &x a\n- b: *x  # b\n  c: 1\n- d: *x\n": ["- &x a", "- b: *x", "- d: *x"],
+}
+
+
+@pytest.mark.parametrize(("text", "names"), NAMES.items())
+def test_names_of_parts_of_yaml(text, names):
+    """A key by itself; a member of a list by its first line, but for a comment."""
+    assert [block.key for block in language("a.yaml", "").blocks(text)] == names
 
 
 def test_members_of_a_list_are_known_by_their_first_entries():
