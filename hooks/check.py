@@ -359,16 +359,16 @@ class _Checker:
         return item
 
     def check_depend(self, element: Element) -> None:
-        kind = element.attributes.get(DEPEND_KIND)
+        kind = element.attributes.get(DEPEND_KIND, "")
         if set(element.attributes) - {DEPEND_KIND} or element.children:
             form = f'<{DEPEND}>std_msgs</{DEPEND}>, with {DEPEND_KIND}="exec" and the like'
             self.fault(element, f"takes a package name: {form}", "wrong-depend")
             return
-        if kind is not None and kind not in DEPENDENCY_KINDS:
+        if DEPEND_KIND in element.attributes and kind not in DEPENDENCY_KINDS:
             fault = f"unknown {quoted(kind)}; {allowed(kind, DEPENDENCY_KINDS)}"
             self.fault(element, f"{DEPEND_KIND}: {fault}", "unknown-choice")
         try:
-            self.spec.depends.append((kind or "", dependency(element.text)))
+            self.spec.depends.append((kind, dependency(element.text)))
         except SpecError as error:
             self.fault(element, error.text, error.id)
 

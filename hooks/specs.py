@@ -51,8 +51,8 @@ class Specs:
             questions.check_options(["spec"], self.root)
         known = {"model": self._choices(), "ros_distro": list(DISTROS)}
         answers = {**run.package.answers(), **run.given}
-        model = str(answers.get("model") or "")
-        is_other = model and known["model"] and model not in known["model"]
+        model = str(answers.get("model", ""))
+        is_other = model not in ("", *known["model"])
         if is_other and (self.root / model / "copier.yml").is_file():
             how = f"copy it from its own address; {model}/README.md has the command"
             raise SpecError(f"model: {model} is a template by itself; {how}", "unknown-choice")

@@ -129,15 +129,13 @@ class Joiner:
         found = git.files_of(self.package, commit)
         return {path: file for path, file in found.items() if path != self.answers_file}
 
-    def versions(
-        self, mine: Tree, answers: Mapping[str, Any], contexts: Contexts | None = None
-    ) -> Versions:
+    def versions(self, mine: Tree, answers: Mapping[str, Any], contexts: Contexts) -> Versions:
         """Render what a package was made of, and what it is to be.
 
-        `contexts`, by default those of the answers, say what was renamed.
+        `contexts` say what was renamed.
         """
         old, new = self.renderer.recorded(answers), self.renderer.fresh(self.answers)
-        before, after = contexts or (answers.get("spec") or {}, self.answers["spec"])
+        before, after = contexts
         named = {**answers, "spec": before}
         renaming = plan_renames(named, after, self.dictionary, old.tree, mine, self.renderer)
         renaming.follow(self.moved, old.tree, new.tree)

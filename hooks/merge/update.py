@@ -85,7 +85,8 @@ class Update:
         if branches and branches.ours:
             joiner.check(branches, given)
             return self._joined(joiner, branches, joiner.join(branches, mine), inline)
-        made = joiner.versions(mine, self.answers)
+        contexts = (self.answers.get("spec") or {}, joiner.answers["spec"])
+        made = joiner.versions(mine, self.answers, contexts)
         notes = []
         if branches:  # each file on what it was made of
             before = joiner.made(branches.theirs)
@@ -99,7 +100,6 @@ class Update:
         proof = made.proof(result, found)
         self._insist(made, result, found, proof)
         said = [*notes, *changed_answers(self.answers, joiner.answers)]
-        contexts = (self.answers.get("spec") or {}, joiner.answers["spec"])
         said += changes(*contexts, joiner.dictionary)
         still = self._still(contexts, joiner, made, found)
         return report(self.package, self.snapshot.files, found, result, said, still, proof)

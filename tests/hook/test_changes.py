@@ -143,8 +143,12 @@ def test_answers_that_changed():
 
 def test_marks_of_what_was_renamed(dictionary):
     """Of an interface, its component has one, too; and what is the same as the name has its."""
-    old = spec(node("n", A, B), node("o", A, executable="a"), node("p", A))
-    new = spec(node("n", ("c", "T", "a"), B), node("q", A, executable="a", was="o"), node("p", A))
+    old = spec(node("n", A, B, rate="n"), node("o", A, executable="a"), node("p", A))
+    new = spec(
+        node("n", ("c", "T", "a"), B, rate="n"),
+        node("q", A, executable="a", was="o"),
+        node("p", A),
+    )
     context, marks = marked(old, new, dictionary)
     assert marks == [
         Mark("n", "n", "component"),
@@ -153,6 +157,7 @@ def test_marks_of_what_was_renamed(dictionary):
     ]
     first, second, third = context["nodes"]
     assert (first["name"], first["executable"], first["class_name"]) == ("zq0x", "zq0x", "Zq0x")
+    assert first["rate"] == "n"
     assert [topic["name"] for topic in first["topics"]] == ["zq1x", "b"]
     assert (second["name"], second["executable"]) == ("zq2x", "a")
     assert second["topics"][0]["name"] == "a"

@@ -97,7 +97,10 @@ def test_reserved_inside_of_a_node(model, inside):
 @pytest.mark.parametrize(
     ("one", "other", "said"),
     [
-        ("axis", "axis.x", '"axis" is a parameter itself, at line 3'),
+        (
+            *("axis", "axis.x"),
+            '"axis" is a parameter itself, at line 3, so that nothing can be below it; rename one',
+        ),
         ("axis.x", "axis.x.max", '"axis.x" is a parameter itself, at line 3'),
         ("axis.x", "axis", '"axis" is a parameter itself, at line 4'),
         ("axis.x", "axis_x", '"axis_x" is already taken by "axis.x" at line 3'),

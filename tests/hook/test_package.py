@@ -37,6 +37,11 @@ def test_another_spec_is_given(package, tmp_path):
         package.spec_file(str(other))
 
 
+def test_spec_at_an_address_is_not_read(package):
+    with pytest.raises(SpecError, match=r"^https://a\.b/c\.xml: an address is not read; download"):
+        package.spec_file("https://a.b/c.xml")
+
+
 def test_package_has_lost_its_spec(package):
     (package.folder / package.answers_file).write_text("a: 1\n")
     assert package.answers() == {"a": 1}

@@ -289,7 +289,12 @@ def test_base_of_branches_that_have_merged_each_other(team):
 )
 def test_answer_that_differs_is_to_be_given(team, ours, theirs, now, given, said):
     """That which one side has changed; "a" is the one that both come from."""
-    recorded = {"ours": {"license": ours}, "theirs": {"license": theirs}, "base": {"license": "a"}}
+    sides = {"ours": ours, "theirs": theirs, "base": "a"}
+    # The addresses and specs of both may differ, too.
+    recorded = {
+        side: {"license": one, "_src_path": side, "spec": {"name": side}}
+        for side, one in sides.items()
+    }
     joiner = team.joiner(*BOTH, license=now)
     joiner.recorded = recorded.get
     branches = Branches("ours", "theirs", ["base"])
@@ -687,7 +692,10 @@ class Sides(Joiner):
         return {}
 
     def result(self, first, second):
-        return self.join(Branches(first, second, []), {}).result
+        spec = {SPEC: File(b"<arm/>\n")}
+        result = self.join(Branches(first, second, []), spec).result
+        assert {SPEC: result.tree.pop(SPEC)} == spec
+        return result
 
 
 @pytest.mark.parametrize("branches", [("moved", "tuned"), ("tuned", "moved")])

@@ -4,6 +4,7 @@ import posixpath
 
 import pytest
 
+from hooks.merge.merging import conflict
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
 from hooks.merge.recount import recount
@@ -48,6 +49,14 @@ def test_kept_file_stays_as_it_is():
     result = merge(MINE.encode(), OLD.encode(), NEW.encode(), kept=PATH)
     assert result.tree[PATH].data == MINE.encode()
     assert merge(None, OLD.encode(), NEW.encode(), kept=PATH).tree[PATH].data == NEW.encode()
+
+
+@pytest.mark.parametrize("way", [None, conflict])
+def test_file_that_is_to_be_a_conflict_is_one_among_developers(way):
+    sides = [{PATH: File(text.encode())} for text in (MINE, OLD, NEW)]
+    ways = {PATH: way} if way else {}
+    result = merge_package(*sides, Renaming(), {""}.__contains__, ways, of_people=True)
+    assert [*result.conflicts] == [*ways]
 
 
 def test_binary_data_is_never_merged():

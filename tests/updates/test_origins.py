@@ -92,6 +92,8 @@ CPP_FOREIGN = [
     "#include <lab/mine.hpp>\nusing vendor::ReachData;\nReachData a;\nint b = a.in_goal;\n",
     "#include <lab/mine.hpp>\nusing namespace vendor;\nReachData a;\n",
     "ReachData a;\n",
+    "#include <lab/mine.hpp>\nlab::vendor::ReachData a;\n",
+    "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nstruct B : A\n{\n};\n",
 ]
 CPP_OURS = {
     '#include "lab/reach_interface.hpp"\nint f(const lab::ReachData & d) {d.in_goal;}\n': (
@@ -102,6 +104,12 @@ CPP_OURS = {
     ),
     "#include <lab/reach_impl.hpp>\nauto i = make<lab::ReachImpl>();\ni->receive_say(m);\n": (
         "#include <lab/grasp_impl.hpp>\nauto i = make<lab::GraspImpl>();\ni->receive_speak(m);\n"
+    ),
+    "#include <lab/mine.hpp>\nauto a = &lab::ReachData::in_goal;\n": (
+        "#include <lab/mine.hpp>\nauto a = &lab::GraspData::in_target;\n"
+    ),
+    "#include <lab/mine.hpp>\nstruct A : lab::ReachData\n{\n  int b = in_goal;\n};\n": (
+        "#include <lab/mine.hpp>\nstruct A : lab::GraspData\n{\n  int b = in_target;\n};\n"
     ),
     '#include "reach_interface.hpp"\n': '#include "grasp_interface.hpp"\n',
     "void f() {data_.in_goal = this->config_.gain + config->gain;}\n": (

@@ -214,6 +214,33 @@ def test_cpp_of_the_developer_stays_whole(suffix, edit, change):
     assert found.replace(kept, before if after in found else "").split() == new.split()
 
 
+PARTS_OF_CPP = {
+    "ARM_API(1)\nvoid f();\nARM_API(2)\n\nvoid g();\n": ["f()", "ARM_API ( 2 )", "g()"],
+    "ARM_API(1)\nclass A\n{\n};\n": ["ARM_API ( 1 )", "class A"],
+    "ARM_API(1)\n#if A\n#endif\nARM_API(1)\n\n#if B\n#endif\n": [
+        *("#if A", "then", "ARM_API ( 1 )", "#if B", "then")
+    ],
+    "namespace a\n{\nint b;\n}\nnamespace a {int c;}\nint d;\n": ["namespace a", "variable d"],
+    "namespace a {int c;}\nnamespace a\n{\nint b;\n}\n": ["namespace a"],
+    "namespace a\n{\nint b;\n}\nnamespace a\n{\nint c;\n}\n": [
+        *("namespace a", "variable b", "{ namespace a", "variable c")
+    ],
+    "namespace a {\nnamespace b {\nint c;\n}}\n": ["namespace a", "variable c"],
+    "namespace a { namespace b {\nint c;\n}\n}\n": ["namespace a", "variable c"],
+    "namespace a {\nnamespace b {\nint c;\n}\nint d; }\n": ["namespace a"],
+    "namespace a { int c;\nint d;\n}\n": ["namespace a"],
+    "template<A a = A{}, class B>\nstruct C;\n": ["struct C"],
+    "template<int a = (1 > 2), class B>\nstruct C;\n": ["struct C"],
+    "template<int a = b[1 > 0], class B>\nstruct C;\n": ["struct C"],
+}
+
+
+@pytest.mark.parametrize(("text", "names"), PARTS_OF_CPP.items())
+def test_parts_of_cpp(text, names):
+    """Only what has lines of its own is one; a macro is no more than the line below it."""
+    assert [block.key for block in every(CPP.blocks(text))] == names
+
+
 REMOVED = {
     "attribute": "__attribute__((hot)) void",
     "attribute of the standard": "[[gnu::hot]] void",

@@ -130,6 +130,17 @@ def test_fault_is_seen(fault):
     assert path in {place for place, _ in counted(spoil)}
 
 
+def test_deleted_line_that_stands_elsewhere_too_is_not_to_come_back():
+    texts = ["a:\n  gain: 1\n  rate: 2\nb:\n  gain: 1\n  rate: 2\n"]
+    texts.append(texts[0].replace("gain: 1", "gain: 3", 1))
+    mine = texts[0].replace("b:\n  gain: 1\n", "b:\n")
+    sides = [{"a.yaml": File(encode(text))} for text in (mine, *texts)]
+    result = merge_package(*sides, Renaming(), {""}.__contains__)
+    right = recount(*sides, Renaming(), {""}.__contains__, result, result.tree, [])
+    wrong = recount(*sides, Renaming(), {""}.__contains__, result, sides[2], [])
+    assert (right, {*wrong}) == ([], {("a.yaml", "gain: 1 (deleted)")})
+
+
 def test_files_are_counted_too():
     def remove(tree):
         del tree["src/worker_impl.cpp"]
