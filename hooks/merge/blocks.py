@@ -184,6 +184,8 @@ def _close_gaps(blocks: list[Block]) -> list[Block]:
             continue
         block.lines = gap + block.lines
         gap = []
+        while is_comment(block.key) and not block.lines[-1].strip():
+            gap.insert(0, block.lines.pop())
         closed.append(block)
     if gap and closed:
         last = closed[-1]

@@ -196,7 +196,7 @@ class _Merger:
                 merged += lines.split(names)
             if is_comment(last) and last not in theirs and _touch(merged[end - 1 : end + 1]):
                 merged.insert(end, "\n")  # or the comment would be about what follows it now
-            last = key
+            last = key if merged[end:] else last
         return merged
 
     def left(self, mine: Block, old: Block) -> Merged:

@@ -494,6 +494,17 @@ def test_own_comment_above_a_generated_item_is_no_conflict(path, own, change):
     assert found.replace(words.strip(), "", 1).split() == new.split()
 
 
+def test_own_comment_and_what_follows_it_keep_one_empty_line_between_items():
+    """Where a new function comes after the comment, as after one that was commented out."""
+    old = "class A:\n    def a(self):\n        pass\n\n    def z(self):\n        pass\n"
+    last = "    def z("
+    mine = changed(old, (last, f"    # def b(self):\n    #     pass\n\n{last}"))
+    new = changed(old, (last, f"    def c(self):\n        pass\n\n{last}"))
+    is_merged, found, _ = merge("a.py", mine, old, new)
+    assert is_merged
+    assert found == changed(mine, (last, f"    def c(self):\n        pass\n\n{last}"))
+
+
 LIST = """publishers:
   - name: speed
     type: std_msgs/msg/Float64
