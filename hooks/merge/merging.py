@@ -32,6 +32,8 @@ class Outcome:
     """The blocks of the new version that the developer has deleted."""
     own: list[str] = field(default_factory=list)
     """The blocks that both sides have made, of which the developer's stays."""
+    gone: list[str] = field(default_factory=list)
+    """The blocks that neither side has any longer; the developer may have comments of them."""
 
     @property
     def conflict(self) -> bool:
@@ -78,7 +80,7 @@ def merge(
             merged = merger.sequence(*sides)
             if readable(known, merged):
                 missing = [] if of_people else [*_deleted(*sides)]
-                return Outcome(merged, merger.removed, missing, merger.own)
+                return Outcome(merged, merger.removed, missing, merger.own, merger.gone)
         except BothAroundError:
             outcome = by_line(path, mine, old, new, of_people)
             return outcome if outcome.conflict else conflict(path, mine, old, new)
@@ -169,6 +171,7 @@ class _Merger:
         self.language, self.of_people = known, of_people
         self.removed: list[str] = []
         self.own: list[str] = []
+        self.gone: list[str] = []
 
     def sequence(
         self, mine: Sequence[Block], old: Sequence[Block], new: Sequence[Block]
@@ -194,6 +197,8 @@ class _Merger:
             elif self.language is PYTHON and key in theirs and key.startswith("from "):
                 names = python_blocks.import_of_new(base[key].text, theirs[key].text)
                 merged += lines.split(names)
+            elif key not in theirs:
+                self.gone.append(block_name(key))
             if is_comment(last) and last not in theirs and _touch(merged[end - 1 : end + 1]):
                 merged.insert(end, "\n")  # or the comment would be about what follows it now
             last = key if merged[end:] else last

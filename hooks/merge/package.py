@@ -43,6 +43,8 @@ class Result:
     """By path, the parts of the new version that the developer has deleted; "" is all of it."""
     own: dict[str, list[str]] = field(default_factory=dict)
     """By path, the parts that both sides have made, of which the developer's stay."""
+    gone: dict[str, list[str]] = field(default_factory=dict)
+    """By path of before, the parts that neither side has any longer."""
     rejected: Tree = field(default_factory=dict)
     """Of the files in conflict, what was not merged, as a patch."""
     settled: Tree = field(default_factory=dict)
@@ -180,7 +182,12 @@ class _Package:
             # What a developer puts around code, the merge follows on the one side alone.
             other = merge(path, *versions[::-1], True)
             outcome = outcome if other.conflict else other
-        for name, key in (("removed", source), ("missing", path), ("own", path)):
+        for name, key in (
+            ("removed", source),
+            ("missing", path),
+            ("own", path),
+            ("gone", source),
+        ):
             if parts := getattr(outcome, name):
                 getattr(self.result, name)[key] = parts
         if outcome.conflict:

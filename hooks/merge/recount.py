@@ -95,6 +95,7 @@ def recount(
             parts = [*result.own.get(target, []), *result.missing.get(target, [])]
             excuse = excused.get(path, "") + _about(theirs, parts)
             gone = [*result.missing.get(target, []), *result.removed.get(path, [])]
+            gone += result.gone.get(path, [])
             taken = _about(base, gone)
             lines = _lines(sides, _text(excuse), _text(taken), target in result.missing)
             wrong += ((target, line) for line in lines)
@@ -244,6 +245,9 @@ def _unbalanced(ignored: str, **pairs: tuple[str, str]) -> Callable[[str], set[s
 
 _STRING = r'"(?:\\.|[^"\\\n])*"'
 _COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+_NO_CODE = re.compile(
+    rf"(?m){_COMMENTS.pattern}|^[ \t]*#[ \t]*if[ \t]+0\b.*?^[ \t]*#[ \t]*endif", re.DOTALL
+)
 _WORDS = r"\b{}(?:if|foreach|while|function|macro|block)\s*\("
 _SOUND: tuple[tuple[str | tuple[str, ...], Callable[[str], set[str]]], ...] = (
     (".py", _unbound),
@@ -281,7 +285,7 @@ def _halves(
     before, ours = ({p: renaming.text(p, f.text or "") for p, f in t.items()} for t in (old, mine))
     versions = [ours, before, *({p: f.text or "" for p, f in t.items()} for t in (new, found))]
     codes = [
-        {p: _COMMENTS.sub("", text) for p, text in one.items() if p.endswith((".cpp", ".hpp"))}
+        {p: _NO_CODE.sub("", text) for p, text in one.items() if p.endswith((".cpp", ".hpp"))}
         for one in versions
     ]
     defined = [_defined(code) for code in codes]

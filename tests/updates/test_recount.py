@@ -341,6 +341,37 @@ def test_own_function_has_a_line_of_one_that_leaves():
     )
 
 
+@pytest.mark.parametrize(
+    ("path", "text", "item", "sign"),
+    [
+        (
+            "a/impl.py",
+            LOGIC,
+            LOGIC[LOGIC.index("    def ") : LOGIC.index("\n    # Service h")],
+            "    # ",
+        ),
+        ("src/worker_impl.cpp", CPP, CPP[CPP.index("void") : CPP.rindex("void") - 1], "// "),
+        ("src/worker_impl.cpp", CPP, CPP[CPP.index("void") : CPP.rindex("void") - 1], "#if 0"),
+        ("config/a.yaml", "rate: 10\n# Gain\ngain: 1\n", "gain: 1\n", "# "),
+        ("CMakeLists.txt", CMAKE, "add_library(core src/core.cpp)\n", "# "),
+    ],
+)
+def test_what_leaves_may_stay_as_the_comment_that_the_developer_has_made_of_it(
+    path, text, item, sign
+):
+    out = "".join(f"{sign}{line}" for line in item.splitlines(keepends=True))
+    out = f"{sign}\n{item}#endif\n" if sign == "#if 0" else out
+    mine = text.replace(item, out)
+    new = text.replace(item, "").replace("# Gain\n", "").replace("    # Service load\n", "")
+    assert len({mine, text, new}) == 3
+    hpp = [HPP, HPP, HPP.replace("  // Service load\n  void serve_load(Request & request);\n", "")]
+    sides = zip((mine, text, new), hpp, strict=True)
+    trees = [{path: File(encode(one)), "a.hpp": File(encode(two))} for one, two in sides]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert out in result.tree[path].text
+
+
 def test_one_windows_line_end_makes_no_conflict():
     old = "class A:\n    def a(self):\n        return True\n\n    def c(self):\n        return 1\n"
     new = old.replace("    def c", "    def b(self):\n        return 3\n\n    def c")
