@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
+from itertools import pairwise
 from os.path import commonprefix
 
 Lines = list[str]
@@ -17,6 +18,8 @@ Key = Callable[[str], str]
 Same = Callable[[str, str], bool]
 FEW = 3
 """Lines in common that part a conflict in two."""
+ALIKE = 0.6
+"""How much two lines have in common of which one has become the other."""
 MARKS = ("<<<<<<< before updating", "=======", ">>>>>>> after updating")
 
 
@@ -79,8 +82,9 @@ def merge_lines(
     changed lines and one of them changed nothing but their form, `same`, the other one counts.
     """
     ours, theirs = (_matches(old, side, key) for side in (mine, new))
+    sides = [*_changes(mine, ours, True)], [*_changes(new, theirs, False)]
     changes = sorted(
-        [*_changes(mine, ours, True), *_changes(new, theirs, False)],
+        [*_parted(old, *sides), *_parted(old, *sides[::-1])],
         key=lambda change: (change.start, change.end, change.is_mine),
     )
     stable = _stable(old, (new, theirs), (mine, ours))
@@ -107,6 +111,25 @@ def _changes(other: Lines, matches: _Matches, is_mine: bool) -> Iterator[_Change
         if start < end or first < last:
             yield _Change(start, end, list(other[first:last]), is_mine)
         start, first = end + size, last + size
+
+
+def _parted(
+    old: Lines, changes: Iterable[_Change], others: Iterable[_Change]
+) -> Iterator[_Change]:
+    """Part what changes line by line where the other side has inserted something in between."""
+    places = {other.start for other in others if other.start == other.end}
+    for change in changes:
+        start, end, lines = change.start, change.end, change.lines
+        cuts = sorted(places & {*range(start + 1, end)})
+        if not cuts or end - start != len(lines) or not all(map(_alike, old[start:end], lines)):
+            yield change
+            continue
+        for first, last in pairwise([start, *cuts, end]):
+            yield replace(change, start=first, end=last, lines=lines[first - start : last - start])
+
+
+def _alike(one: str, other: str) -> bool:
+    return SequenceMatcher(None, one, other, False).ratio() > ALIKE
 
 
 def _matches(old: Lines, other: Lines, key: Key) -> _Matches:

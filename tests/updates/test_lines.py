@@ -1,5 +1,7 @@
 """Three lists of lines become one; and how a conflict is written."""
 
+import operator
+
 import pytest
 
 from hooks.merge.lines import (
@@ -56,6 +58,17 @@ def parts(conflict):
 )
 def test_lines_of_two_sides(mine, old, new, wanted):
     assert merge(mine, old, new) == wanted
+
+
+def test_own_line_between_two_that_change_is_no_conflict_where_each_has_become_another():
+    """As the entry of an own program, in setup.py of a package that is renamed."""
+    old = ["'a = arm.a_ros:main',\n", "'b = arm.b_ros:main',\n"]
+    new, mine = [line.replace("arm", "robot") for line in old], [old[0], "'own = c:d'\n", old[1]]
+    wanted = [new[0], mine[1], new[1]]
+    assert merge_lines(mine, old, new, str, operator.eq) == wanted
+    assert merge_lines(new, old, mine, str, operator.eq) == wanted
+    assert conflicts(merge_lines(mine, old, ["1\n", "2\n"], str, operator.eq))
+    assert conflicts(merge_lines(mine, old, new[:1], str, operator.eq))
 
 
 def test_two_developers_may_insert_the_same_line():
