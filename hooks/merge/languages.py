@@ -32,15 +32,17 @@ def _margin_counts(line: str) -> str:
     return line[: margin(line)] + squeezed(line)
 
 
+def _row(line: str) -> str:
+    return outlines.row(line).rstrip()
+
+
 TEXT = Language("text", _lines, operator.eq, str.rstrip)
 PYTHON = Language("python", checked(python_blocks.blocks), python_blocks.same, _margin_counts)
 CPP = Language("c++", checked(cpp_blocks.blocks), cpp_blocks.same, squeezed)
 XML = Language("xml", checked(xml_blocks.blocks), xml_blocks.same, squeezed)
 YAML = Language("yaml", checked(outlines.yaml_blocks), outlines.same_yaml, _margin_counts)
 CMAKE = Language("cmake", checked(outlines.cmake_blocks), outlines.same_cmake, squeezed)
-MARKDOWN = Language(
-    "markdown", checked(outlines.markdown_blocks), outlines.same_markdown, str.rstrip
-)
+MARKDOWN = Language("markdown", checked(outlines.markdown_blocks), outlines.same_markdown, _row)
 MESSAGE = Language("message", checked(outlines.message_blocks), operator.eq, str.rstrip)
 
 _SUFFIXES = {

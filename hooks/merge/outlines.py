@@ -242,5 +242,14 @@ _CODE = re.compile(
 
 
 def same_markdown(one: str, other: str) -> bool:
-    """Say whether two texts differ in blanks alone, but for those of code."""
-    return squeezed(one, _CODE) == squeezed(other, _CODE)
+    """Say whether two texts differ in form alone: tables, blanks, but for those of code."""
+    texts = ("".join(map(row, split(text))) for text in (one, other))
+    return len({squeezed(text, _CODE) for text in texts}) == 1
+
+
+def row(line: str) -> str:
+    """Return a line; one of a table without what a formatter aligns it by."""
+    if not line.startswith("|"):
+        return line
+    rule = re.sub("-+", "-", line) if re.fullmatch(r"[|:\s-]+", line) else line
+    return re.sub(r"[ \t]*(\||$)[ \t]*", r"\1", rule)

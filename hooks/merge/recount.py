@@ -35,8 +35,9 @@ Places = list[tuple[str, str]]
 
 
 def _tight(text: str) -> str:
-    """Return a text without what a formatter changes: blanks, quotes, brackets, commas."""
-    return "".join(f"\t{word}\n" for word in _WORD.findall(text) if word)
+    """Return a text without what a formatter changes: blanks, quotes, brackets, commas, rules."""
+    words = _WORD.findall(re.sub("-{3,}", "---", text))
+    return "".join(f"\t{word}\n" for word in words if word)
 
 
 class _Text(dict[str, int]):

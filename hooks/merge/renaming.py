@@ -234,7 +234,7 @@ def _as_made(
         return after.replace(changed, made)
     end = _ENDS[known.name].search(changed) if heads else None
     was = _ENDS[known.name].search(line) if end else None
-    head = heads.get(collapsed(line[: was.start()])) if was else None
+    head = heads.get(collapsed(line[: was.start()]).rstrip()) if was else None
     return after.replace(changed, head + changed[end.start() :]) if head and end else after
 
 

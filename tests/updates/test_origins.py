@@ -219,6 +219,8 @@ def test_row_of_a_table_with_the_name_keeps_the_last_cell_of_the_developer(pairs
     ]
     text, wanted = (re.sub(r"[^|]*\|$", " Mine, `load` too |", row) for row in rows)
     assert joined(pairs[model], "README.md", start, text) == (wanted, [], False)
+    aligned = text.replace(" | Mine", "    | Mine")
+    assert joined(pairs[model], "README.md", start, aligned) == (wanted, [], False)
 
 
 NAMED = "{}:\n  # mine\n  ros__parameters:\n    gain: 2\n"

@@ -983,6 +983,25 @@ def test_section_keeps_the_heading_that_the_developer_gave_it(edit, row):
     assert not result.missing
 
 
+@pytest.mark.parametrize(
+    ("row", "after"),
+    [("| b | |\n", ""), ("| b | |\n", "| b | odd |\n"), ("| a | |\n", "| a | |\n| c | |\n")],
+)
+def test_table_that_a_formatter_has_aligned_changes_as_any_other(row, after):
+    old = "# Arm\n\n| Topic | |\n|---|---|\n| a | |\n| b | |\n"
+    new = changed(old, (row, after))
+    aligned = {"| Topic | |": "| Topic |     |", "|---|---|": "| ----- | --- |"}
+    aligned |= {f"| {name} | |": f"| {name}     |     |" for name in "ab"}
+    sides = []
+    for text in (old, new):
+        lines = [aligned.get(line, line) for line in text.split("\n")]
+        sides.append("\n".join(lines).replace("# Arm\n", "# Arm\n\nMine.\n"))
+    trees = [{"README.md": File(encode(text))} for text in (sides[0], old, new)]
+    result = Versions(*trees).merge({})
+    assert (Versions(*trees).doubts(result), result.conflicts) == ([], {})
+    assert result.tree["README.md"].text == sides[1]
+
+
 def test_section_with_another_heading_leaves_and_is_said():
     new = TABLES[: TABLES.index("## Topics")]
     mine = changed(TABLES, ("## Topics", "## What it says"))
