@@ -702,17 +702,26 @@ class NodeTests:
             return False
 
         self.assertTrue(eventually(lambda: says(OK, 'active', None)), last())
-        for word, level in ('error', ERROR), ('warning', WARN), ('ok', OK):
-            node.order('now', f'diagnose={word},tired')
-            self.assertTrue(eventually(lambda: says(level, 'tired', 'tired')), (word, last()))
+        self.assertIn('active', [each.value for each in last()[0].values])
+        for word, level in ('error', ERROR), ('ok', OK), ('warning', WARN):
+            node.order('now', f'diagnose={word},{word}')
+            self.assertTrue(eventually(lambda: says(level, word, word)), (word, last()))
         if self.frequency:
-            self.assertIn('rate (Hz)', [each.key for each in last()[0].values])
-            node.order('update', f'wait={1.5 / self.frequency}')
-            self.assertTrue(eventually(lambda: says(WARN, 'late cycles', 'tired')), last())
+            node.order('update', f'wait={2.5 / self.frequency}')
+
+            def are_counted():
+                values = {each.key: each.value for each in last()[0].values}
+                counts = [values.get(key) for key in ('rate (Hz)', 'late cycles', 'missed cycles')]
+                return all(counts) and '0' not in counts[1:] and says(
+                    WARN, 'late cycles', 'warning'
+                )
+
+            self.assertTrue(eventually(are_counted), last())
+            self.assertTrue(says(WARN, 'warning', 'warning'), last())  # both sentences
         for _, member, _ in self.lates():
             _, topic, type_, _, *qos, _ = next(self.each(member, node=node.name))
             late = 'no message on ' + self.named(self.interfaces[member][0], False)
-            self.assertTrue(eventually(lambda: says(WARN, late, 'tired')), (late, last()))
+            self.assertTrue(eventually(lambda: says(WARN, late, 'warning')), (late, last()))
             publisher = self.peer.publisher(type_, topic, *qos)
 
             def is_heard():
@@ -729,10 +738,10 @@ class NodeTests:
         for transition in 'configure', 'activate':
             self.assertTrue(self.peer.change(node, transition))
         self.assertTrue(eventually(lambda: says(OK, 'active', None)), last())
-        node.order('now', 'diagnose=ok,tired')
+        node.order('now', 'diagnose=warning,warning')
         node.order('now', 'fail=lost')
         self.assertEqual(node.exit_code(), 1)
-        self.assertTrue(eventually(lambda: says(ERROR, 'lost', 'tired')), last())
+        self.assertTrue(eventually(lambda: says(ERROR, 'lost for good', 'warning')), last())
 
     def test_life_cycle(self):
         """A managed node obeys every transition, but for those that its logic refuses."""

@@ -173,7 +173,7 @@ class _Recorder:
         return self.passthrough.sleep(float(seconds))
 
     def _do_fail(self, _, reason, *__):
-        self.passthrough.fail(reason)
+        self.passthrough.fail(f'{reason}\nfor good')
 
     def _do_diagnose(self, _, value, *__):
         level, text = value.split(',')

@@ -24,7 +24,7 @@ public:
           return to_json(passthrough_.sleep(std::stod(seconds)));
         }},
       {"fail", [this](const std::string & reason) {
-          passthrough_.fail(reason);
+          passthrough_.fail(reason + "\nfor good");
           return "null";
         }},
       {"diagnose", [status = passthrough.diagnostics](const std::string & value) {
