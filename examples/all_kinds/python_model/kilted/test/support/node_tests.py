@@ -196,10 +196,16 @@ class NodeTests:
             if topic == '/tf':
                 self.node.order('now', f'{step}=map,a,2.5')
             return [
-                [tf.child_frame_id, tf.header.frame_id, tf.transform.translation.x]
+                [
+                    tf.child_frame_id,
+                    tf.header.frame_id,
+                    tf.transform.translation.x,
+                    tf.transform.translation.z,
+                    tf.transform.rotation.z,
+                ]
                 for tf in (got[-1].transforms if got else [])
                 if tf.header.stamp.sec
-            ] == [[child, 'map', 2.5] for child in children]
+            ] == [[child, 'map', 2.5, 2.0, 0.8] for child in children]
 
         self.assertTrue(eventually(is_sent), (topic, got))
 
@@ -207,7 +213,7 @@ class NodeTests:
         """See that a lookup finds a transform, waits for one, and no longer than it may."""
         frame = topic.strip('/')
         publisher = self.peer.publisher(TFMessage, topic, *qos)
-        self.assertIsNone(self.node.order('now', f'{member}=map,{frame},0.1'))
+        self.assertIn('does not exist', self.node.order('now', f'{member}=map,{frame},0.1'))
         begun = len(self.node.got('begun'))
         with ThreadPoolExecutor() as pool:
             found = pool.submit(self.node.order, 'now', f'{member}=map,{frame},{TIMEOUT}')
@@ -395,7 +401,9 @@ class NodeTests:
         for member, name, type_ in self.each('client_'):
             request, response = sample(type_.Request), sample(type_.Response, 5)
             self.assertTrue(eventually(lambda: 'service ' in self.node.log), name)
-            self.assertIsNone(self.node.order('now', f'{member}={encode(request)},0.1'))
+            begin = monotonic()
+            self.assertIsNone(self.node.order('now', f'{member}={encode(request)}'))
+            self.assertGreaterEqual(monotonic() - begin, 0.9)  # in which a server may still come
             requests = self.peer.serve(type_, name, response)
             order = f'{member}={encode(request)},0.5'  # the first response comes later
             self.assertTrue(eventually(lambda: not self.node.order('now', order) and requests))
@@ -833,6 +841,10 @@ class NodeTests:
             ends.append((f'{member} block', 0.1, [TERM], 1, LIFE, 'Still running'))
         for member, *_ in self.each(*self.can_refuse):
             ends.append((f'{member} refuse', 2.0, [], 1, LIFE, 'no response'))
+        for member in self.transforms if self.frequency else ():
+            if member.startswith('listener_'):
+                order = f'update {member}=map,nowhere,1000'
+                ends.append((order, 2.0, [INT], 0, LIFE, f'["{member}", "'))
         for member, _, type_ in self.each('client_') if self.frequency else ():
             order = f'update {member}={encode(type_.Request())},1000'
             ends.append((order, 2.0, [INT], 0, LIFE, f'["{member}", null]'))

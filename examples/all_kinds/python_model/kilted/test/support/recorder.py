@@ -179,15 +179,16 @@ class _Recorder:
     def _do_broadcaster(self, name, value, _, send='broadcast'):
         parent, child, x = value.split(',')
         member = getattr(self.passthrough, name)
-        getattr(member, send)(parent, child, (float(x), 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+        getattr(member, send)(parent, child, (float(x), 1.0, 2.0), (0.0, 0.6, 0.8, 0.0))
 
     def _do_static(self, name, *value):
         self._do_broadcaster(name.partition('_')[2], *value, 'broadcast_static')
 
     def _do_listener(self, name, value, _):
         target, source, timeout = value.split(',')
-        found = getattr(self.passthrough, name).lookup(target, source, float(timeout))
-        return found and found.transform.translation.x
+        listener = getattr(self.passthrough, name)
+        found = listener.lookup(target, source, float(timeout))
+        return found.transform.translation.x if found else listener.reason
 
     def _count(self, method):
         TURNS[method] = TURNS[method][0] + 1, monotonic(), self.passthrough.now()
@@ -221,8 +222,8 @@ class _Recorder:
 
     def _do_client(self, name, value, _):
         client, type_ = self._member(name)
-        request, timeout = value.split(',')
-        return encode(client.call(decode(request, type_), float(timeout)))
+        request, *timeout = value.split(',')
+        return encode(client.call(decode(request, type_), *map(float, timeout)))
 
     def _do_feedback(self, _, message, goal):
         goal.feedback = decode(message, type(goal.feedback))

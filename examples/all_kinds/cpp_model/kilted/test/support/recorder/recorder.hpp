@@ -357,21 +357,21 @@ Steps publishes_each(
   return steps;
 }
 
-/// The step that broadcasts a transform along x: PARENT,CHILD,X.
+/// The step that broadcasts a transform: PARENT,CHILD,X.
 template<typename Broadcaster>
 Step broadcasts(const std::shared_ptr<Broadcaster> & broadcaster, bool is_static = false)
 {
   return [broadcaster, is_static](const std::string & text) {
            const auto words = split(text);
-           const typename Broadcaster::Translation along{std::stod(words[2]), 0.0, 0.0};
-           const typename Broadcaster::Rotation none{0.0, 0.0, 0.0, 1.0};
-           is_static ? broadcaster->broadcast_static(words[0], words[1], along, none) :
-           broadcaster->broadcast(words[0], words[1], along, none);
+           const typename Broadcaster::Translation along{std::stod(words[2]), 1.0, 2.0};
+           const typename Broadcaster::Rotation around{0.0, 0.6, 0.8, 0.0};
+           is_static ? broadcaster->broadcast_static(words[0], words[1], along, around) :
+           broadcaster->broadcast(words[0], words[1], along, around);
            return "null";
          };
 }
 
-/// The step that looks up a transform along x: TARGET,SOURCE,TIMEOUT.
+/// The step that looks up a transform along x, or says why there is none: TARGET,SOURCE,TIMEOUT.
 template<typename Listener>
 Step looks_up(const std::shared_ptr<Listener> & listener)
 {
@@ -379,19 +379,20 @@ Step looks_up(const std::shared_ptr<Listener> & listener)
            const auto words = split(text);
            const std::chrono::duration<double> timeout(std::stod(words[2]));
            const auto found = listener->lookup(words[0], words[1], timeout);
-           return found ? to_json(found->transform.translation.x) : "null";
+           return found ? to_json(found->transform.translation.x) : to_json(listener->reason());
          };
 }
 
-/// The step that calls a service: REQUEST,TIMEOUT.
+/// The step that calls a service: REQUEST or REQUEST,TIMEOUT.
 template<typename Service>
 Step calls(const std::shared_ptr<ServiceClient<Service>> & client)
 {
   return [client](const std::string & text) {
            const auto comma = text.find(',');
-           const std::chrono::duration<double> timeout(std::stod(text.substr(comma + 1)));
            const auto request = decode<typename Service::Request>(text.substr(0, comma));
-           const auto response = client->call(request, timeout);
+           using Timeout = std::chrono::duration<double>;
+           const auto response = comma == std::string::npos ? client->call(request) :
+             client->call(request, Timeout(std::stod(text.substr(comma + 1))));
            return response ? encode(*response) : "null";
          };
 }
