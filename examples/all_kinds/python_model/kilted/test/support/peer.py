@@ -122,10 +122,10 @@ class Peer:
         self._clock.publish(Clock(clock=time))
 
     def parameter(self, node, name):
-        """Return the value of a parameter that is an integer."""
+        """Return the value of a parameter, of whichever type."""
         request = GetParameters.Request(names=[name])
         response = self.call(node, GetParameters, node.name + '/get_parameters', request)
-        return response.values[0].integer_value
+        return response.values[0]
 
     def has(self, node, kind, topic, type_, *policies):
         """Return whether a node has a publisher or subscription of a type and QoS."""

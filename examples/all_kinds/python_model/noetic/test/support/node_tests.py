@@ -339,7 +339,7 @@ class NodeTests:
                 eventually(lambda: publisher.publish(sample(type_, 1)) or is_called())
             if member.startswith('serve_'):
                 self.peer.send(node, type_, name, type_._request_class())
-            if member.startswith('execute_'):
+            if member.startswith(('execute_', 'accept_')):
                 self.peer.goal(node, type_, name, parts(type_)[0]())
         if member.startswith('receive_') and member[8:] in self.synchronizers:
             send = self.sender(node, member[8:])
@@ -641,11 +641,12 @@ class NodeTests:
             self.node.order('reconfigure', 'refuse')
             self.assertFalse(self.peer.set_parameter(self.node, name, value), name)
             self.assertEqual(self.node.got('config')[-1], before)
+            self.assertTrue(eventually(lambda: 'told to refuse' in self.node.log), name)
             self.sets(name, value)
         for name, (default, others, _) in itertools.islice(dynamic.items(), 1):
             node = self.active()
-            node.order('reconfigure', 'raise')
             value = next(each for each in others if each != default)
+            node.order('reconfigure', 'raise')
             self.assertFalse(self.peer.set_parameter(node, name, value), name)
             self.assertEqual((node.exit_code(), node.life()), (1, LIFE), node.log)
 
@@ -731,20 +732,21 @@ class NodeTests:
         """The node ends as its logic and signals have it: exit code, calls and log."""
         ends = [  # order, stop_timeout, signals, exit code, calls, text of the log
             ('configure refuse', 2.0, [], 1, LIFE[:1], 'refuse'),
-            ('configure raise', 2.0, [], 1, LIFE[:1], 'told to raise'),
+            ('configure raise', 2.0, [], 1, LIFE[:1], 'in configure'),
             ('activate refuse', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'refuse'),
             ('activate raise', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'told to raise'),
             ('configure sleep=1000', 2.0, [TERM], 0, [LIFE[0], 'cleanup'], '["sleep", false]'),
-            ('configure block', 0.1, [TERM], 1, LIFE[:1], 'Still running'),
+            ('configure block', 0.1, [TERM], 1, LIFE[:1], 'stops: configure.'),
             ('deactivate sleep=1000', 0.1, [TERM], None, LIFE, '["sleep", false]'),
             ('deactivate raise', 2.0, [INT], 1, LIFE, 'told to raise'),
             ('configure fail=lost', 2.0, [], 1, [LIFE[0], 'cleanup'], 'The logic failed: lost'),
             ('activate fail=lost', 2.0, [], 1, LIFE, 'The logic failed: lost'),
             ('cleanup raise', 2.0, [TERM], 1, LIFE, 'told to raise'),
-            ('deactivate block', 0.1, [TERM], 1, LIFE[:3], 'Still running'),
+            ('deactivate block', 0.1, [TERM], 1, LIFE[:3], 'stops: deactivate.'),
             ('deactivate block', 1e3, [INT, INT], -INT, LIFE[:3], ''),
             ('deactivate wait=2.5', 1e3, [INT], 0, LIFE, '["wait", null]'),
             ('deactivate sleep=0.1', 2.0, [TERM], 0, LIFE, '["sleep", true]'),
+            ('configure wait=0', -1.0, [], 1, [], 'stop_timeout'),
             ('deactivate wait=0.1', 2.0, ['rosnode kill'], 0, LIFE, '["wait", null]'),
         ]
         if self.frequency:
@@ -752,6 +754,8 @@ class NodeTests:
             ends.append(('update sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
         callbacks = self.callbacks()
         for member in callbacks:
+            ends.append((f'{member} raise', 2.0, [], 1, LIFE, 'told to raise'))
+        for member, *_ in self.each('accept_'):
             ends.append((f'{member} raise', 2.0, [], 1, LIFE, 'told to raise'))
         for member in callbacks[:1]:
             ends.append((f'{member} block', 0.1, [TERM], 1, LIFE, 'Still running'))
@@ -779,7 +783,7 @@ class NodeTests:
         """Check how a node ends."""
         order, timeout, signals, code, calls, text = case
         method = order.split()[0]
-        is_called = method.startswith(('receive_', 'serve_', 'execute_'))
+        is_called = method.startswith(('receive_', 'serve_', 'execute_', 'accept_'))
         node = (self.active if is_called else self.start)(order, stop_timeout=timeout)
         if is_called:
             self.trigger(node, method)
