@@ -147,6 +147,10 @@ def is_passive(node: ast.AST) -> bool:
         return isinstance(node.value, ast.Constant)
     if isinstance(node, ast.If):
         return "TYPE_CHECKING" in ast.unparse(node.test)
+    if isinstance(node, ast.Assign):
+        return ast.unparse(node.targets[0]) == "__all__"
+    if isinstance(node, ast.keyword):
+        return node.arg == "strict"  # of `zip`: what must be so, as in an assertion
     # Before Python 3.12 what stands in an f-string has no place.
     return isinstance(node, ast.Import | ast.ImportFrom | ast.JoinedStr | ast.Assert)
 
@@ -213,7 +217,7 @@ def shorter(node: ast.stmt | ast.expr) -> Iterator[ast.AST]:
         case ast.GeneratorExp(element, [*others, last]) if last.ifs:
             plain = ast.comprehension(last.target, last.iter, [], 0)
             yield ast.GeneratorExp(element, [*others, plain])
-        case ast.Call(function, arguments, [*keywords, _]):
+        case ast.Call(function, arguments, [*keywords, last]) if not is_passive(last):
             yield ast.Call(function, arguments, keywords)
 
 

@@ -7,10 +7,13 @@ from scripts import mutate
 TEXT = """
 import a
 
+__all__ = ["f"]
+
 def f(b: int = 1) -> bool:
     \"\"\"Say so.\"\"\"
     if b > 2 and not a.c("x", d=[1, 2]):
         raise ValueError
+    zip(b, b, strict=True)
     return b in (1,)
 """
 
@@ -40,3 +43,5 @@ def test_faults(tmp_path, monkeypatch):
         "1 -> (2)",
     }
     assert not any("Say so" in each or "int" in each.split() for each in said)
+    asserted = {"True -> (False)", "zip(b, b, strict=True) -> (zip(b, b))", "\"f\" -> ('')"}
+    assert not said & asserted
