@@ -140,7 +140,7 @@ class _Checker:
             what = f'a spec has attributes, as <{PACKAGE} {name}="...">, not elements'
             self.fault(element, f"{what} as a package.xml of ROS", "wrong-root")
             return
-        values = self.values(element, known, [*components, DEPEND])
+        values = self.values(element, known, [*components, DEPEND], True)
         package = self.checked(PACKAGE, element, values)
         values |= {component.key: [] for component in components.values()}
         unknown = False
@@ -181,7 +181,7 @@ class _Checker:
         self.declaring = ""
         has_name = component.can_be_renamed
         attributes, inside = component.attributes, component.interfaces
-        values = given = self.values(element, attributes, inside, (component.tag,), has_name)
+        values = given = self.values(element, attributes, inside, has_name, (component.tag,))
         if has_name:
             name = class_name(str(given.get(component.naming, "")))
             tag = {} if component.is_shared else {"tag": component.tag}
@@ -235,7 +235,7 @@ class _Checker:
             inner = kind.interfaces[child.tag]
             scope = (element, inner.kind)
             attributes, inside = inner.attributes, inner.interfaces
-            found = self.values(child, attributes, inside, scope, inner.can_be_renamed)
+            found = self.values(child, attributes, inside, inner.can_be_renamed, scope)
             requires = [] if self.is_sharing else inner.requires
             if requires and not any(_is_said(name, element, given) for name in requires):
                 what = f"its <{element.tag}> at line {element.line} must have the attribute"
@@ -377,12 +377,12 @@ class _Checker:
         element: Element,
         known: Mapping[str, Attribute],
         inside: Iterable[str],
+        has_name: bool,
         scope: tuple[Any, ...] = (),
-        has_name: bool = True,
     ) -> Values:
         """Return the values of one element, in which the tags `inside` may stand.
 
-        `scope` is where those that name it are unique.
+        `has_name`: it may say its name of before. `scope` is where those that name it are unique.
         """
         told = set()
         """Attributes that are there by another name."""

@@ -133,6 +133,11 @@ def test_fault_of_a_package(said, spec, says):
             "[unknown-choice]",
         ),
         (
+            "<arm name='a'/><depend kind=''>z</depend>",
+            '2: <depend kind="">: kind: unknown ""; allowed: build, build_export, buildtool, '
+            "buildtool_export, doc, exec, group, test [unknown-choice]",
+        ),
+        (
             "<arm name='a'/><depend>z z</depend>",
             '2: <depend>: "z z" is not a package name; allowed: one name of letters, digits '
             'and "_", a letter first [invalid-name]',
@@ -534,6 +539,10 @@ def test_right_spec(values):
     )
     assert (other["gear"], other["moves"], other["tool"]) == (3, True, None)
     assert (found["folders"], found["pairs"]) == ([{"name": "f"}], [])
+
+
+def test_package_says_its_name_of_before(values):
+    assert values("<package name='pp' was='p'><arm name='a'/></package>")["was"] == "p"
 
 
 def test_type_that_another_element_declares_is_no_part_of_itself(values):

@@ -99,6 +99,9 @@ def test_python_that_is_too_long_is_folded_where_it_is_code():
     assert fold_python("def (\n") == "def (\n"  # what is no Python stays
     assert fold_python(f"x = {LONG}({LONG})\n") == f"x = {LONG}(\n    {LONG}\n)\n"
     assert fold_python(f"{LONG} = [\n    1,\n]\n") == f"{LONG} = [\n    1,\n]\n"
+    items = ["f(1, 2)", LONG, f"g({LONG}, b)"]
+    folded = "".join(f"    {item},\n" for item in items)
+    assert fold_python(f"x = [{', '.join(items)}]\n") == f"x = [\n{folded}]\n"
     value = f"{LONG}(\n    1,\n)"
     assert fold_python(f"{LONG} = {value}\n") == (
         f"{LONG} = (\n    {LONG}(\n        1,\n    )\n)\n"
@@ -131,6 +134,10 @@ def test_python_that_just_fits_is_not_folded():
         assert fold_python(f"value = {name}\n") == f"value = {inside.format(name)}\n"
     fits = f"{'a' * 50} = {'b' * 45}(\n    1,\n)\n"
     assert fold_python(f"{fits}{LONG}({LONG})\n") == f"{fits}{LONG}(\n    {LONG}\n)\n"
+    head, folded = f"{LONG}: A[{LONG}] = [\n", f"{LONG}: A[\n    {LONG}\n] = ["
+    for letters, inside in ((93, "{}"), (94, "\n    {}\n")):
+        name = "b" * letters
+        assert fold_python(f"{head}    {name}\n]\n") == folded + inside.format(name) + "]\n"
     text = f'x: A[{LONG}] = [\n    """{LONG}""",\n]\n'
     assert fold_python(text.replace("x", LONG)) == text.replace("x", LONG).replace(
         f"A[{LONG}]", f"A[\n    {LONG}\n]"

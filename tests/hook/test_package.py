@@ -4,6 +4,7 @@ import pytest
 
 from hooks.faults import SpecError
 from hooks.package import Package
+from hooks.trees import is_yaml
 
 SPEC = "<package/>\n"
 
@@ -40,6 +41,24 @@ def test_another_spec_is_given(package, tmp_path):
 def test_spec_at_an_address_is_not_read(package):
     with pytest.raises(SpecError, match=r"^https://a\.b/c\.xml: an address is not read; download"):
         package.spec_file("https://a.b/c.xml")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "is_one"),
+    [
+        *((f"a{suffix}", "[1]", True) for suffix in (".yaml", ".yml", ".json")),
+        ("a.yaml", "\ufeff \n<a/>", False),
+        ("a.txt", "a: 1", True),
+        ("a.txt", "<a: 1", False),
+        ("a.txt", "[1]", False),
+        ("a.txt", "a: b: c", False),
+    ],
+)
+def test_spec_that_is_yaml(tmp_path, name, text, is_one):
+    """In a folder the suffix alone tells; a file of another one says so itself."""
+    (tmp_path / name).write_text(text, encoding="utf-8")
+    assert is_yaml(tmp_path / name) == is_one
+    assert is_yaml(tmp_path) == (not name.endswith(".txt"))
 
 
 def test_package_has_lost_its_spec(package):

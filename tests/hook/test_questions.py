@@ -1,10 +1,14 @@
 """The options of a model, read from its copier.yml, and what is said of answers that changed."""
 
+from types import SimpleNamespace
+
 import pytest
 
 from hooks.changes import changed_answers
 from hooks.faults import SpecError
+from hooks.package import Package
 from hooks.questions import check_choices, check_options, check_template, questions
+from hooks.specs import Specs
 
 COPIER_YML = """
 _subdirectory: template
@@ -61,6 +65,22 @@ def test_answers_that_may_not_be(root, answers):
     name, answer = next(iter(answers.items()))
     with pytest.raises(SpecError, match=f'{name}: unknown "{answer}"'):
         check_choices(answers, root, {"late": ["any", "one"]})
+
+
+@pytest.mark.parametrize("model", ["arm", "", None, "arms", "other"])
+def test_model_that_is_a_template_by_itself(root, model):
+    """It is in the folder of the collection, but none of its models."""
+    for file in ("template/x", "arm/dictionary.yaml", "arm/copier.yml", "other/copier.yml"):
+        (root / file).parent.mkdir(exist_ok=True)
+        (root / file).touch()
+    given = {} if model is None else {"model": model}
+    run = SimpleNamespace(given=given, package=Package(root / "package", "answers.yml"))
+    specs = Specs(root, None, None)
+    if model == "other":
+        with pytest.raises(SpecError, match="^model: other is a template by itself; copy it"):
+            specs.check_answers(run)
+    else:
+        assert specs.check_answers(run) == ""
 
 
 def test_template_that_copier_can_use(root):

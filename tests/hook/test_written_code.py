@@ -412,6 +412,13 @@ def test_long_lines(fold, text, folded):
     assert fold(text.replace("[\n    ]", "[]")) == text.replace("[\n    ]", "[]")
 
 
+@pytest.mark.parametrize(("before", "margin"), [("x =", ""), ("x", "  "), (" = x", "  ")])
+def test_arguments_of_a_value_that_has_its_own_line_begin_where_it_does(before, margin):
+    call, arguments = "    create<fifty>(", ["fifty,", "1);"]
+    folded = "".join(f"\n    {margin}{argument}" for argument in arguments)
+    assert fit(long(f"{before}\n{call}{' '.join(arguments)}")) == long(f"{before}\n{call}{folded}")
+
+
 def test_comments_of_cpp():
     assert cpp_comment("// TODO: a\\\nNOLINTNEXTLINE(x) ??/") == (
         "// todo: a\\.\nnolintNEXTLINE(x) ??/."

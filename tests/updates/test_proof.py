@@ -11,7 +11,7 @@ from hooks.dictionary import load
 from hooks.faults import SpecError
 from hooks.merge import versions as module
 from hooks.merge.merging import by_line, conflict
-from hooks.merge.package import merge_package
+from hooks.merge.package import Result, merge_package
 from hooks.merge.proof import prove, uses_of_left
 from hooks.merge.renaming import Renaming
 from hooks.merge.render import Render
@@ -181,6 +181,18 @@ def test_lines_that_exchange_their_places_are_seen():
     swapped = result.tree[PATH].text.replace("a = 1\n        b = a", "b = a\n        a = 1")
     found = {PATH: File(swapped.encode())}
     assert prove(mine, old, result, found, Renaming()).lost == [(PATH, "b = a")]
+
+
+@pytest.mark.parametrize(
+    ("code", "is_there"),
+    [(b"if a: response.ok = 1\n", True), (b"if a: pass\n", False), (b"", False)],
+)
+def test_line_that_another_file_has_now_is_in_its_place(code, is_there):
+    mine, old = ({PATH: File(text.encode())} for text in (MINE, OLD))
+    result = Result(carried={PATH: (["b.py", "gone.py"], {4: ("if a", "response.ok =")})})
+    proof = prove(mine, old, result, {"b.py": File(code)}, Renaming())
+    assert (proof.total, proof.in_place, proof.lost) == (1, is_there, [])
+    assert proof.left == ([] if is_there else [(PATH, 4, "        response.ok = True\n")])
 
 
 @pytest.mark.parametrize("path", ["arm/reach_impl.py", "src/reach_impl.cpp", "arm/tools.py"])

@@ -1011,6 +1011,24 @@ def test_section_with_another_heading_leaves_and_is_said():
     assert result.removed == {"README.md": ["## Topics"]}
 
 
+def test_section_like_one_with_another_heading_that_leaves_stays_what_it_is():
+    rows = "| goal |\n| pose |\n| joy |\n"
+    old = f"# Arm\n\n## Inputs\n\n{rows}\n## Outputs\n\n{rows}| map |\n"
+    new = old[: old.index("## Inputs")] + old[old.index("## Outputs") :]
+    mine = changed(old, ("## Inputs", "## What it hears"), ("| map |", "| map (mine) |"))
+    merges, found, result = merge("README.md", mine, old, new)
+    assert merges
+    assert found == changed(new, ("| map |", "| map (mine) |"))
+    assert result.removed == {"README.md": ["## Inputs"]}
+    new = old + old[old.index("## Inputs") : old.index("## Outputs")].replace("In", "Other in")
+    merges, found, result = merge("README.md", mine, old, new)
+    assert merges
+    assert (
+        found.split()
+        == changed(new, ("## Inputs", "## What it hears"), ("map", "map (mine)")).split()
+    )
+
+
 PARAMETERS = "/**:\n  ros__parameters:\n    # Speed\n    speed: 1\n    gain: 2.0\n    rate: 3\n"
 
 

@@ -322,6 +322,19 @@ def test_lines_in_a_conflict_of_names_that_were_swapped():
     assert "<<<<<<< before updating\n  <node pkg" in result.tree["arm.launch"].text
 
 
+def test_lines_of_the_model_as_they_are_afterwards():
+    """Of those that are several then, or of what left, none is known."""
+    marks = [
+        *(Mark(name, name.upper(), "interface") for name in "ab"),
+        Mark("a", "c", "interface"),
+    ]
+    marks.append(Mark("d", f"e{GONE}", "interface", is_gone=True))
+    made = "# zq0x\n# zq2x\n  # zq1x\n# zq1x\n# zq3x\n# f\n"
+    trees = [{"a.py": File(encode(text))} for text in ("# a\n# a\n  # b\n# b\n# d\n# f\n", made)]
+    lines = {"# a": "", "# b": "# B", "# d": "", "# f": "# f"}
+    assert plan(*trees, marks, []).generated == {"a.py": lines}
+
+
 def rename_in_launch_file(one, other, mine, change=("", "")):
     """Return the versions of one whose nodes take other names, and the new one."""
     marks = [
