@@ -232,6 +232,18 @@ PARTS_OF_CPP = {
     "template<A a = A{}, class B>\nstruct C;\n": ["struct C"],
     "template<int a = (1 > 2), class B>\nstruct C;\n": ["struct C"],
     "template<int a = b[1 > 0], class B>\nstruct C;\n": ["struct C"],
+    "int a;\nARM_END(1)\n": ["variable a", "ARM_END ( 1 )"],
+    "int a;\nARM_END\n": ["variable a", "ARM_END"],
+    "namespace a\n{\nARM_END\n}\n": ["namespace a", "ARM_END"],
+    "ARM_A(1)\nARM_B(2)\nvoid f();\n": ["ARM_A ( 1 )", "f()"],
+    "ARM_API(\n  1\n)\nvoid f();\n": ["f()"],
+    "ARM_API(\n  1\n)\n#if A\n#endif\n": ["#if A", "then"],
+    "INT\n\nf();\n": ["f()"],
+    "void f()\n{\n}\nvoid f()\n{\n}\n": ["f()", "f() #2"],
+    **{
+        f"ARM_F(a)\n\n{word}\n{{\n}}\n": [f"ARM_F ( a ) {word}"]
+        for word in "const noexcept override final throw mutable volatile".split()
+    },
 }
 
 
