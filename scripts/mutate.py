@@ -20,7 +20,7 @@ import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from itertools import chain, islice, takewhile
@@ -40,8 +40,8 @@ FAST = (*FOLDERS, *(f"--ignore=tests/updates/test_{name}.py" for name in LONGEST
 PYTEST = (sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider")
 NEEDLESS = "not ros1 and not ros2 and not network"
 SLOW = 4.0  # s, the longest that a fast test takes
-ENOUGH = 40.0  # s, of tests for one fault
-LIMIT = 240.0  # s, for them to run on a busy machine; a fault that makes them endless is noticed
+ENOUGH = 90.0  # s, of tests for one fault
+LIMIT = 400.0  # s, for them to run on a busy machine; a fault that makes them endless is noticed
 SURVIVORS = 0.05
 COVERAGE = "[run]\ninclude =\n  */hooks/*.py\n  */hooks/merge/*.py\n  */extensions/*.py\n"
 """Copier runs the hooks of copies of the collection: lines of those count as lines of this one."""
@@ -75,13 +75,18 @@ class Mutant:
     start: int
     old: str
     new: str
-    lines: range
-    """Those of the innermost statement; none outside of functions, which every test runs."""
+    lines: Sequence[int]
+    """Those of the innermost statement; of a constant those that use it, as every test runs it."""
 
     def __str__(self) -> str:
         """Show it in a line."""
         old, new = (" ".join(text.split()) for text in (self.old, self.new))
         return f"{self.file}: {old} -> {new}"
+
+    @property
+    def line(self) -> int:
+        """The line where it begins."""
+        return (ROOT / self.file).read_bytes()[: self.start].count(b"\n") + 1
 
     @property
     def text(self) -> bytes:
@@ -113,7 +118,12 @@ def mutants(file: str) -> Iterator[Mutant]:
     source = (ROOT / file).read_bytes()
     lines = source.splitlines(keepends=True)
     starts = [sum(map(len, lines[:number])) for number in range(len(lines))]
-    for node, lines_run in places(ast.parse(source), range(0)):
+    tree = ast.parse(source)
+    uses: dict[str, list[int]] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
+            uses.setdefault(node.id, []).append(node.lineno)
+    for node, lines_run in places(tree, (), uses):
         start = starts[node.lineno - 1] + node.col_offset
         old = source[
             start : starts[(node.end_lineno or 0) - 1] + (node.end_col_offset or 0)
@@ -123,8 +133,13 @@ def mutants(file: str) -> Iterator[Mutant]:
                 yield Mutant(file, start, old, new, lines_run)
 
 
-def places(node: ast.AST, run: range) -> Iterator[tuple[ast.stmt | ast.expr, range]]:
-    """Yield the statements and expressions of a function or module that do something."""
+def places(
+    node: ast.AST, run: Sequence[int], uses: Mapping[str, Sequence[int]]
+) -> Iterator[tuple[ast.stmt | ast.expr, Sequence[int]]]:
+    """Yield the statements and expressions of a function or module that do something.
+
+    Each with the lines whose tests may notice a fault of it; `uses`: the lines that use a name.
+    """
     for name, value in ast.iter_fields(node):
         if name in ("annotation", "returns", "decorator_list", "type_params", "bases"):
             continue
@@ -132,13 +147,17 @@ def places(node: ast.AST, run: range) -> Iterator[tuple[ast.stmt | ast.expr, ran
             if not isinstance(child, ast.AST) or is_passive(child):
                 continue
             inner = run
-            if isinstance(child, ast.stmt) and (run or isinstance(node, ast.FunctionDef)):
+            if isinstance(child, ast.Assign | ast.AnnAssign) and isinstance(node, ast.Module):
+                targets = child.targets if isinstance(child, ast.Assign) else [child.target]
+                names = [target.id for target in targets if isinstance(target, ast.Name)]
+                inner = tuple(line for name in names for line in uses.get(name, ()))
+            elif isinstance(child, ast.stmt) and (run or isinstance(node, ast.FunctionDef)):
                 inner = range(child.lineno, (child.end_lineno or 0) + 1)
                 if hasattr(child, "body"):
                     inner = range(child.lineno, child.body[0].lineno)
             if isinstance(child, ast.stmt | ast.expr):
                 yield child, inner
-            yield from places(child, inner)
+            yield from places(child, inner, uses)
 
 
 def is_passive(node: ast.AST) -> bool:
@@ -327,7 +346,7 @@ def attempt(tried: list[Mutant], folder: Path, jobs: int) -> list[Mutant]:
         for mutant, lives in zip(tried, pool.map(survives, tried), strict=True):
             if lives:
                 survivors.append(mutant)
-                print(f"survives  {mutant}  (line {mutant.lines.start})", flush=True)
+                print(f"survives  {mutant}  (line {mutant.line})", flush=True)
     return survivors
 
 

@@ -8,12 +8,13 @@ TEXT = """
 import a
 
 __all__ = ["f"]
+E = 7
 
 def f(b: int = 1) -> bool:
     \"\"\"Say so.\"\"\"
     if b > 2 and not a.c("x", d=[1, 2]):
         raise ValueError
-    zip(b, b, strict=True)
+    zip(b, E, strict=True)
     return b in (1,)
 """
 
@@ -43,5 +44,7 @@ def test_faults(tmp_path, monkeypatch):
         "1 -> (2)",
     }
     assert not any("Say so" in each or "int" in each.split() for each in said)
-    asserted = {"True -> (False)", "zip(b, b, strict=True) -> (zip(b, b))", "\"f\" -> ('')"}
+    asserted = {"True -> (False)", "zip(b, E, strict=True) -> (zip(b, E))", "\"f\" -> ('')"}
     assert not said & asserted
+    lines = {mutant.old: (mutant.line, *mutant.lines) for mutant in found}
+    assert (lines["7"], lines["2"]) == ((5, 11), (9, 9))
