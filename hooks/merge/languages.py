@@ -22,6 +22,8 @@ class Language:
     same: Callable[[str, str], bool]
     key: Callable[[str], str]
     """What two lines have in common that differ in form alone."""
+    asides: Callable[[list[str]], list[str]] = lambda lines: ["" for _ in lines]
+    """Of each line what it belongs to that a developer may do without, such as a comment."""
 
 
 def _lines(text: str) -> list[Block]:
@@ -32,17 +34,29 @@ def _margin_counts(line: str) -> str:
     return line[: margin(line)] + squeezed(line)
 
 
+def _comments(sign: str) -> Callable[[list[str]], list[str]]:
+    return lambda lines: ["comment" * line.lstrip().startswith(sign) for line in lines]
+
+
 def _row(line: str) -> str:
     return outlines.row(line).rstrip()
 
 
 TEXT = Language("text", _lines, operator.eq, str.rstrip)
-PYTHON = Language("python", checked(python_blocks.blocks), python_blocks.same, _margin_counts)
-CPP = Language("c++", checked(cpp_blocks.blocks), cpp_blocks.same, squeezed)
+PYTHON = Language(
+    "python", checked(python_blocks.blocks), python_blocks.same, _margin_counts, _comments("#")
+)
+CPP = Language("c++", checked(cpp_blocks.blocks), cpp_blocks.same, squeezed, _comments("//"))
 XML = Language("xml", checked(xml_blocks.blocks), xml_blocks.same, squeezed)
-YAML = Language("yaml", checked(outlines.yaml_blocks), outlines.same_yaml, _margin_counts)
-CMAKE = Language("cmake", checked(outlines.cmake_blocks), outlines.same_cmake, squeezed)
-MARKDOWN = Language("markdown", checked(outlines.markdown_blocks), outlines.same_markdown, _row)
+YAML = Language(
+    "yaml", checked(outlines.yaml_blocks), outlines.same_yaml, _margin_counts, _comments("#")
+)
+CMAKE = Language(
+    "cmake", checked(outlines.cmake_blocks), outlines.same_cmake, squeezed, _comments("#")
+)
+MARKDOWN = Language(
+    "markdown", checked(outlines.markdown_blocks), outlines.same_markdown, _row, outlines.asides
+)
 MESSAGE = Language("message", checked(outlines.message_blocks), operator.eq, str.rstrip)
 
 _SUFFIXES = {

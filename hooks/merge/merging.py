@@ -34,6 +34,8 @@ class Outcome:
     """The blocks that both sides have made, of which the developer's stays."""
     gone: list[str] = field(default_factory=list)
     """The blocks that neither side has any longer; the developer may have comments of them."""
+    reworded: list[str] = field(default_factory=list)
+    """Comments of the new version where the developer has deleted those of before."""
 
     @property
     def conflict(self) -> bool:
@@ -80,7 +82,8 @@ def merge(
             merged = merger.sequence(*sides)
             if readable(known, merged):
                 missing = [] if of_people else [*_deleted(*sides)]
-                return Outcome(merged, merger.removed, missing, merger.own, merger.gone)
+                said = (merger.own, merger.gone, merger.reworded)
+                return Outcome(merged, merger.removed, missing, *said)
         except BothAroundError:
             outcome = by_line(path, mine, old, new, of_people)
             return outcome if outcome.conflict else conflict(path, mine, old, new)
@@ -172,6 +175,7 @@ class _Merger:
         self.removed: list[str] = []
         self.own: list[str] = []
         self.gone: list[str] = []
+        self.reworded: list[str] = []
 
     def sequence(
         self, mine: Sequence[Block], old: Sequence[Block], new: Sequence[Block]
@@ -268,8 +272,19 @@ class _Merger:
         return merged
 
     def lines(self, mine: lines.Lines, old: lines.Lines, new: lines.Lines) -> Merged:
+        """Merge lines; in a conflict without comments and the like that the developer deleted."""
         known = self.language
-        return lines.merge_lines(mine, old, new, known.key, known.same, self.of_people)
+        merged = lines.merge_lines(mine, old, new, known.key, known.same, self.of_people)
+        gone = {*known.asides(old)} - {*known.asides(mine), ""}
+        if not gone or self.of_people or not lines.conflicts(merged):
+            return merged
+        made, came = ([*zip(known.asides(side), side, strict=True)] for side in (old, new))
+        old, new = ([line for kind, line in told if kind not in gone] for told in (made, came))
+        bare = lines.merge_lines(mine, old, new, known.key, known.same)
+        if lines.conflicts(bare):
+            return merged
+        self.reworded += [line for kind, line in came if kind in gone]
+        return bare
 
     def is_same(self, one: Block, other: Block) -> bool:
         return one.text == other.text or self.language.same(one.text, other.text)

@@ -247,6 +247,18 @@ def same_markdown(one: str, other: str) -> bool:
     return len({squeezed(text, _CODE) for text in texts}) == 1
 
 
+def asides(lines: Sequence[str]) -> list[str]:
+    """Say of each line whether it is of a diagram or example between fences, or of a table."""
+    found = ["table" * line.startswith("|") for line in lines]
+    text = "".join(lines)
+    for match in _CODE.finditer(text):
+        if match["mark"]:
+            start = text[: match.start()].count("\n")
+            for at in range(start, start + match[0].count("\n") + 1):
+                found[at] = "fence"
+    return found
+
+
 def row(line: str) -> str:
     """Return a line; one of a table without what a formatter aligns it by."""
     if not line.startswith("|"):

@@ -45,6 +45,8 @@ class Result:
     """By path, the parts that both sides have made, of which the developer's stay."""
     gone: dict[str, list[str]] = field(default_factory=dict)
     """By path of before, the parts that neither side has any longer."""
+    reworded: dict[str, list[str]] = field(default_factory=dict)
+    """By path, comments of the new version where the developer has deleted those of before."""
     rejected: Tree = field(default_factory=dict)
     """Of the files in conflict, what was not merged, as a patch."""
     settled: Tree = field(default_factory=dict)
@@ -187,6 +189,7 @@ class _Package:
             ("missing", path),
             ("own", path),
             ("gone", source),
+            ("reworded", path),
         ):
             if parts := getattr(outcome, name):
                 getattr(self.result, name)[key] = parts

@@ -94,7 +94,8 @@ def recount(
         if target not in carried:
             sides = [_text(text) for text in (ours, base, theirs, there)]
             parts = [*result.own.get(target, []), *result.missing.get(target, [])]
-            excuse = excused.get(path, "") + _about(theirs, parts)
+            excuse = excused.get(path, "") + "".join(result.reworded.get(target, []))
+            excuse += _about(theirs, parts)
             gone = [*result.missing.get(target, []), *result.removed.get(path, [])]
             gone += result.gone.get(path, [])
             taken = _about(base, gone)

@@ -1,5 +1,6 @@
 """The second proof counts: it sees what the first does not, and stays silent where all is well."""
 
+import re
 from collections import Counter
 from random import Random
 
@@ -370,6 +371,38 @@ def test_what_leaves_may_stay_as_the_comment_that_the_developer_has_made_of_it(
     result, doubts = Versions(*trees).merged()
     assert (doubts, result.conflicts) == ([], {})
     assert out in result.tree[path].text
+
+
+ASIDES = {
+    "a.yaml": ("/**:\n  ros__parameters:\n", "    # {}, m\n    reach: 1.0\n", "    rate: 1\n"),
+    "a.hpp": ("struct Config\n{\n", "  /// {}, m\n  double reach = 1.0;\n", "};\n"),
+    "a.py": ("class Config:\n", "    # {}, m\n    reach: float = 1.0\n", "    b: int = 1\n"),
+    "CMakeLists.txt": ("project(a)\n", "install(FILES\n  # {}\n  1.0\n)\n", "ament_package()\n"),
+    "table.md": ("# a\n\n", "| {} |\nIt takes 1.0 s.\n", "\n# b\n"),
+    "fence.md": ("# a\n\n", "```\n{}\n```\nIt takes 1.0 s.\n", "\n# b\n"),
+}
+
+
+@pytest.mark.parametrize("value", ["1.0", "2.0"])
+@pytest.mark.parametrize("path", ASIDES)
+def test_what_the_developer_has_deleted_may_be_reworded(path, value):
+    """A comment, table or diagram stays away, whether or not what is beside it changes."""
+    head, item, tail = ASIDES[path]
+    old = head + item.format("How far") + tail
+    new = head + item.format("The distance that it goes").replace("1.0", value) + tail
+    mine = re.sub(r"(?m)^.*(How far|```).*\n", "", old)
+    result, doubts = Versions(*({path: File(encode(one))} for one in (mine, old, new))).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree[path].text == mine.replace("1.0", value)
+
+
+def test_comment_that_the_developer_has_reworded_too_is_a_conflict():
+    """As one of those that are left, beside one that was deleted."""
+    old = "class Config:\n    # How far\n    # How fast\n    reach: float = 1.0\n"
+    mine = old.replace("    # How far\n", "").replace("fast", "quickly")
+    new = old.replace("far", "distant").replace("fast", "swiftly")
+    trees = ({"a.py": File(encode(one))} for one in (mine, old, new))
+    assert Versions(*trees).merged()[0].conflicts
 
 
 def test_one_windows_line_end_makes_no_conflict():
