@@ -234,19 +234,23 @@ def _take_key(block: Block, other: Block, free: dict[str, Block]) -> None:
 def _pairs(ours: Blocks, namesakes: Blocks, free: Mapping[str, Block]) -> dict[int, Block]:
     """Find out which of the blocks of one name are which of another version.
 
-    Where there are several, it is the words that no other one has which tell.
+    Where there are several, it is the words that no other one has which tell: those of code before
+    those of comments, as the comment above the first of them may be about all.
     """
     theirs = [other for other in namesakes if other.key in free]
     if len(ours) == len(namesakes) == 1:
         return dict(enumerate(theirs))
     likely = []
     for at, other in enumerate(theirs):
-        special = _words(other).difference(*(_words(o) for o in namesakes if o is not other))
+        rest = [each for each in namesakes if each is not other]
+        in_code, special = (
+            words(other).difference(*map(words, rest)) for words in (_words_of_code, _words)
+        )
         for place, block in enumerate(ours):
-            common = len(special & _words(block))
+            common = len(in_code & _words_of_code(block)), len(special & _words(block))
             is_same = block.text == other.text
-            if is_same or common or not special:
-                likely.append((not is_same, -common, abs(place - at), place, at))
+            if is_same or common[1] or not special:
+                likely.append((not is_same, *(-n for n in common), abs(place - at), place, at))
     pairs: dict[int, int] = {}
     for *_, place, at in sorted(likely):
         if place not in pairs and at not in pairs.values():
@@ -431,3 +435,7 @@ def _name(key: str) -> str:
 
 def _words(block: Block) -> set[str]:
     return set(re.findall(r"\w+", block.text))
+
+
+def _words_of_code(block: Block) -> set[str]:
+    return set(re.findall(r"\w+", re.sub(r"(?m)^\s*(//|# ).*", "", block.text)))

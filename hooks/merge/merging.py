@@ -239,7 +239,7 @@ class _Merger:
                 return list(lines.split(mine.text))
             new = Block(new.key, mine.lines, new.children, mine.tail)
         if self.is_same(new, old):
-            return list(lines.split(mine.text))
+            return list(lines.split(new.text if mine.text == old.text else mine.text))
         is_import = self.language is PYTHON and mine.key.startswith("from ") and not mine.children
         is_joined = is_import and mine.text.count("\n") == 1
         if self.is_same(mine, old) and not is_joined:

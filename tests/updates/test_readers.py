@@ -517,6 +517,25 @@ def test_own_comment_and_what_follows_it_keep_one_empty_line_between_items():
     assert found == changed(mine, (last, f"    def c(self):\n        pass\n\n{last}"))
 
 
+def test_function_that_leaves_has_the_name_of_one_that_stays():
+    """The comment above both is then above the other one, which is no sign of which has left."""
+    words = "// Reads a number, and says whether the text is one that can be read.\n"
+    first = "bool read(int & value)\n{\n  value = 1;\n  return true;\n}\n\n"
+    second = "bool read(double & value)\n{\n  return std::isfinite(value);\n}\n"
+    old, new = words + first + second, words + second
+    mine = changed(old, (second, f"// own\n{second}"))
+    is_merged, found, result = merge("a.cpp", mine, old, new)
+    assert (is_merged, found) == (True, f"{words}// own\n{second}")
+    assert result.removed == {}
+
+
+def test_empty_line_above_the_first_include_stays_when_that_leaves():
+    old = "#define A\n\n#include <a>\n#include <b>\n\nvoid f();\n"
+    new = changed(old, ("#include <a>\n", ""))
+    is_merged, found, _ = merge("a.hpp", f"{old}// own\n", old, new)
+    assert (is_merged, found) == (True, f"{new}// own\n")
+
+
 LIST = """publishers:
   - name: speed
     type: std_msgs/msg/Float64
