@@ -123,13 +123,15 @@ def test_what_python_alone_needs_is_not_built_with(render, distro):
     spec = spec.replace("</node>", PYTHON_ALONE, 1)
     package = render(spec, model="mixed_model", ros_distro=distro)
     cmake = (package / "CMakeLists.txt").read_text()
-    names = {"std_srvs", "nav_msgs", "control_msgs", "tf2_msgs"}
-    names |= {"roslaunch", "rospy", "actionlib", "rosgraph"} if distro == "noetic" else {"rclpy"}
+    names = {"std_srvs", "nav_msgs", "control_msgs"}
+    ros1 = {"roslaunch", "rospy", "actionlib", "rosgraph", "tf2_ros"}
+    names |= ros1 if distro == "noetic" else {"rclpy", "tf2_ros_py"}
     tree = ET.parse(package / "package.xml").getroot()
     for name in names:
         assert not re.search(rf"\b{name}\b", cmake), name
         assert {e.tag for e in tree if e.text == name} == {"exec_depend"}, name
     assert {e.tag for e in tree if e.text == "diagnostic_msgs"} == {"depend"}
+    assert {e.tag for e in tree if e.text == "tf2_msgs"} == {"test_depend"}
 
 
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])

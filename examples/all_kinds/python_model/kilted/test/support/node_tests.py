@@ -745,9 +745,8 @@ class NodeTests:
             def are_counted():
                 values = {each.key: each.value for each in last()[0].values}
                 counts = [values.get(key) for key in ('rate (Hz)', 'late cycles', 'missed cycles')]
-                return all(counts) and '0' not in counts[1:] and says(
-                    WARN, 'late cycles', 'warning'
-                )
+                is_counted = all(counts) and '0' not in counts[1:]
+                return is_counted and says(WARN, 'late cycles', 'warning')
 
             self.assertTrue(eventually(are_counted), last())
             self.assertTrue(says(WARN, 'warning', 'warning'), last())  # both sentences
