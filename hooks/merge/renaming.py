@@ -234,8 +234,9 @@ def _as_made(
         return after.replace(changed, made)
     end = _ENDS[known.name].search(changed) if heads else None
     was = _ENDS[known.name].search(line) if end else None
-    head = heads.get(collapsed(line[: was.start()]).rstrip()) if was else None
-    return after.replace(changed, head + changed[end.start() :]) if head and end else after
+    start = line[: was.start()] if was else ""
+    head, gap = heads.get(collapsed(start).rstrip()), start[len(start.rstrip()) :]
+    return after.replace(changed, head + gap + changed[end.start() :]) if head and end else after
 
 
 def plan_renames(

@@ -5,7 +5,8 @@ import re
 import pytest
 
 from hooks.merge import languages
-from hooks.merge.languages import CMAKE
+from hooks.merge.languages import CMAKE, MARKDOWN
+from hooks.merge.renaming import _as_made, _heads
 from hooks.merge.tokens import words
 from hooks.merge.versions import Versions
 from support.arm import SPEC
@@ -219,8 +220,14 @@ def test_row_of_a_table_with_the_name_keeps_the_last_cell_of_the_developer(pairs
     ]
     text, wanted = (re.sub(r"[^|]*\|$", " Mine, `load` too |", row) for row in rows)
     assert joined(pairs[model], "README.md", start, text) == (wanted, [], False)
-    aligned = text.replace(" | Mine", "    | Mine")
-    assert joined(pairs[model], "README.md", start, aligned) == (wanted, [], False)
+    aligned, found = (row.replace(" | Mine", "    | Mine") for row in (text, wanted))
+    assert joined(pairs[model], "README.md", start, aligned) == (found, [], False)
+
+
+def test_empty_cell_of_a_row_with_the_name_keeps_its_blanks():
+    rows = [f"| `{name}` | `int8[3]` |  |  |" for name in ("load", "fetch")]
+    heads = _heads(MARKDOWN, dict([rows]))
+    assert _as_made(MARKDOWN, *rows, {}, heads) == rows[1]
 
 
 NAMED = "{}:\n  # mine\n  ros__parameters:\n    gain: 2\n"
