@@ -35,7 +35,7 @@ class Outcome:
     gone: list[str] = field(default_factory=list)
     """The blocks that neither side has any longer; the developer may have comments of them."""
     reworded: list[str] = field(default_factory=list)
-    """Comments of the new version where the developer has deleted those of before."""
+    """New comments, tables and diagrams where the developer has deleted those of before."""
 
     @property
     def conflict(self) -> bool:
@@ -275,9 +275,9 @@ class _Merger:
         """Merge lines; in a conflict without comments and the like that the developer deleted."""
         known = self.language
         merged = lines.merge_lines(mine, old, new, known.key, known.same, self.of_people)
-        gone = {*known.asides(old)} - {*known.asides(mine), ""}
-        if not gone or self.of_people or not lines.conflicts(merged):
+        if self.of_people or not lines.conflicts(merged):
             return merged
+        gone = {*known.asides(old)} - {*known.asides(mine), ""}
         made, came = ([*zip(known.asides(side), side, strict=True)] for side in (old, new))
         old, new = ([line for kind, line in told if kind not in gone] for told in (made, came))
         bare = lines.merge_lines(mine, old, new, known.key, known.same)

@@ -46,7 +46,7 @@ class Result:
     gone: dict[str, list[str]] = field(default_factory=dict)
     """By path of before, the parts that neither side has any longer."""
     reworded: dict[str, list[str]] = field(default_factory=dict)
-    """By path, comments of the new version where the developer has deleted those of before."""
+    """By path, new comments, tables and diagrams where the developer has deleted the old ones."""
     rejected: Tree = field(default_factory=dict)
     """Of the files in conflict, what was not merged, as a patch."""
     settled: Tree = field(default_factory=dict)

@@ -100,7 +100,7 @@ private:
         [&] {
           call->response = std::move(response);
           call->done = true;
-          lock.lock();
+          lock.lock();  // within the change: further calls wait for this caller to be free
           call_ = nullptr;
           taken_ = false;
         });
