@@ -26,6 +26,14 @@ RESULTS = {
 }
 
 
+def sends_to(client):
+    """Return whether the server sends results, which is later than the client is connected."""
+    server = client.last_status_msg._connection_header["callerid"]
+    _, _, links = ServerProxy(rosnode.get_api_uri(rosgraph.Master("/peer"), server)).getBusInfo("")
+    topics = [topic for _, node, _, _, topic, *_ in links if node == rospy.get_name()]
+    return client.result_sub.resolved_name in topics
+
+
 class Peer:
     def __init__(self):
         rospy.init_node(f"peer_{os.getpid()}", disable_signals=True)
@@ -164,6 +172,7 @@ class Peer:
                 type_ = load("test_msgs/msg/FibonacciAction")
                 self.clients[action] = client = actionlib.ActionClient(action, type_)
         assert client.wait_for_server(rospy.Duration(TIMEOUT)), f"no action {action}"
+        wait_for(lambda: sends_to(client), "the server has no connection for results")
         handle = client.send_goal(load("test_msgs/msg/FibonacciGoal")(order))
         wait_for(
             lambda: handle.get_comm_state() != actionlib.CommState.WAITING_FOR_GOAL_ACK,

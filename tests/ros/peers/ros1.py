@@ -2,9 +2,12 @@
 
 import importlib
 import time
+from xmlrpc.client import ServerProxy
 
 import actionlib
 import dynamic_reconfigure.client
+import rosgraph
+import rosnode
 import rospy
 import tf2_ros
 
@@ -20,6 +23,14 @@ def load(type_name, suffix=""):
     package, folder, name = type_name.split("/")
     folder = "msg" if folder == "action" else folder
     return getattr(importlib.import_module(f"{package}.{folder}"), name + suffix)
+
+
+def sends_to(client):
+    """Return whether the server sends results, which is later than the client is connected."""
+    server = client.last_status_msg._connection_header["callerid"]
+    _, _, links = ServerProxy(rosnode.get_api_uri(rosgraph.Master("/peer"), server)).getBusInfo("")
+    topics = [topic for _, node, _, _, topic, *_ in links if node == rospy.get_name()]
+    return client.result_sub.resolved_name in topics
 
 
 class Goal:
@@ -94,6 +105,10 @@ class Peer:
     def goal(self, action, type_name, **fields):
         client = actionlib.ActionClient(action, load(type_name, "Action"))
         assert client.wait_for_server(rospy.Duration(TIMEOUT)), "no action server"
+        end = time.monotonic() + TIMEOUT
+        while not sends_to(client):
+            assert time.monotonic() < end, "the server has no connection for results"
+            time.sleep(0.01)
         self.kept.append(client)
         return Goal(client, load(type_name, "Goal")(**fields))
 

@@ -275,6 +275,7 @@ class GoalServer:
             name,
             self._execute,
             goal_callback=self._accept,
+            handle_accepted_callback=self._start,
             cancel_callback=self._cancel,
         )
 
@@ -289,23 +290,24 @@ class GoalServer:
 
     def finish(self, outcome):
         """End the goal: succeeded or aborted."""
-        self._executor.create_task(self._end.set_result, outcome)
+        self._executor.create_task(self._handle.end.set_result, outcome)
 
     def _accept(self, goal):
         self.goals.append(goal)
-        if self.rejects:
-            return GoalResponse.REJECT
-        self._end = Future(executor=self._executor)
-        self._end.add_done_callback(lambda _: self._executor.wake())  # rclpy 9.1.2 does not
-        return GoalResponse.ACCEPT
+        return GoalResponse.REJECT if self.rejects else GoalResponse.ACCEPT
 
-    def _cancel(self, _):
+    def _start(self, handle):
+        handle.end = Future(executor=self._executor)
+        handle.end.add_done_callback(lambda _: self._executor.wake())  # rclpy 9.1.2 does not
+        handle.execute()
+        self._handle = handle
+
+    def _cancel(self, handle):
         self.cancels += 1
-        self._end.set_result('canceled')
+        handle.end.set_result('canceled')
         return CancelResponse.ACCEPT
 
     async def _execute(self, handle):
-        self._handle = handle
         ends = {'succeeded': handle.succeed, 'aborted': handle.abort, 'canceled': handle.canceled}
-        ends[await self._end]()
+        ends[await handle.end]()
         return self._result

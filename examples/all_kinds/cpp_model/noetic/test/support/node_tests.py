@@ -494,6 +494,9 @@ class NodeTests:
                 comes(outcome, feedback, result)
                 node.order('now', send)
                 comes('active', feedback, None)
+            node.order('now', send)  # which cancels the one before
+            self.assertTrue(eventually(lambda: server.cancels == 1), name)
+            comes('active', feedback, None)
             node.order('now', member + '=')
             comes('canceled', feedback, result)
             server.rejects = True
@@ -506,8 +509,8 @@ class NodeTests:
             comes('active', feedback, None)
             node.order('deactivate', 'wait=0.2', 'state_' + member)
             node.signal(INT)
-            self.assertTrue(eventually(lambda: server.cancels == 2))
-            self.assertEqual(server.goals, [goal] * 5)
+            self.assertTrue(eventually(lambda: server.cancels == 3))
+            self.assertEqual(server.goals, [goal] * 6)
             self.assertEqual(node.exit_code(), 0)
             self.assertEqual(node.got('state_' + member)[-1][0], 'active')  # in deactivate
 

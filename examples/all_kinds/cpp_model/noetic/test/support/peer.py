@@ -125,18 +125,26 @@ class Peer:
         rospy.Service(name, service_type, serve)
         return requests
 
-    def goal(self, _, action_type, name, goal):
+    def goal(self, node, action_type, name, goal):
         """Send a goal; return it, with its feedback, or None if it is rejected."""
         if name not in self._clients:
             client = actionlib.ActionClient(name, action_type)
             feedback = []
             rospy.Subscriber(name + '/feedback', client.ActionFeedback, feedback.append)
             assert client.wait_for_server(rospy.Duration(TIMEOUT)), f'{name} is not served'
+            topics = {name + '/feedback', name + '/result'}
+            assert eventually(lambda: topics <= self._heard(node)), f'{name} does not answer'
             self._clients[name] = client, feedback
         client, feedback = self._clients[name]
         sent = SentGoal(client.send_goal(goal), feedback)
         assert eventually(lambda: sent.state() != GoalStatus.PENDING), f'{name} does not answer'
         return None if sent.state() == GoalStatus.REJECTED else sent
+
+    def _heard(self, node):
+        """Return the topics that a node sends to here; the subscriber is connected before."""
+        uri = rosgraph.Master('/peer').lookupNode(node.name)
+        _, _, links = ServerProxy(uri).getBusInfo('/peer')
+        return {topic for _, name, _, _, topic, *_ in links if name == rospy.get_name()}
 
     def execute(self, action_type, name, feedback, result):
         """Serve an action: send feedback and the result when told to, the result if canceled."""
@@ -236,11 +244,12 @@ class GoalServer:
         self._handle = None
         self._feedback = feedback
         self._result = result
-        actionlib.ActionServer(name, action_type, self._accept, self._cancel, False).start()
+        self._server = actionlib.ActionServer(name, action_type, self._accept, self._cancel, False)
+        self._server.start()
 
     def feed_back(self):
         """Send feedback, which a client that does not know the goal yet does not get."""
-        if self._handle:
+        if self._handle and self._server.result_pub.get_num_connections():
             self._handle.publish_feedback(self._feedback)
 
     def finish(self, outcome):

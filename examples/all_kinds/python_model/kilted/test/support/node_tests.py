@@ -524,6 +524,9 @@ class NodeTests:
                 comes(outcome, feedback, result)
                 node.order('now', send)
                 comes('active', feedback, None)
+            node.order('now', send)  # which cancels the one before
+            self.assertTrue(eventually(lambda: server.cancels == 1), name)
+            comes('active', feedback, None)
             node.order('now', member + '=')
             comes('canceled', feedback, result)
             server.rejects = True
@@ -538,8 +541,8 @@ class NodeTests:
             comes('active', feedback, None)
             node.order('deactivate', 'wait=0.2', 'state_' + member)
             self.peer.change(node, 'deactivate')
-            self.assertTrue(eventually(lambda: server.cancels == 3))
-            self.assertEqual(server.goals, [goal] * 6)
+            self.assertTrue(eventually(lambda: server.cancels == 4))
+            self.assertEqual(server.goals, [goal] * 7)
             self.assertEqual(node.got('state_' + member)[-1][0], 'active')  # in deactivate
             self.peer.change(node, 'activate')
             node.order('now', send)
