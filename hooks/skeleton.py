@@ -30,15 +30,18 @@ KIND_OF_DEPENDENCY = Attribute(
 def skeleton(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
     """Return the XML of a small spec that works, with the rest of the kinds as comments.
 
-    `$word` in an example of the dictionary stands for the value that `sources` has for the word.
+    `$word` in an example of the package's attributes stands for what `sources` has for the word.
     """
-    package = list(dictionary.package.values())
+    package = [
+        replace(one, example=Template(str(one.example)).safe_substitute(sources))
+        for one in dictionary.package.values()
+    ]
     lines = [
         *HEAD,
         *_comment(
             "This file describes the package: change it, commit, run copier update.", "", package
         ),
-        *_tag(PACKAGE, package, "", ">", sources),
+        *_tag(PACKAGE, package, "", ">"),
     ]
     told: list[Interface] = []
     for component in dictionary.components.values():
@@ -165,17 +168,11 @@ def _inside(text: str) -> str:
     return text.replace("--", "- -")
 
 
-def _tag(
-    tag: str,
-    attributes: Iterable[Attribute],
-    indent: str,
-    end: str,
-    sources: Mapping[str, str] | None = None,
-) -> list[str]:
+def _tag(tag: str, attributes: Iterable[Attribute], indent: str, end: str) -> list[str]:
     """Write a tag with an example for each attribute."""
     examples = {}
     for attribute in attributes:
-        example = Template(str(attribute.example)).safe_substitute(sources or {})
+        example = str(attribute.example)
         if (example or not attribute.optional) and not attribute.ignored:
             examples[attribute.name] = example or attribute.name
     return tag_lines(tag, examples, indent, end)

@@ -234,10 +234,9 @@ class _Carrier:
         if item.keyword not in _KNOWN["items"][_name(key)]:
             return ""
         for first, second, folder in _KNOWN["lists"]:
-            source, target = (first, second) if self.ros == 2 else (second, first)
-            prefix = folder if self.ros == 1 else ""
+            target, prefix = (second, "") if self.ros == 2 else (first, folder)
             file = re.fullmatch(rf"{prefix}([\w/.-]+\.{folder[:-1]})", item.name)
-            if key == source and file:
+            if file:
                 name = (folder if self.ros == 2 else "") + file[1] + item.comment
                 return name if self._listed(target, name, f".{folder[:-1]}") else ""
         if _name(key) in _PARTS:

@@ -81,6 +81,7 @@ from hooks import names
         (text.yaml, ([1e22, "a\x85", True, None],), '[1.0e+22, "a\\u0085", true, null]'),
         (text.yaml, ("1e5",), '"1e5"'),
         (text.yaml_key, ("Y",), "'Y'"),
+        (text.yaml_key, ("yes",), "'yes'"),
         (text.yaml_key, ("x",), "x"),
         (text.plain, (10.0,), "10"),
         (text.plain, (0.5,), "0.5"),

@@ -87,6 +87,12 @@ def test_figure_4_of_the_paper(tmp_path):
     assert spec["nodes"][0]["subscribers"][0]["type"] == "geometry_msgs::Point"
 
 
+def test_unknown_distribution(model):
+    xml = NODE.format("").encode()
+    with pytest.raises(SpecError, match=r'^ros_distro: unknown "melodic"; .* \[unknown-choice\]$'):
+        model.context(xml, "spec.xml", "melodic")
+
+
 def test_a_default_counts_where_the_attribute_has_a_meaning(model):
     server = '<actionServer name="x" type="a::B" {}/>'
     for said, most in [("", None), ('goal="queue"', None), ('goal="parallel"', 8)]:

@@ -124,6 +124,8 @@ def test_message_names_three_files(package):
         (package / path).write_text("MINE = 1\n")
     with pytest.raises(SpecError, match=r"^a\.py, b\.py, c\.py and 2 more: not in git"):
         refuse(package, paths, {})
+    with pytest.raises(SpecError, match=r"^a\.py, b\.py, c\.py: not in git"):
+        refuse(package, paths[:3], {})
 
 
 def test_links_inside_of_the_package_are_fine(package):

@@ -239,6 +239,9 @@ PARTS_OF_CPP = {
     "ARM_API(\n  1\n)\nvoid f();\n": ["f()"],
     "ARM_API(\n  1\n)\n#if A\n#endif\n": ["#if A", "then"],
     "INT\n\nf();\n": ["f()"],
+    "bool A::operator==(int b) const\n{\n}\nint operator()(int b);\n": [
+        *("A::operator==()", "operator()()")
+    ],
     "void f()\n{\n}\nvoid f()\n{\n}\n": ["f()", "f() #2"],
     **{
         f"ARM_F(a)\n\n{word}\n{{\n}}\n": [f"ARM_F ( a ) {word}"]

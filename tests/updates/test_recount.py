@@ -317,6 +317,23 @@ def test_function_of_which_the_developer_has_one_half_is_theirs():
         assert {(hpp, half), (cpp, half)} & {*said}
 
 
+def test_function_that_leaves_leaves_whole():
+    hpp, cpp = "include/arm/worker_impl.hpp", "src/worker_impl.cpp"
+    old = {hpp: HPP, cpp: CPP}
+    new = {
+        hpp: HPP.replace("  void serve_load(Request & request);\n", ""),
+        cpp: CPP.replace(CPP[CPP.index("void") : CPP.rindex("void")], ""),
+    }
+    sides = [{p: File(encode(t)) for p, t in side.items()} for side in (old, old, new)]
+    sides = (*sides, Renaming(), {""}.__contains__)
+    result = merge_package(*sides)
+    assert recount(*sides, result, result.tree, []) == []
+    for path in hpp, cpp:
+        found = {**result.tree, path: File(encode(old[path]))}
+        said = recount(*sides, result, found, [])
+        assert "WorkerImpl::serve_load is but half there" in [what for _, what in said], path
+
+
 LOGIC = """class Impl:
     # Service load
     def serve_load(self, request, response):
