@@ -52,7 +52,11 @@ YAML = Language(
     "yaml", checked(outlines.yaml_blocks), outlines.same_yaml, _margin_counts, _comments("#")
 )
 CMAKE = Language(
-    "cmake", checked(outlines.cmake_blocks), outlines.same_cmake, squeezed, _comments("#")
+    "cmake",
+    checked(outlines.cmake_blocks),
+    outlines.same_cmake,
+    outlines.cmake_key,
+    _comments("#"),
 )
 MARKDOWN = Language(
     "markdown", checked(outlines.markdown_blocks), outlines.same_markdown, _row, outlines.asides

@@ -106,7 +106,7 @@ def cmake_blocks(text: str) -> list[Block]:
                 first = re.match(r"\w+\s*\((?:(?:\s*\n)?\s*([A-Z_]+\b)|[ \t]*([^\s)]*))", command)
                 key = " ".join(filter(None, (key, *(first.groups() if first else ()))))
             if name.lower() in ("if", "elseif"):
-                key = squeezed(command)
+                key = cmake_key(command)
             at, rest = text[:start].count("\n"), command.count("\n")
             spans.append(Span(key, at, at + rest + 1))
     if depth:
@@ -226,9 +226,20 @@ _CMAKE_EXACT = re.compile(
 )
 
 
+def cmake_key(text: str) -> str:
+    """Return commands without blanks around their words, their names in small letters."""
+    return squeezed(_lower(text))
+
+
+def _lower(text: str) -> str:
+    return _COMMAND.sub(lambda match: match[0].lower() if match["name"] else match[0], text)
+
+
 def same_cmake(one: str, other: str) -> bool:
-    """Say whether two texts differ in blanks alone, but for those of an argument."""
-    texts = (_BESIDE.sub(lambda match: match["sign"] or match[0], text) for text in (one, other))
+    """Say whether two texts differ in form alone: capitals of commands, blanks between words."""
+    texts = (
+        _BESIDE.sub(lambda match: match["sign"] or match[0], _lower(text)) for text in (one, other)
+    )
     return len({squeezed(text, _CMAKE_EXACT) for text in texts}) == 1
 
 

@@ -19,7 +19,7 @@ import yaml
 
 from ..data import LOADER
 from .blocks import unicode
-from .lines import plain
+from .lines import plain, split
 from .package import Result
 from .python_blocks import nodes
 from .renaming import Renaming
@@ -32,6 +32,11 @@ _IMPORT = re.compile(r"\tfrom\n\t\w+\n(\t\.\n\t\w+\n)*\timport\n")
 _NAMES = re.compile(r"\bfrom \S+ import \([^)]*\)")
 """Names that are imported, of which a line may have several."""
 Places = list[tuple[str, str]]
+_CMAKE = ("CMakeLists.txt", ".cmake")
+
+
+def _lower(text: str) -> str:
+    return re.sub(r"(?m)^\s*\w+(?=\s*\()", lambda found: found[0].lower(), text)
 
 
 def _tight(text: str) -> str:
@@ -72,9 +77,9 @@ def recount(
 
     `left` are the developer's lines that left with what the summary names.
     """
-    excused: dict[str, str] = {}
-    for path, _, line in left:
-        excused[path] = f"{excused.get(path, '')}{line}\n"
+    leaving: dict[str, set[int]] = {}  # with those beside them, in which such a text may go on
+    for path, number, _ in left:
+        leaving.setdefault(path, set()).update(range(number - 1, number + 2))
     carried = {path for targets, _ in result.carried.values() for path in targets}
     places = {renaming.path(path): path for path in old}
     wrong = [*_files(mine, old, new, renaming, is_kept, result, found)]
@@ -90,11 +95,15 @@ def recount(
         if files[0] == files[1] and files[2] == files[3]:
             continue
         ours, base, theirs, there = (plain(text or "") for text in texts)
+        if target.endswith(_CMAKE):  # its commands may be in capitals
+            ours, base, theirs, there = map(_lower, (ours, base, theirs, there))
         ours, base = (renaming.text(origin, text) for text in (ours, base))
         if target not in carried:
             sides = [_text(text) for text in (ours, base, theirs, there)]
             parts = [*result.own.get(target, []), *result.missing.get(target, [])]
-            excuse = excused.get(path, "") + "".join(result.reworded.get(target, []))
+            numbered = enumerate(split(plain(file.text or "")), 1)
+            excuse = "".join(line for n, line in numbered if n in leaving.get(path, ()))
+            excuse += "".join(result.reworded.get(target, []))
             excuse += _about(theirs, parts)
             gone = [*result.missing.get(target, []), *result.removed.get(path, [])]
             gone += result.gone.get(path, [])
@@ -268,7 +277,7 @@ _SOUND: tuple[tuple[str | tuple[str, ...], Callable[[str], set[str]]], ...] = (
         ),
     ),
     (
-        ("CMakeLists.txt", ".cmake"),
+        _CMAKE,
         _unbalanced(
             rf"#?\[(=*)\[.*?\]\1\]|#[^\n]*|{_STRING}",
             parentheses=(r"\(", r"\)"),

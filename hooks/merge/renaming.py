@@ -32,7 +32,9 @@ _MARK = re.compile(r"zq(\d+)x", re.IGNORECASE)
 _GROUPED = re.compile(r"(?m)^\s*(\w+(?:[./]\w+)+):")
 _OTHER_SIGN = str.maketrans("./", "/.")
 """Between nested names: a dot in ROS 2, a stroke in ROS 1."""
-_ABOUT_TARGETS = re.compile(r"target_|set_target_|ament_target_|add_executable$|add_dependencies$")
+_ABOUT_TARGETS = re.compile(
+    r"target_|set_target_|ament_target_|add_executable$|add_dependencies$", re.IGNORECASE
+)
 
 
 @dataclass

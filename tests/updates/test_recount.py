@@ -390,6 +390,36 @@ def test_what_leaves_may_stay_as_the_comment_that_the_developer_has_made_of_it(
     assert out in result.tree[path].text
 
 
+def test_line_that_is_a_part_of_two_others_leaves_with_them():
+    """The developer logs all nodes; that of one node is in two lines, of the container in one."""
+    log = 'output="screen" args="-l $(var level)"'
+    node = f'  <node pkg="arm" exec="{{0}}" name="{{0}}" namespace="$(var ns)"\n    {log}/>\n'
+    container = f'  <node_container name="all"\n    namespace="$(var ns)" {log}/>\n'
+    texts = (node.format("reach") + node.format("watch"), node.format("watch"))
+    old, new = (f"<launch>\n{text}{container}</launch>\n" for text in texts)
+    mine, wanted = (text.replace('"screen"', '"log"') for text in (old, new))
+    sides = ({"launch/a.launch.xml": File(encode(text))} for text in (mine, old, new))
+    result, doubts = Versions(*sides).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree["launch/a.launch.xml"].text == wanted
+
+
+def test_commands_may_be_in_capitals():
+    """As cmake-format writes them; what comes, leaves or gets another name is not in conflict."""
+    old = "project(arm)\n\nif(TESTING)\n  add_executable(reach a.cpp)\nendif()\n"
+    for new in (
+        old.replace("a.cpp", "b.cpp"),
+        old.replace("  add", "  find_package(b)\n  add"),
+        old.replace("(arm)", "(robot)"),
+        "project(arm)\n",
+    ):
+        mine = re.sub(r"\w+(?=\()", lambda command: command[0].upper(), old)
+        sides = ({"CMakeLists.txt": File(encode(text))} for text in (mine, old, new))
+        result, doubts = Versions(*sides).merged()
+        assert (doubts, result.conflicts, result.missing) == ([], {}, {})
+        assert result.tree["CMakeLists.txt"].text.lower() == new.lower()
+
+
 ASIDES = {
     "a.yaml": ("/**:\n  ros__parameters:\n", "    # {}, m\n    reach: 1.0\n", "    rate: 1\n"),
     "a.hpp": ("struct Config\n{\n", "  /// {}, m\n  double reach = 1.0;\n", "};\n"),

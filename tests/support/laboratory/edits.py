@@ -754,14 +754,19 @@ def end_lines_as_windows(random, edited):
 
 
 def run_formatter(random, edited):
-    """Run ruff over the Python files; indent C++ by four and join what a line can hold."""
+    """Run ruff over Python; indent C++ by four, join what a line can hold; CMake in capitals."""
     for path, text in edited.texts.items():
         if path.endswith(".py") and FOREIGN not in text:
             edited.texts[path] = ruff(path, text)
         elif path.endswith((".cpp", ".hpp")):
             text = re.sub(r"(?m)^((?:  )+)(?=\S)", lambda m: m[1] * 2, text)
             edited.texts[path] = re.sub(r"\(\n\s+([^\n/]{1,60})\)", r"(\1)", text)
-        if edited.texts[path] != text or path.endswith((".cpp", ".hpp")):
+        elif path == "CMakeLists.txt":
+            command = r"(?m)^ *[a-z]\w*(?=\()"
+            edited.texts[path] = re.sub(command, lambda m: m[0].upper(), text)
+        if path.endswith((".cpp", ".hpp")) or (
+            path.endswith(".py") and edited.texts[path] != text
+        ):
             edited.formatted.add(path)
 
 

@@ -214,7 +214,8 @@ def _parts(path, new, result, deleted):
 
 
 def _lines(text):
-    return Counter(line.strip() for line in text.split("\n") if line.strip())
+    small = re.sub(r"(?m)^\s*[A-Z_]+(?=\()", lambda command: command[0].lower(), text)
+    return Counter(line.strip() for line in small.split("\n") if line.strip())
 
 
 @functools.lru_cache(maxsize=4096)
