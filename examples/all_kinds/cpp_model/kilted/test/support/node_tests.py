@@ -333,6 +333,9 @@ class NodeTests:
                 self.assertTrue(any(reach(apart, 0.0) for _ in range(3)), f'{name}: {apart} s')
             self.assertTrue(self.peer.change(self.node, 'deactivate'))
             send()
+            for _, topic, type_, kind, *_ in self.each('input_'):
+                input_ = self.node, kind, topic, type_
+                self.assertTrue(eventually(lambda: not self.peer.has(*input_)), topic)
             self.assertTrue(self.peer.change(self.node, 'activate'))
             count = len(got())
             self.assertTrue(eventually(lambda: send() and got()[count:]), name)
