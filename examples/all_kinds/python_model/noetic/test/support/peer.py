@@ -133,7 +133,7 @@ class Peer:
             rospy.Subscriber(name + '/feedback', client.ActionFeedback, feedback.append)
             assert client.wait_for_server(rospy.Duration(TIMEOUT)), f'{name} is not served'
             topics = {name + '/feedback', name + '/result'}
-            assert eventually(lambda: topics <= self._heard(node)), f'{name} does not answer'
+            assert eventually(lambda: topics <= self._heard(node)), f'{name} does not connect'
             self._clients[name] = client, feedback
         client, feedback = self._clients[name]
         sent = SentGoal(client.send_goal(goal), feedback)
@@ -141,7 +141,11 @@ class Peer:
         return None if sent.state() == GoalStatus.REJECTED else sent
 
     def _heard(self, node):
-        """Return the topics that a node sends to here; the subscriber is connected before."""
+        """
+        Return the topics that a node sends to this one.
+
+        ros_comm 1.15 tells a subscriber that it is connected before the publisher sends to it.
+        """
         uri = rosgraph.Master('/peer').lookupNode(node.name)
         _, _, links = ServerProxy(uri).getBusInfo('/peer')
         return {topic for _, name, _, _, topic, *_ in links if name == rospy.get_name()}
