@@ -123,6 +123,11 @@ def mutants(file: str) -> Iterator[Mutant]:
     for node in ast.walk(tree):
         if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
             uses.setdefault(node.id, []).append(node.lineno)
+    for statement in reversed(tree.body):  # what uses a constant uses those that it is made of
+        for name in constants(statement):
+            for node in ast.walk(statement):
+                if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
+                    uses[node.id].extend(uses.get(name, ()))
     for node, lines_run in places(tree, (), uses):
         start = starts[node.lineno - 1] + node.col_offset
         old = source[
@@ -147,10 +152,8 @@ def places(
             if not isinstance(child, ast.AST) or is_passive(child):
                 continue
             inner = run
-            if isinstance(child, ast.Assign | ast.AnnAssign) and isinstance(node, ast.Module):
-                targets = child.targets if isinstance(child, ast.Assign) else [child.target]
-                names = [target.id for target in targets if isinstance(target, ast.Name)]
-                inner = tuple(line for name in names for line in uses.get(name, ()))
+            if isinstance(node, ast.Module) and constants(child):
+                inner = tuple(line for name in constants(child) for line in uses.get(name, ()))
             elif isinstance(child, ast.stmt) and (run or isinstance(node, ast.FunctionDef)):
                 inner = range(child.lineno, (child.end_lineno or 0) + 1)
                 if hasattr(child, "body"):
@@ -158,6 +161,14 @@ def places(
             if isinstance(child, ast.stmt | ast.expr):
                 yield child, inner
             yield from places(child, inner, uses)
+
+
+def constants(node: ast.AST) -> list[str]:
+    """Return the names to which a statement gives a value."""
+    if not isinstance(node, ast.Assign | ast.AnnAssign | ast.AugAssign):
+        return []
+    targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+    return [target.id for target in targets if isinstance(target, ast.Name)]
 
 
 def is_passive(node: ast.AST) -> bool:

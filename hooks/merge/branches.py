@@ -6,6 +6,7 @@ import contextlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
+from itertools import permutations
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -345,7 +346,7 @@ def wrong_merge(joiner: Joiner, now: Tree) -> Branches | None:
     if len(parents) > 1:
         bases = git.merge_bases(package, *parents[:2])
         base = joiner.files(bases[0]) if bases else {}
-        dropped = {*_dropped(there, base, [sides[one] for one in parents])}
+        dropped = {*_dropped(there, base, [sides[one] for one in parents[:2]])}
         dropped = {path for path in dropped if there.get(path) == now.get(path)}
         found |= {path for path in dropped if not path.endswith(SUFFIX)}
     if not found:
@@ -423,7 +424,7 @@ def _is_edited(path: str, part: str, befores: Sequence[tuple[Tree, Tree]]) -> bo
 
 def _dropped(found: Tree, base: Tree, sides: Sequence[tuple[Tree, Tree]]) -> Iterator[str]:
     """Yield the files that are those of one side, without lines that the other has written."""
-    for (ours, _), (theirs, made) in (sides[:2], sides[1::-1]):
+    for (ours, _), (theirs, made) in permutations(sides):
         for path, file in theirs.items():
             others = (one.get(path) for one in (made, base, found))
             known = {line for other in others for line in _lines(other.text if other else "")}

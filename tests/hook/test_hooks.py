@@ -100,6 +100,13 @@ def test_a_default_counts_where_the_attribute_has_a_meaning(model):
         assert found["nodes"][0]["actionServers"][0]["max_goals"] == most
 
 
+def test_a_tree_says_what_differs_from_a_default(model):
+    """So does NoDL, and whatever else is made of a context."""
+    node = '<node name="n" executable="n" node_name="m" reconfigure="true" diagnostics="false"/>'
+    _, _, [(_, said, _)] = model.tree(context(model, PACKAGE.format(node)))
+    assert said == {"name": "n", "node_name": "m", "reconfigure": True}
+
+
 def test_component_and_template_are_understood(model):
     node = context(model, NODE.format(""))
     component = NODE.format("").replace("node", "component")

@@ -9,12 +9,14 @@ import a
 
 __all__ = ["f"]
 E = 7
+D = E
+D += 8
 
 def f(b: int = 1) -> bool:
     \"\"\"Say so.\"\"\"
     if b > 2 and not a.c("x", d=[1, 2]):
         raise ValueError
-    zip(b, E, strict=True)
+    zip(b, D, strict=True)
     return b in (1,)
 """
 
@@ -44,7 +46,7 @@ def test_faults(tmp_path, monkeypatch):
         "1 -> (2)",
     }
     assert not any("Say so" in each or "int" in each.split() for each in said)
-    asserted = {"True -> (False)", "zip(b, E, strict=True) -> (zip(b, E))", "\"f\" -> ('')"}
+    asserted = {"True -> (False)", "zip(b, D, strict=True) -> (zip(b, D))", "\"f\" -> ('')"}
     assert not said & asserted
     lines = {mutant.old: (mutant.line, *mutant.lines) for mutant in found}
-    assert (lines["7"], lines["2"]) == ((5, 11), (9, 9))
+    assert (lines["7"], lines["8"], lines["2"]) == ((5, 6, 13), (7, 13), (11, 11))

@@ -1,5 +1,6 @@
 """Faults of templates and models are told with the file and the line, without a traceback."""
 
+import runpy
 import sys
 import tempfile
 from types import SimpleNamespace
@@ -57,6 +58,14 @@ def test_fault_of_a_template(environment, root, text, said):
     else:
         assert str(caught.value).startswith('unknown feature "y"; allowed: ')
         assert str(caught.value).endswith(" (in a.md:1) [unknown-feature]")
+
+
+def test_fault_that_the_model_tells_of_a_template(environment, root):
+    """The file is named where the bridge, too, is one of the model, as it is for Copier."""
+    runpy.run_path(str(root / "extensions/spec.py"))["SpecExtension"](environment)
+    (root / "a.md").write_text("\n{{ 'x' | is_lacking('y') }}")
+    with pytest.raises(UserMessageError, match=r" \(in a\.md:2\) \[unknown-feature\]$"):
+        environment.get_template("a.md").render()
 
 
 def test_template_that_is_no_utf_8(environment, root):

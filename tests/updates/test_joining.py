@@ -107,10 +107,10 @@ def test_version_older_than_that_of_a_branch(ours):
     )
 
 
-def merge_wrong(team, *paths, callbacks=BOTH, squash=False):
-    """Merge both branches right, but take some files of one side; return the commit."""
-    if not squash:
-        team.git("merge", "-q", "-s", "ours", "--no-commit", "topic")
+def merge_wrong(team, *paths, callbacks=BOTH, others=("topic",)):
+    """Merge branches right, but take some files of one side; return the commit."""
+    if others:
+        team.git("merge", "-q", "-s", "ours", "--no-commit", *others)
     ours = read_paths(team.folder, paths)
     made = Model().recorded(answers(*callbacks)).tree
     for path, file in made.items():
@@ -194,6 +194,14 @@ def test_merge_that_has_left_a_file_of_one_side_is_seen(team, path):
     assert team.wrong(*BOTH) is None
 
 
+def test_wrong_merge_of_three_is_refused(team):
+    team.make("load", "store", branch="third", load="another's")
+    team.git("checkout", "-q", "main")
+    merge_wrong(team, "README.md", others=("topic", "third"))
+    with pytest.raises(SpecError, match=r"^3 branches are merged at once .*\[several-branches\]$"):
+        team.wrong(*BOTH)
+
+
 def test_right_merge_is_not_joined_again(team):
     merge_wrong(team)
     assert team.wrong(*BOTH) is None
@@ -206,7 +214,7 @@ def test_commit_without_another_side_is_no_merge(team):
 
 
 def test_branch_that_was_squashed_is_made_of_what_was_before(team):
-    commit_ = merge_wrong(team, "README.md", squash=True)
+    commit_ = merge_wrong(team, "README.md", others=())
     main = team.git("rev-parse", "HEAD^")
     assert team.wrong(*BOTH) == Branches("", main, [], commit_, ("README.md",))
     (first, *_) = team.update(*BOTH)

@@ -12,7 +12,7 @@ from hooks.faults import SpecError
 from hooks.merge import versions as module
 from hooks.merge.merging import by_line, conflict
 from hooks.merge.package import Result, merge_package
-from hooks.merge.proof import prove, uses_of_left
+from hooks.merge.proof import places, prove, uses_of_left
 from hooks.merge.renaming import Renaming
 from hooks.merge.render import Render
 from hooks.merge.transaction import Snapshot
@@ -181,6 +181,20 @@ def test_lines_that_exchange_their_places_are_seen():
     swapped = result.tree[PATH].text.replace("a = 1\n        b = a", "b = a\n        a = 1")
     found = {PATH: File(swapped.encode())}
     assert prove(mine, old, result, found, Renaming()).lost == [(PATH, "b = a")]
+
+
+def test_lines_that_would_be_lost_are_said_where_the_developer_has_them():
+    """A name there is still that of before; a file that is none of theirs has no such line."""
+    mine = {"arm/other.py": File(b"x = 1\n"), PATH: File(MINE.encode())}
+    renaming = Renaming(paths={PATH: "arm/grasp_impl.py"}, everywhere={"ReachImpl": "GraspImpl"})
+    renaming.generated = {PATH: {"class ReachImpl:": "class GraspImpl:"}}
+    lost = [("arm/grasp_impl.py", "class GraspImpl:"), ("arm/grasp_impl.py", "response.ok = True")]
+    lost += [("new.py", "x = 1")]
+    assert [*places(mine, lost, renaming)] == [
+        f"{PATH}:1: class GraspImpl:",
+        f"{PATH}:4: response.ok = True",
+        "new.py: x = 1",
+    ]
 
 
 @pytest.mark.parametrize(

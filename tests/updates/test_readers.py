@@ -170,6 +170,13 @@ STAYS = {
             "#ifdef A\n  if (a) {\n#else\n  if (b) {\n#endif\n  }\n  return true;\n",
         ),
     ),
+    "end of a statement in branches": (
+        "cpp",
+        (
+            "// Service reset",
+            "const int mine =\n#ifdef A\n  1;\n#else\n  2;\n#endif\n// Service reset",
+        ),
+    ),
     "nested namespaces in one line": (
         "cpp",
         (

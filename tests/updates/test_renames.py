@@ -335,6 +335,19 @@ def test_lines_of_the_model_as_they_are_afterwards():
     assert plan(*trees, marks, []).generated == {"a.py": lines}
 
 
+def test_names_of_interfaces_in_a_file_for_all_nodes():
+    """They are exchanged where the model writes them; in another file, the word is another's."""
+    marks = [Mark("goal", "aim", "interface", owner=0)]
+    old, marked = (
+        {"topics.py": File(encode(f"in_{name} = 1\n")), "tools.py": File(b"a = 1\n")}
+        for name in ("goal", "zq0x")
+    )
+    renaming = plan(old, marked, marks, old)
+    code = "import topics\n\nin_goal = 1\nb = in_goal\n"
+    assert renaming.text("topics.py", code) == code.replace("goal", "aim")
+    assert renaming.text("tools.py", code) == code
+
+
 def rename_in_launch_file(one, other, mine, change=("", "")):
     """Return the versions of one whose nodes take other names, and the new one."""
     marks = [
