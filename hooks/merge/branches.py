@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 from itertools import permutations
@@ -136,12 +136,11 @@ class Joiner:
         `contexts` say what was renamed.
         """
         old, new = self.renderer.recorded(answers), self.renderer.fresh(self.answers)
-        before, after = contexts
-        named = {**answers, "spec": before}
-        renaming = plan_renames(named, after, self.dictionary, old.tree, mine, self.renderer)
+        about = (self.dictionary, old.tree, mine, self.renderer)
+        renaming = plan_renames(answers, contexts, *about)
         renaming.follow(self.moved, old.tree, new.tree)
         renaming.move(old.tree, new.tree)
-        ros = [context.get("ros") for context in (before, after)]
+        ros = [context.get("ros") for context in contexts]
         to_ros = int(ros[1] or 0) if ros[0] != ros[1] else None
         return Versions(mine, old.tree, new.tree, renaming, new.is_kept, to_ros)
 
@@ -203,9 +202,12 @@ class Joiner:
                 _keep_conflicts(result, side, _moves(base, other.tree))
         own = self.files(branches.merge) if branches.merge else now
         if own != now:  # what came after the merge
-            later = settle(people(result.tree, own, now))
+            whole = {path for path in result.conflicts if own.get(path) == now.get(path)}
+            trees = (_only(tree, {*tree} - whole) for tree in (result.tree, own, now))
+            later = settle(people(*trees))
             later.conflicts |= {p: c for p, c in result.conflicts.items() if p in later.tree}
-            later.settled = {**result.settled, **later.settled}
+            for name in ("tree", "conflicts", "rejected", "settled"):
+                getattr(later, name).update(_only(getattr(result, name), whole))
             result = later
         result.tree |= {path: file for path, file in now.items() if path.endswith(SUFFIX)}
         return Joined(sides, made, result, own)
@@ -238,6 +240,11 @@ _GITS_MARKS = ("<<<<<<< ", "=======", ">>>>>>> ", "||||||| ")
 
 def _lines(text: str | None) -> list[str]:
     return plain(text or "").split("\n")
+
+
+def _only(files: Mapping[str, Any], paths: Collection[str]) -> dict[str, Any]:
+    """Return what is said of some paths."""
+    return {path: said for path, said in files.items() if path in paths}
 
 
 def settle(made: Versions) -> Result:

@@ -59,7 +59,7 @@ def check(
         old = renderer.recorded(answers)
         touched |= set(old.tree)
         _refuse_large(package, old.tree)
-        renaming = plan_renames(answers, spec, dictionary, old.tree, modes, renderer)
+        renaming = plan_renames(answers, (recorded, spec), dictionary, old.tree, modes, renderer)
         renaming.follow(moved, old.tree, renderer.fresh(new_answers).tree)
         moves = {path: renaming.path(path) for path in modes}
         moves = {path: after for path, after in moves.items() if after != path}

@@ -15,7 +15,7 @@ from typing import Any
 
 import yaml
 
-from ..changes import GONE, Mark, marked
+from ..changes import GONE, Contexts, Mark, marked
 from ..dictionary import Dictionary
 from ..package import SUFFIX
 from . import xml_blocks
@@ -243,14 +243,14 @@ def _as_made(
 
 def plan_renames(
     answers: Mapping[str, Any],
-    spec: Mapping[str, Any],
+    contexts: Contexts,
     dictionary: Dictionary,
     old: Tree,
     mine: Iterable[str],
     renderer: Renderer,
 ) -> Renaming:
     """Find what the renames of a spec exchange; nothing where it has none."""
-    context, marks = marked(answers.get("spec") or {}, spec, dictionary)
+    context, marks = marked(*contexts, dictionary)
     if not any(mark.before != mark.after for mark in marks):
         return Renaming()
     render = renderer.recorded({**answers, "spec": context})

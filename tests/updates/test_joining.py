@@ -72,13 +72,13 @@ class Team:
     def wrong(self, *callbacks):
         return wrong_merge(self.joiner(*callbacks), self.now())
 
-    def update(self, *callbacks):
+    def update(self, *callbacks, inline=True):
         """Update as Copier would have us do, and return what is said."""
         update = Update(self.folder, ANSWERS, quiet=True)
         self.answer(*callbacks)
         joiner = self.joiner(*callbacks)
         about = (joiner.answers, joiner.renderer, joiner.dictionary, {})
-        return update.finish(*about, inline=True).lines
+        return update.finish(*about, inline=inline).lines
 
 
 @pytest.fixture
@@ -194,6 +194,25 @@ def test_merge_that_has_left_a_file_of_one_side_is_seen(team, path):
     assert team.wrong(*BOTH) is None
 
 
+def test_merge_that_has_left_what_one_side_no_longer_makes_is_seen(team):
+    commit_ = merge_wrong(team, "config/home.yaml", callbacks=("load", "store", "park"))
+    found = team.wrong("load", "store", "park")
+    assert (found.merge, found.files) == (commit_, ("config/home.yaml",))
+
+
+def test_merge_that_has_dropped_lines_of_one_side_is_seen(team):
+    """The file is the other side's, and such as any spec makes it."""
+    team.git("checkout", "-q", "topic")
+    (team.folder / "rate.txt").write_text("rate: 1\nmine: 2\n")
+    commit(team.folder, "Write")
+    team.git("checkout", "-q", "main")
+    commit_ = merge_wrong(team, "rate.txt")
+    found = team.wrong(*BOTH)
+    assert (found.merge, found.files) == (commit_, ("rate.txt",))
+    (team.folder / "rate.txt").write_text("rate: 2\n")
+    assert team.wrong(*BOTH) is None
+
+
 def test_wrong_merge_of_three_is_refused(team):
     team.make("load", "store", branch="third", load="another's")
     team.git("checkout", "-q", "main")
@@ -265,6 +284,29 @@ def test_what_came_after_a_wrong_merge_stays(team):
     assert "- park\n" in (team.folder / "README.md").read_text()
     assert (team.folder / "notes.txt").read_text() == "mine\n"
     assert team.git("diff", "--cached", "--name-only") == ""
+
+
+@pytest.mark.parametrize("inline", [True, False])
+def test_conflict_of_a_wrong_merge_is_asked_once_whatever_came_after(team, inline):
+    """Between marks in the file, or in one beside it."""
+    for branch, word in (("topic", "True"), ("main", "False")):
+        team.git("checkout", "-q", branch)
+        text = (team.folder / "arm.py").read_text()
+        (team.folder / "arm.py").write_text(text.replace("return None", f"return {word}", 1))
+        commit(team.folder, "Answer")
+    merge_wrong(team, "README.md")
+    (team.folder / "notes.txt").write_text("mine\n")
+    commit(team.folder, "Go on")
+    assert "CONFLICT  arm.py" in team.update(*BOTH, inline=inline)
+    text = (team.folder / "arm.py").read_text()
+    marks = re.findall("(?m)^(?:<<<|===|>>>).*$", text)
+    if inline:
+        assert [mark[0] for mark in marks] == ["<", "=", ">"]
+        assert text.index("return False") < text.index("return True")
+    else:
+        assert (marks, "return True" in text) == ([], False)
+        assert "+        return True\n" in (team.folder / "arm.py.rej").read_text()
+    assert "return False" in text
 
 
 def test_base_of_branches_that_have_merged_each_other(team):
@@ -628,6 +670,7 @@ FUNCTION = "int %s()\n{\n  return %s;\n}\n"
         ({"a": 1, "b": 2}, {"a": 1}, {"a": 1, "b": 3}, None),
         ({"a": 1}, {"a": 1, "b": 2}, {"a": 1, "b": 2}, {"a": 1}),
         ({"a": 1}, {"a": 1, "b": 2}, {"a": 1}, {"a": 1}),
+        ({"a": 1}, {"a": 1, "b": 2}, {"a": 0}, {"a": 0}),
         ({"a": 1}, {"a": 1, "b": 2}, {"a": 1, "b": 3}, None),
         ({"a": 1, "b": 3}, {"a": 1, "b": 2}, {"a": 1}, None),
         ({"a": 1, "b": 3}, {"a": 1, "b": 2}, {"a": 1, "b": 4}, None),
