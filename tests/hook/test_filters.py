@@ -12,6 +12,7 @@ from hooks import names
 @pytest.mark.parametrize(
     ("function", "arguments", "wanted"),
     [
+        (names.identifier, ("~/arm/pose",), "arm_pose"),
         (names.ros_type, ("a/msg/B", 1), "a/B"),
         (names.ros_type, ("a/msg/B", 2), "a/msg/B"),
         (python.python_type, ("double",), "float"),

@@ -282,10 +282,13 @@ def test_value(format_, text, value):
             '"09" begins with 0, which C and YAML read in base 8, messages in base 10; write 9'
             " [leading-zero]",
         ),
-        (
-            "int",
-            str(2**63),
-            f'"{2**63}" does not fit 64 bits; allowed: {-(2**63)} to {2**63 - 1} [out-of-range]',
+        *(
+            (
+                "int",
+                str(n),
+                f'"{n}" does not fit 64 bits; allowed: {-(2**63)} to {2**63 - 1} [out-of-range]',
+            )
+            for n in (2**63, -(2**63) - 1)
         ),
         (
             "interface_name",

@@ -315,6 +315,9 @@ def test_dependencies_are_translated(model):
     ros1 = context(model, xml, "noetic")
     assert {"roscpp", "tf", "actionlib", "nav_msgs", "rospy"} <= set(ros1["depends"])
     assert ros1["notes"] == []
+    xml = xml.replace("<node", '<depend kind="exec">rosconsole</depend><node')
+    assert context(model, xml)["other_depends"] == {}
+    assert context(model, xml, "noetic")["other_depends"] == {"exec": ["rosconsole"]}
     assert translate_dependency("rclpy", 1)[0] == "rospy"
     assert translate_dependency("rclcpp_lifecycle", 1)[0] == "roscpp"
 

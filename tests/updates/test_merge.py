@@ -255,6 +255,15 @@ def test_moved_file_of_a_renamed_node_is_renamed():
     assert prove(*trees, result, result.tree, renaming).lost == []
 
 
+def test_one_of_two_copies_is_the_moved_file():
+    """That with the name of before; the other one is the developer's own."""
+    mine = {path: File(MINE.encode()) for path in ("arm/z.py", "logic/reach_impl.py")}
+    mine["arm/a.py"] = mine["arm/z.py"]
+    trees = [{PATH: File(text.encode())} for text in (OLD, NEW)]
+    result = merge_package(mine, *trees, Renaming(), {""}.__contains__)
+    assert result.tree == mine | {"logic/reach_impl.py": File(MERGED.encode())}
+
+
 @pytest.mark.parametrize("sign", ["#", "//"])
 def test_bytes_of_another_encoding_do_not_make_a_merge_coarse(sign):
     """A callback comes, one leaves, and no body changes place."""

@@ -61,8 +61,8 @@ OURS = {
     "from lab.reach_interface import (  # a\n    A,\n    ReachData as B,\n)\n\nB(in_goal=1)\n": (
         "from lab.grasp_interface import (  # a\n    A,\n    GraspData as B,\n)\n\nB(in_goal=1)\n"
     ),
-    "from .reach_interface import ReachData\n\nReachData(in_goal=1).x\n": (
-        "from .grasp_interface import GraspData\n\nGraspData(in_target=1).x\n"
+    "from .reach_interface import ReachData\n\nReachData(in_goal = 1).x\n": (
+        "from .grasp_interface import GraspData\n\nGraspData(in_target = 1).x\n"
     ),
     "from . import reach_impl, reach_interface\n\nx = reach_interface.ReachData()\nx.in_goal\n": (
         "from . import grasp_impl, grasp_interface\n\n"

@@ -66,6 +66,12 @@ def test_result_is_put_in_place(package):
     assert git(package, "status", "--short") == "M arm/reach_impl.py"
 
 
+def test_what_has_left_the_spec_is_said(package):
+    (package / "answers.yml").write_text("_src_path: model\nspec: {nodes: [{name: watch}]}\n")
+    commit(package, "Have a node")
+    assert "- node watch" in finish(package).lines
+
+
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
@@ -162,6 +168,13 @@ def test_later_update_is_not_undone_by_an_earlier_one(package):
     assert (package / PATH).read_text() == merged
 
 
+def test_update_ends_after_a_later_one_has_ended(package):
+    earlier = Update(package, "answers.yml", quiet=True)
+    finish(package)
+    earlier.guard.release()
+    assert git(package, "status", "--short") == "M arm/reach_impl.py"
+
+
 def test_file_that_cannot_be_read_any_more_is_seen():
     """Not a line of it is the developer's, who has but deleted some."""
     lines = OLD.split("\n")
@@ -171,6 +184,17 @@ def test_file_that_cannot_be_read_any_more_is_seen():
     found = {PATH: File(result.tree[PATH].data + b"  (\n")}
     lost = [(PATH, "cannot be read any more")]
     assert prove(mine, old, result, found, Renaming()).lost == lost
+
+
+def test_line_is_lost_whatever_else_was_removed():
+    own = OLD.replace("return response", "a = 1\n        return response")
+    mine, old = ({PATH: File(text.encode())} for text in (own, OLD))
+    new = {PATH: File(OLD.partition("\n    def serve_store")[0].encode())}
+    result = merge_package(mine, old, new, Renaming(), {""}.__contains__)
+    proof = prove(mine, old, result, result.tree, Renaming())
+    assert (proof.lost, proof.left) == ([], [(PATH, 9, "        a = 1\n")])
+    found = {PATH: File(result.tree[PATH].text.replace("a = 1", "a = 2").encode())}
+    assert prove(mine, old, result, found, Renaming()).lost == [(PATH, "a = 1")]
 
 
 def test_lines_that_exchange_their_places_are_seen():

@@ -348,6 +348,78 @@ def test_names_of_interfaces_in_a_file_for_all_nodes():
     assert renaming.text("tools.py", code) == code
 
 
+def test_identifiers_that_are_anothers_now():
+    """Said in the files of their node and in the developer's own; a name alone is any word."""
+    marks = [
+        Mark("reach", "reach", "component"),
+        Mark("goal", f"goal{GONE}", "interface", owner=0, is_gone=True),
+    ]
+    old, marked = (
+        {
+            f"{node}_impl.py": File(encode(f"in_{name} = {name}\n")),
+            "watch_impl.py": File(b"a = 1\n"),
+        }
+        for node, name in (("reach", "goal"), ("zq0x", "zq1x"))
+    )
+    mine = {path: File(b"b = in_goal\ngoal = 1\n") for path in (*old, "helper.py")}
+    said = [*uses(mine, old, {}, mine, plan(old, marked, marks, mine))]
+    assert said == [
+        f"{path}:1: in_goal, which is another's now" for path in ("helper.py", "reach_impl.py")
+    ]
+
+
+@pytest.mark.parametrize("top", ["reach", "/**", "mine"])
+def test_keys_are_renamed_below_the_name_that_the_developer_has_given_the_node(top):
+    form = "{}:\n  ros__parameters:\n    {}: 1\n"
+    old, marked = (
+        {"a.yaml": File(encode(form.format("reach", name)))} for name in ("gain", "zq0x")
+    )
+    renaming = plan(old, marked, [Mark("gain", "factor", "interface")], old)
+    assert renaming.text("a.yaml", form.format(top, "gain")) == form.format(top, "factor")
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import arm.tools as t\n\nt.arm = 1\n",
+        "from arm.tools import a\n\narm = 1\n",
+        "import arm.tools\n\narm.tools.arm = 1\n",
+    ],
+)
+def test_imports_of_a_package_that_is_renamed(code):
+    old, marked = (
+        {f"{name}/a.py": File(encode(f"import {name}.tools\n"))} for name in ("arm", "zq0x")
+    )
+    renaming = plan(old, marked, [Mark("arm", "leg", "package")], old)
+    assert renaming.text("arm/a.py", code) == code.replace("arm.tools", "leg.tools")
+
+
+def test_targets_of_cmake():
+    """A file, a variable that has the name of a node is none."""
+    old, marked = (
+        {"CMakeLists.txt": File(encode(f"add_executable({name} a.cpp)\n"))}
+        for name in ("reach", "zq0x")
+    )
+    renaming = plan(old, marked, [Mark("reach", "grasp", "component")], old)
+    form = "target_link_libraries({0} b)\ninstall(TARGETS {0})\n"
+    own = "set(reach 1)\nset(files target_a/reach.cpp)\n"
+    text = renaming.text("CMakeLists.txt", form.format("reach") + own)
+    assert text == form.format("grasp") + own
+
+
+def test_spec_says_itself_what_was_renamed():
+    old, marked = (
+        {path: File(encode(f'<node name="{name}"/>\n')) for path in ("a.launch", "a.ros_package")}
+        for name in ("reach", "zq0x")
+    )
+    renaming = plan(old, marked, [Mark("reach", "grasp", "component")], old)
+    texts = {path: renaming.text(path, file.text) for path, file in old.items()}
+    assert texts == {
+        "a.launch": '<node name="grasp"/>\n',
+        "a.ros_package": '<node name="reach"/>\n',
+    }
+
+
 def rename_in_launch_file(one, other, mine, change=("", "")):
     """Return the versions of one whose nodes take other names, and the new one."""
     marks = [

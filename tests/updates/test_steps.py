@@ -68,6 +68,17 @@ def test_a_render_is_made_once(copies, template):
     assert len(copies.asked) == 2
 
 
+def test_template_on_another_disk_is_copied(copies, template, monkeypatch):
+    """Where no file can be a link to one of it."""
+
+    def link(*_):
+        raise OSError
+
+    monkeypatch.setattr("os.link", link)
+    Renderer(copies, template, "model", "1.0.0", "arm", ANSWERS).fresh(answers("load"))
+    assert copies.template == {"copier.yml"}
+
+
 @pytest.mark.parametrize(
     ("url", "commit_"), [("~/model", "1.0.0"), ("model", "0.9.0"), ("model", None)]
 )
