@@ -401,6 +401,8 @@ NODE = ITEM.format('<node name="n" frequency="1">{}</node>')
                 ("std_msgs->String", "std_msgs::String"),
                 ("std_msgs::msgs::String", "std_msgs::String"),
                 ("rclcpp::Publisher&lt;std_msgs::msg::String>::SharedPtr", "std_msgs::String"),
+                ("rclcpp::Subscription&lt;std_msgs::msg::String>", "std_msgs::String"),
+                ("std::unique_ptr&lt;std_msgs::msg::String>", "std_msgs::String"),
                 ("std_msgs::float", "std_msgs::Float32"),
             ]
         ),
@@ -408,9 +410,16 @@ NODE = ITEM.format('<node name="n" frequency="1">{}</node>')
             NODE.format('<publisher name="x" type="geometry_msgs"/>'),
             '"geometry_msgs" is not a type; it names a package alone; allowed: package::Type',
         ),
-        (
-            NODE.format('<serviceServer name="x" type="std_srvs::Trigger::Request"/>'),
-            'did you mean "std_srvs::Trigger"?',
+        *(
+            (
+                NODE.format(f'<serviceServer name="x" type="{type_}"/>'),
+                'did you mean "std_srvs::Trigger"?',
+            )
+            for type_ in (
+                "std_srvs::Trigger::Request",
+                "rclcpp::Service&lt;std_srvs::srv::Trigger>::SharedPtr",
+                "rclcpp::Client&lt;std_srvs::srv::Trigger>::SharedPtr",
+            )
         ),
         (
             NODE.format('<actionServer name="x" type="nav_msgs::MoveAction::Goal"/>'),
@@ -590,6 +599,8 @@ def test_one_slip_is_one_message(spec, says):
                 ("Time", "time"),
                 ("ros::Time", "time"),
                 ("rclcpp::Duration", "duration"),
+                ("rospy.Time", "time"),
+                ("rclpy.Duration", "duration"),
                 ("std_msgs/Header.msg", "std_msgs::Header"),
                 ("std_msgs.msg.Header", "std_msgs::Header"),
                 ("geometry_msgs::msg::Point::SharedPtr", "geometry_msgs::Point"),
