@@ -401,7 +401,7 @@ def test_targets_of_cmake():
         for name in ("reach", "zq0x")
     )
     renaming = plan(old, marked, [Mark("reach", "grasp", "component")], old)
-    form = "target_link_libraries({0} b)\ninstall(TARGETS {0})\n"
+    form = "target_link_libraries({0} b)\ninstall(TARGETS  # mine\n  {0})\n"
     own = "set(reach 1)\nset(files target_a/reach.cpp)\n"
     text = renaming.text("CMakeLists.txt", form.format("reach") + own)
     assert text == form.format("grasp") + own
