@@ -103,8 +103,8 @@ def cmake_blocks(text: str) -> list[Block]:
             command = text[start : match.end()]
             key = name.lower()
             if not re.fullmatch(_LISTS, key):
-                first = re.match(r"\w+\s*\((?:(?:\s*\n)?\s*([A-Z_]+\b)|[ \t]*([^\s)]*))", command)
-                key = " ".join(filter(None, (key, *(first.groups() if first else ()))))
+                first = re.match(r"\w+\s*\(\s*([^\s)]*)", command)
+                key = f"{key} {first[1] if first else ''}".rstrip()
             if name.lower() in ("if", "elseif"):
                 key = cmake_key(command)
             at, rest = text[:start].count("\n"), command.count("\n")

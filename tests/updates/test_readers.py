@@ -811,6 +811,16 @@ def test_list_of_cmake_that_was_laid_out_anew_gets_what_is_new(edit):
     assert (merges, found, result.missing) == (True, new, {})
 
 
+def test_commands_whose_arguments_have_lines_of_their_own_are_told_apart():
+    """As gersemi lays them out: the name of a target is below that of the command."""
+    parts = [f"add_library({n} SHARED\n  {n}.cpp\n)\nlink({n}\n  core\n)\n" for n in "abc"]
+    old, new = "".join(parts[:2]), "".join(parts[1:])
+    mine = re.sub(r"\((\w)( SHARED)?\n", "(\n  \\1\n \\2\n", old)
+    merges, found, result = merge("CMakeLists.txt", mine, old, new)
+    assert (merges, result.missing) == (True, {})
+    assert found == mine[len(mine) // 2 :] + parts[2]
+
+
 @pytest.mark.parametrize("own", ["CFG_EXTRAS arm.cmake", "LIBRARIES arm", "include_dirs mine"])
 def test_keyword_that_the_developer_puts_first_hides_no_other(own):
     edit = ("catkin_package(\n", f"catkin_package(\n  {own}\n")
