@@ -182,7 +182,8 @@ def _lines(
             if side is new and before:
                 is_deleted = has_missing and ours < before
                 place = "".join(above)
-                if ours < before and old[place] and found[place] and not mine[place]:
+                came = max(0, new[place] - old[place])
+                if ours < before and old[place] and found[place] > mine[place] + came:
                     yield f"{line} (deleted)"
             if is_first and any(letter.isalnum() for letter in tight):
                 added, deleted = max(0, ours - before), max(0, before - ours)
@@ -301,6 +302,7 @@ def _halves(
     ]
     defined = [_defined(code) for code in codes]
     wrong: Places = []
+    made = {*codes[2], *result.origins}  # what the developer has made is not merged
     classes = {cls for cls, _ in defined[2]}  # a file of another may be the developer's now
     for name in {one for one in {*defined[1], *defined[2]} if one[0] in classes}:
         has = [
@@ -311,7 +313,8 @@ def _halves(
         if (True, True) in has[1:3] and is_half[3] and not (is_half[0] or is_half[2]):
             places = {renaming.path(defined[1].get(name, "")), defined[2].get(name, "")}
             places = {defined[3][name]} if name in defined[3] else places
-            wrong += ((path, f"{'::'.join(name)} is but half there") for path in places if path)
+            what = f"{'::'.join(name)} is but half there"
+            wrong += ((path, what) for path in places if path in made)
     return wrong
 
 

@@ -142,6 +142,19 @@ def test_deleted_line_that_stands_elsewhere_too_is_not_to_come_back():
     assert (right, {*wrong}) == ([], {("a.yaml", "gain: 1 (deleted)")})
 
 
+def test_lines_of_a_new_part_are_no_deleted_ones_of_another():
+    one, other, third = (f"link({name}\n  x\n  core\n  tf2\n)\n" for name in "abc")
+    old = one + other.replace("  x\n", "")
+    mine = old.replace(one, "own(a)\n")
+    trees = [{"CMakeLists.txt": File(encode(text))} for text in (mine, old, old + third)]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree["CMakeLists.txt"].text == mine + third
+    found = {"CMakeLists.txt": File(encode(old + third))}
+    again = recount(*trees, Renaming(), {""}.__contains__, result, found, [])
+    assert ("CMakeLists.txt", "core (deleted)") in again
+
+
 def test_files_are_counted_too():
     def remove(tree):
         del tree["src/worker_impl.cpp"]
@@ -332,6 +345,22 @@ def test_function_that_leaves_leaves_whole():
         found = {**result.tree, path: File(encode(old[path]))}
         said = recount(*sides, result, found, [])
         assert "WorkerImpl::serve_load is but half there" in [what for _, what in said], path
+
+
+def test_function_that_leaves_stays_in_a_file_of_the_developers_own():
+    """No merge is at fault: the summary says that it is used and has left."""
+    hpp, cpp, own = "include/arm/worker_impl.hpp", "src/worker_impl.cpp", "src/services.cpp"
+    at, end = CPP.index("void"), CPP.rindex("void")
+    old = {hpp: HPP, cpp: CPP}
+    new = {
+        hpp: HPP.replace("  void serve_load(Request & request);\n", ""),
+        cpp: CPP.replace(CPP[at:end], ""),
+    }
+    mine = {hpp: HPP, cpp: new[cpp], own: CPP[:end]}
+    trees = [{p: File(encode(t)) for p, t in side.items()} for side in (mine, old, new)]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert {path: file.text for path, file in result.tree.items()} == {**new, own: CPP[:end]}
 
 
 LOGIC = """class Impl:
