@@ -193,7 +193,7 @@ class _Merger:
             elif key in ours and key in base:
                 merged += self.left(ours[key], base[key])
             elif key in ours:
-                merged += lines.split(ours[key].text)
+                merged += self.alone(ours[key], base, theirs)
             elif key not in base:
                 merged += lines.split(theirs[key].text)
             elif self.of_people and key in theirs and not self.is_same(theirs[key], base[key]):
@@ -207,6 +207,15 @@ class _Merger:
                 merged.insert(end, "\n")  # or the comment would be about what follows it now
             last = key if merged[end:] else last
         return merged
+
+    def alone(self, mine: Block, old: dict[str, Block], new: dict[str, Block]) -> Merged:
+        """Return what the developer alone has; of one more import of a module, what stays."""
+        name = mine.key.partition(" #")[0]
+        if self.language is PYTHON and name.startswith("from ") and name in old and name in new:
+            made = new[name].text
+            left = python_blocks.joined_import(mine.text, old[name].text + made, made)
+            return list(lines.split(mine.text if left is None else left))
+        return list(lines.split(mine.text))
 
     def left(self, mine: Block, old: Block) -> Merged:
         """Take out a block that the new version has no longer."""

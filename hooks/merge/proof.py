@@ -124,9 +124,9 @@ def _prove_file(
     there = _blocks(known, text, "", Renaming())
     there = identify(there, before, after)
     removed = result.removed.get(path, [])
-    _read_back(
-        proof, (path, target), known, lines, there, shown, {*split(old)}, removed, of_people
-    )
+    gone = _imported(known, before) - _imported(known, theirs) if theirs else set[str]()
+    generated = {*split(old), *gone}
+    _read_back(proof, (path, target), known, lines, there, shown, generated, removed, of_people)
     changed = found is not None and target not in result.conflicts and text != ours
     if changed and readable(known, [ours]) and not readable(known, [text]):
         proof.lost.append((target, "cannot be read any more"))
@@ -180,6 +180,8 @@ def _read_back(
     for scope, line, number in lines:
         have = counts.get(place(scope), Counter())
         pieces = Counter(_pieces(known, scope, line))
+        if _is_import(known, scope):  # of names that have left, none is to be imported
+            pieces = Counter({name: n for name, n in pieces.items() if name not in made})
         # `in` reads on from where the line before was found: none has come before another one.
         if pieces <= have and (scope not in rest or known.key(line) in rest[scope]):
             have -= pieces
@@ -202,6 +204,12 @@ def _pieces(known: Language, scope: str, line: str) -> list[str]:
     if _is_import(known, scope):
         return re.findall(r"#.*|\w+(?: as \w+)?", re.sub(r"^\s*from \S+ import", "", line))
     return [known.key(line)]
+
+
+def _imported(known: Language, blocks: list[Block]) -> set[str]:
+    """Return the names that a file imports."""
+    lines = ((scope, line) for scope, line in _walk(blocks) if _is_import(known, scope))
+    return {piece for scope, line in lines for piece in _pieces(known, scope, line)}
 
 
 def _may_leave(scope: str, line: str, made: set[str]) -> bool:

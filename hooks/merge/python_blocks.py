@@ -178,12 +178,13 @@ _WIDTH = 100
 def _imported(text: str) -> tuple[str, list[str], str] | None:
     """Return what stands before the names of an import, the names, and the comment at an end."""
     with contextlib.suppress(ValueError):
-        (statement,) = parse(textwrap.dedent(text)).body
+        statements = parse(textwrap.dedent(text)).body
         comments = re.findall(r"#.*", text)
         between = "".join(text.rstrip("\n").split("\n")[1:-1])
-        if isinstance(statement, ast.ImportFrom) and len(comments) < 2 and "#" not in between:
+        found = [each for each in statements if isinstance(each, ast.ImportFrom)]
+        if found == statements and len(comments) < 2 and "#" not in between:
             head = re.match(r"\s*from\s+\S+\s+import\s", text)
-            names = [ast.unparse(alias) for alias in statement.names]
+            names = [ast.unparse(alias) for each in found for alias in each.names]
             return head and (head[0], names, "".join(f"  {each}" for each in comments))
     return None
 

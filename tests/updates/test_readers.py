@@ -421,6 +421,21 @@ def test_import_gets_names_whatever_the_developer_made_of_it(edit, change):
     assert all(line in found for line in mine.splitlines() if re.match(r"    \w+,$|\w+ =", line))
 
 
+@pytest.mark.parametrize("gone", ["Load", "Reach", "Zoom"])
+@pytest.mark.parametrize("first", ["Load", "Reach, Load", "Load, Zoom"])
+def test_name_leaves_whichever_import_of_its_module_has_it(first, gone):
+    old = LONG.replace("    Reach,\n", "    Reach,\n    Zoom,\n").replace("Reach)", "Reach, Zoom)")
+    new = re.sub(rf"\b{gone}\b,?", "", old.replace(f"    {gone},\n", ""))
+    rest = ", ".join(name for name in ("Load", "Reach", "Zoom", "own") if name not in first)
+    mine = f"{IN_A_LINE}{first}\n{IN_A_LINE}{rest}\n" + old[old.index("\n\n") :]
+    trees = [{"arm/reach_impl.py": File(encode(text))} for text in (mine, old, new)]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    found = result.tree["arm/reach_impl.py"].text
+    assert imported(found) == sorted({*imported(mine)} - {gone})
+    assert found.count("import") == 2 - (first == gone)
+
+
 @pytest.mark.parametrize("edit", [("A, B", "A, B"), ("A, B", "A, B, mine")])
 def test_comment_of_the_model_behind_an_import_comes(edit):
     old = "from arm import A, B\n\nuse(A)\n"
