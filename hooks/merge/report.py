@@ -46,7 +46,7 @@ def report(
     files += left_behind(f"{commit}:./{{}}".format, proof.left)
     files += more
     files += _unnamed(after, proof.left)
-    others = [f"missing   {path}{part and ': '}{part}" for path, part in _missing(result)]
+    others = [f"missing   {path}{part and ': '}{part}" for path, part in _missing(after, result)]
     others += [
         f"back      {path}: {part}, which you had deleted"
         for path, parts in sorted(result.back.items())
@@ -149,5 +149,11 @@ def _unnamed(after: Tree, left: Iterable[tuple[str, int, str]]) -> Iterator[str]
             yield f"unnamed   {path}: only lines that left have named it"
 
 
-def _missing(result: Result) -> list[tuple[str, str]]:
-    return [(path, part) for path, parts in sorted(result.missing.items()) for part in parts]
+def _missing(after: Tree, result: Result) -> Iterator[tuple[str, str]]:
+    """Name the generated parts that are not there; any source may have a member of a class."""
+    found = [(path, part) for path, parts in sorted(result.missing.items()) for part in parts]
+    has: set[str] = set()
+    if any("::" in part for _, part in found):
+        sources = (file for path, file in after.items() if language(path, "") is CPP)
+        has = {block_name(key) for file in sources for key in _functions(CPP, file) if "::" in key}
+    yield from ((path, part) for path, part in found if part not in has)

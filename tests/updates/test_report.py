@@ -43,6 +43,16 @@ def test_nothing_has_changed(package):
     ]
 
 
+def test_function_that_is_in_another_source_is_not_missing(package):
+    """The class has its declaration; what no source defines is."""
+    after = texts(package) | {"src/services.cpp": "void arm::Reach::serve_load()\n{\n}\n"}
+    missing = {"src/reach.cpp": ["Reach::serve_load", "Reach::serve_store", "main"]}
+    assert said(package, after, missing=missing)[1:] == [
+        "missing   src/reach.cpp: Reach::serve_store",
+        "missing   src/reach.cpp: main",
+    ]
+
+
 def test_what_became_of_files(package):
     """Of one that is in conflict, that alone."""
     head = git(package, "rev-parse", "--short", "HEAD")
