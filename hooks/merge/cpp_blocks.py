@@ -198,19 +198,25 @@ def _scope(tokens: Tokens, at: int) -> tuple[list[Span], int]:
             at = end
         else:
             span, at = _item(tokens, at)
-            if spans and span.key.startswith("namespace ") and spans[-1].key == span.key:
-                span = _reopened(spans.pop(), span)
-            spans.append(span)
+            spans = _reopened(spans, span) if span.key.startswith("namespace ") else [*spans, span]
     return spans, at
 
 
-def _reopened(one: Span, other: Span) -> Span:
-    """Make one item of a namespace that is closed and opened again."""
-    if one.body is None or other.body is None:
-        return Span(one.key, one.start, other.end)
-    between = Span(f"{{ {one.key}", one.body[1], other.body[0])
-    items = (*one.items, between, *other.items)
-    return Span(one.key, one.start, other.end, (one.body[0], other.body[1]), items)
+def _reopened(spans: list[Span], other: Span) -> list[Span]:
+    """Return items and a namespace; of one that is closed and opened again it makes one item."""
+    at = max((i for i, span in enumerate(spans) if span.key == other.key), default=len(spans))
+    if at == len(spans) or any(_role(span)[1] for span in spans[at:]):
+        return [*spans, other]
+    one = spans[at]
+    if one.body and other.body:
+        between = Span(f"{{ {one.key}", one.body[1], other.body[0])
+        items = (*one.items, between, *other.items)
+        return [
+            *spans[:at],
+            Span(one.key, one.start, other.end, (one.body[0], other.body[1]), items),
+        ]
+    is_beside = at == len(spans) - 1
+    return [*spans[:at], Span(one.key, one.start, other.end)] if is_beside else [*spans, other]
 
 
 def _is_close(tokens: Tokens, at: int) -> bool:

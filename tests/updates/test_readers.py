@@ -201,6 +201,14 @@ STAYS = {
         "cpp",
         ("// Service reset", "}  // namespace arm\n\nnamespace arm\n{\n\n// Service reset"),
     ),
+    "namespace reopened below own code": (
+        "cpp",
+        (
+            "// Service reset",
+            "}  // namespace arm\n\nstatic int mine() {return 1;}\n\n"
+            "namespace arm\n{\n\n// Service reset",
+        ),
+    ),
 }
 
 
@@ -233,6 +241,15 @@ PARTS_OF_CPP = {
         *("namespace a", "variable b", "{ namespace a", "variable c")
     ],
     "namespace a {\nnamespace b {\nint c;\n}}\n": ["namespace a", "variable c"],
+    "namespace a\n{\nint b;\n}\nint d;\nnamespace a\n{\nint c;\n}\n": [
+        *("namespace a", "variable b", "{ namespace a", "variable c")
+    ],
+    "namespace a\n{\nint b;\n}\n#if D\nnamespace a\n{\nint c;\n}\n#endif\n": [
+        *("namespace a", "variable b", "#if D", "then", "namespace a", "variable c")
+    ],
+    "namespace a {int b;}\nint d;\nnamespace a\n{\nint c;\n}\n": [
+        *("namespace a", "variable d", "namespace a #2", "variable c")
+    ],
     "namespace a { namespace b {\nint c;\n}\n}\n": ["namespace a", "variable c"],
     "namespace a {\nnamespace b {\nint c;\n}\nint d; }\n": ["namespace a"],
     "namespace a { int c;\nint d;\n}\n": ["namespace a"],

@@ -520,13 +520,15 @@ def _class_macro(random, edited, path, lines):
 
 
 def _namespace(random, edited, path, lines):
-    """Close the namespace, and open it again."""
+    """Close the namespace, and open it again, perhaps below own code."""
     inside = lines.index("namespace lab") if "namespace lab" in lines else len(lines)
     places = [i for i, line in enumerate(lines) if line == "}" and i > inside + 2]
     if places:
         at = random.choice(places) + 1
         closed, opened, brace = (edited.mark(path) for _ in range(3))
-        lines[at:at] = ["", f"}}  // {closed}", f"namespace lab  // {opened}", f"{{  // {brace}"]
+        own = ["", f"static int {edited.mark(path)} = 0;", ""] if at % 2 else []
+        opening = [f"namespace lab  // {opened}", f"{{  // {brace}"]
+        lines[at:at] = ["", f"}}  // {closed}", *own, *opening]
 
 
 def _fence(random, edited, path, lines):
