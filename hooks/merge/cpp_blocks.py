@@ -198,7 +198,10 @@ def _scope(tokens: Tokens, at: int) -> tuple[list[Span], int]:
             at = end
         else:
             span, at = _item(tokens, at)
-            spans = _reopened(spans, span) if span.key.startswith("namespace ") else [*spans, span]
+            if span.key.startswith("namespace "):
+                spans = _reopened(spans, span)
+            else:
+                spans.append(span)
     return spans, at
 
 
