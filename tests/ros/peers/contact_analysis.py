@@ -13,6 +13,7 @@ UNTIL_CANCELED = 0.0
 ENOUGH = 10  # feedback for a majority: 3 % of the centers lie outside their contact
 _, peer_name, part, folder = sys.argv
 peer = importlib.import_module(peer_name).Peer()
+peer.wait_until_active(NODE)
 cop = peer.publisher("cop", "geometry_msgs/msg/Point")
 plots = peer.hear("plot_learn_cop", "contact_msgs/msg/PointArray")
 

@@ -82,6 +82,9 @@ class Peer:
     def close(self):
         rospy.signal_shutdown("done")
 
+    def wait_until_active(self, node):
+        """Do nothing: a node of ROS 1 offers its actions and services once it is active."""
+
     def message(self, type_name, **fields):
         return load(type_name)(**fields)
 

@@ -190,6 +190,13 @@ class Peer:
     def state(self, node):
         return self.call(f"{node}/get_state", "lifecycle_msgs/srv/GetState").current_state.label
 
+    def wait_until_active(self, node):
+        """Wait until a node that starts takes goals and answers services."""
+        end = time.monotonic() + TIMEOUT
+        while self.state(node) != "active":
+            assert time.monotonic() < end, f"{node} does not become active"
+            time.sleep(0.01)
+
     def change_state(self, node, transition):
         request = {
             "transition": self.message("lifecycle_msgs/msg/Transition", id=TRANSITIONS[transition])

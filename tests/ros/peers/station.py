@@ -44,9 +44,10 @@ def qos():
 
 
 def overridden():
+    peer.wait_until_active("station")
     peer.hear("map", TEXT, **LATCHED)
     publisher = peer.publisher("camera", TEXT, reliability="best_effort")
-    wait("the node is not there", lambda: peer.offered("/map"))
+    wait("the topic is not there", lambda: peer.offered("/map"))
     assert peer.offered("/map") == [("RELIABLE", "VOLATILE")]
     assert peer.get_parameter("station", "qos_overrides./map.publisher.history") == "keep_all"
     assert peer.get_parameter("station", "qos_overrides./map.publisher.depth") == 1
