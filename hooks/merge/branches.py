@@ -227,9 +227,9 @@ class Joiner:
         """Yield the lines that neither branch has, only what a hand has made of both."""
         trees = [joined.result.tree, joined.versions.old]
         trees += [tree for side in joined.sides for tree in (side.versions.mine, side.result.tree)]
-        known = {line.strip() for tree in trees for f in tree.values() for line in _lines(f.text)}
+        known = {line.strip() for tree in trees for f in tree.values() for line in _lines(f)}
         for path, file in sorted(joined.own.items()):
-            lines = _lines(file.text) if not path.endswith(SUFFIX) else []
+            lines = _lines(file) if not path.endswith(SUFFIX) else []
             for number, line in enumerate(lines, 1):
                 if line.strip() not in known and not line.startswith(_GITS_MARKS):
                     yield path, number, line
@@ -238,8 +238,8 @@ class Joiner:
 _GITS_MARKS = ("<<<<<<< ", "=======", ">>>>>>> ", "||||||| ")
 
 
-def _lines(text: str | None) -> list[str]:
-    return plain(text or "").split("\n")
+def _lines(file: File) -> list[str]:
+    return plain(file.written).split("\n")
 
 
 def _only(files: Mapping[str, Any], paths: Collection[str]) -> dict[str, Any]:
@@ -392,8 +392,8 @@ def _stale(found: Tree, made: Tree, befores: Sequence[tuple[Tree, Tree]]) -> set
 
     def is_as_before(path: str, there: Tree, before: Tree) -> bool:
         if path in made and path in before:
-            text = (found[path].text if path in found else "") or ""
-            old, new = (tree[path].text or "" for tree in (before, made))
+            text = found.get(path, File(b"")).written
+            old, new = (tree[path].written for tree in (before, made))
             return any(
                 was in text and now not in text and not _is_edited(path, now, befores)
                 for was, now in _changes(old, new)
@@ -422,8 +422,7 @@ def _changes(old: str, new: str) -> Iterator[tuple[str, str]]:
 def _is_edited(path: str, part: str, befores: Sequence[tuple[Tree, Tree]]) -> bool:
     """Say whether a developer has changed a part of a file that the model has made."""
     return any(
-        part in (made[path].text or "")
-        and (path not in there or part not in (there[path].text or ""))
+        part in made[path].written and part not in there.get(path, File(b"")).written
         for there, made in befores
         if path in made
     )
@@ -433,7 +432,7 @@ def _dropped(found: Tree, base: Tree, sides: Sequence[tuple[Tree, Tree]]) -> Ite
     """Yield the files that are those of one side, without lines that the other has written."""
     for (ours, _), (theirs, made) in permutations(sides):
         for path, file in theirs.items():
-            others = (one.get(path) for one in (made, base, found))
-            known = {line for other in others for line in _lines(other.text if other else "")}
-            if ours.get(path) == found.get(path) and {*_lines(file.text)} - known:
+            others = (one.get(path, File(b"")) for one in (made, base, found))
+            known = {line for other in others for line in _lines(other)}
+            if ours.get(path) == found.get(path) and {*_lines(file)} - known:
                 yield path

@@ -78,12 +78,10 @@ def carry_build_files(
     ]
     files = {path: new[path] for path in (_CMAKE, _SETUP) if path in new}
     try:
-        carrier = _Carrier({path: file.text or "" for path, file in files.items()}, ros)
+        carrier = _Carrier({path: file.written for path, file in files.items()}, ros)
         found = {}
         for path in paths:
-            ours, base = (
-                renaming.text(path, plain(side[path].text or "")) for side in (mine, old)
-            )
+            ours, base = (renaming.text(path, plain(side[path].written)) for side in (mine, old))
             found[path] = carrier.file(path, ours, base)
             result.back[path] = carrier.back
         texts = carrier.texts()
@@ -99,7 +97,7 @@ def carry_build_files(
             continue
         result.missing.pop(path, None)
         text = texts[path]
-        is_crlf = path in mine and "\r\n" in (mine[path].text or "")
+        is_crlf = path in mine and "\r\n" in mine[path].written
         result.tree[path] = File(
             encode(text.replace("\n", "\r\n") if is_crlf else text), file.mode
         )

@@ -31,7 +31,7 @@ def shifts(old: Tree, new: Tree, path_of: Callable[[str], str]) -> dict[str, Shi
     found: dict[str, Shift] = {}
     for path, file in old.items():
         other = new.get(path_of(path), File(b""))
-        before, after = file.text or "", other.text or ""
+        before, after = file.written, other.written
         if language(path, before) is YAML and before and after:
             above, below = map(_close, (before, after))
             if above and not below:

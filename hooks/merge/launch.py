@@ -50,9 +50,9 @@ def carry_launch_files(
             continue
         with contextlib.suppress(ValueError, RecursionError):
             ours, base = (
-                renaming.blocks(XML, path, plain(side[path].text or "")) for side in (mine, old)
+                renaming.blocks(XML, path, plain(side[path].written)) for side in (mine, old)
             )
-            carried = carry(ours, base, new[target].text or "", ros)
+            carried = carry(ours, base, new[target].written, ros)
             result.back[target] = carried.back
             XML.blocks(carried.text)
             result.tree[target] = File(encode(carried.text), new[target].mode)

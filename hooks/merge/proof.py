@@ -111,14 +111,14 @@ def _prove_file(
     proof.total += len(lines) + len(behind)
     if path in result.left or path in result.carried:
         targets, carried = result.carried.get(path, ([], {}))
-        text = "".join(tree[one].text or "" for one in targets if one in tree)
+        text = "".join(tree[one].written for one in targets if one in tree)
         for _, line, number in lines:
             if all(part in text for part in carried.get(number, ("\0",))):
                 proof.in_place += 1
             else:
                 proof.left.append((path, number, line))
         return
-    sides = [*_sides(plain(found.text or ""))] if found else []
+    sides = [*_sides(plain(found.written))] if found else []
     text = "".join(line for side, line in sides if side != "new")
     shown = Counter(known.key(line) for side, line in sides if side == "mine")
     there = _blocks(known, text, "", Renaming())
@@ -291,7 +291,7 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
     for path, file in sorted(found.items()):
         if not (known or taken) or file.text is None:
             continue
-        generated = set(split((new.get(path) or File(b"")).text or ""))
+        generated = set(split(new.get(path, File(b"")).written))
         for number, line in enumerate(split(plain(file.text)), 1):
             if line not in generated:
                 said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
@@ -324,8 +324,8 @@ def uses_of_left(
     after, left = _words(new), lost()
     left_of = {owner: lost(owner) - left for owner, _ in gone}
     for path, file in sorted(found.items()):
-        generated = set(split((new.get(path) or File(b"")).text or ""))
-        text = plain(file.text or "")
+        generated = set(split(new.get(path, File(b"")).written))
+        text = plain(file.written)
         lines, stem = split(text), PurePosixPath(path).stem
         near = [
             left_of[owner]
@@ -344,15 +344,15 @@ def uses_of_left(
 def _words(tree: Tree, owner: str = "") -> set[str]:
     """Return the words of files, of those alone that have the name of a component in theirs."""
     files = (file for path, file in tree.items() if owner in PurePosixPath(path).stem)
-    return {word for file in files for word in re.findall(r"\w+", file.text or "")}
+    return {word for file in files for word in re.findall(r"\w+", file.written)}
 
 
 def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str, str], list[str]]:
     """Return the identifiers of what left in the developer's lines, as those are afterwards."""
     found: dict[tuple[str, str], list[str]] = {}
     for path, file in mine.items() if renaming.taken else ():
-        text = plain(file.text or "")
-        generated = set(split((old.get(path) or File(b"")).text or ""))
+        text = plain(file.written)
+        generated = set(split(old.get(path, File(b"")).written))
         known, taken = language(path, text), renaming.taken.get(path, set())
         after = split(renaming.text(path, text))
         for number, line in enumerate(split(text) if taken else ()):

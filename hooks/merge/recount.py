@@ -101,7 +101,7 @@ def recount(
         if target not in carried:
             sides = [_text(text) for text in (ours, base, theirs, there)]
             parts = [*result.own.get(target, []), *result.missing.get(target, [])]
-            numbered = enumerate(split(plain(file.text or "")), 1)
+            numbered = enumerate(split(plain(file.written)), 1)
             excuse = "".join(line for n, line in numbered if n in leaving.get(path, ()))
             excuse += "".join(result.reworded.get(target, []))
             excuse += _about(theirs, parts)
@@ -294,8 +294,8 @@ def _halves(
     """Return the functions of C++ that are but declared, or but defined, and were both."""
     if any(path.endswith((".cpp", ".hpp")) for path in result.conflicts):
         return []
-    before, ours = ({p: renaming.text(p, f.text or "") for p, f in t.items()} for t in (old, mine))
-    versions = [ours, before, *({p: f.text or "" for p, f in t.items()} for t in (new, found))]
+    before, ours = ({p: renaming.text(p, f.written) for p, f in t.items()} for t in (old, mine))
+    versions = [ours, before, *({p: f.written for p, f in t.items()} for t in (new, found))]
     codes = [
         {p: _NO_CODE.sub("", text) for p, text in one.items() if p.endswith((".cpp", ".hpp"))}
         for one in versions

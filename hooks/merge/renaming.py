@@ -94,9 +94,9 @@ class Renaming:
         """Give the files of before the form that they have in another ROS."""
         self.shifts = shifts(old, new, self.path)
         for path, file in old.items():
-            if language(path, file.text or "") is YAML:
+            if language(path, file.written) is YAML:
                 other = new.get(self.path(path), File(b""))
-                before, after = ({*_GROUPED.findall(each.text or "")} for each in (file, other))
+                before, after = ({*_GROUPED.findall(each.written)} for each in (file, other))
                 keys = {**dict(zip(before, before, strict=True)), **self.keys.get(path, {})}
                 swapped = {key: name.translate(_OTHER_SIGN) for key, name in keys.items()}
                 found = {key: name for key, name in swapped.items() if name in after}
@@ -346,7 +346,7 @@ def plan(
         renaming.paths[before] = after
         _folders(renaming.folders, before, after)
         owned[before] = reader.numbers(path)
-        text = file.text or ""
+        text = file.written
         known = language(before, text)
         found = [*words(known, text)]
         tokens[before] = {word.text for word in found}
@@ -362,7 +362,7 @@ def plan(
             renaming.roots |= {*PurePosixPath(before).parts[:-1][known is CPP :][:1]}
         renaming.keys[before] = _keys(reader, before, text)
         if known is YAML:
-            made = _key_nodes(old[before].text or "")
+            made = _key_nodes(old[before].written)
             renaming.key_holders[before] = {holder for holder, _ in made}
         if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
             renaming.attributes[before] = reader.attributes(text)

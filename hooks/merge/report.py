@@ -86,7 +86,7 @@ def _returned(package: Path, before: Tree, after: Tree, result: Result) -> Itera
     sources = {new: old for old, new in result.moved.items()}
     for path, file in sorted(after.items()):
         source = sources.get(path, path)
-        old, known = before.get(source), language(path, file.text or "")
+        old, known = before.get(source), language(path, file.written)
         if known not in (CPP, PYTHON) or old is None or old == file:
             continue
         had, has = _functions(known, old), _functions(known, file)
@@ -101,7 +101,7 @@ def _returned(package: Path, before: Tree, after: Tree, result: Result) -> Itera
 def _functions(known: Language, file: File) -> dict[str, str]:
     """Return the text of each function of a file by its key."""
     with contextlib.suppress(ValueError, RecursionError):
-        found = every(known.blocks(file.text or ""))
+        found = every(known.blocks(file.written))
         functions = (b for b in found if b.key.startswith("def ") or b.key.endswith("()"))
         return {block.key: block.text for block in functions}
     return {}

@@ -33,6 +33,11 @@ class File:
             return None
         return self.data.decode(errors="surrogateescape")
 
+    @property
+    def written(self) -> str:
+        """Return its text; an empty one of what has none."""
+        return self.text or ""
+
 
 Tree = dict[str, File]
 
