@@ -187,7 +187,7 @@ def _close_gaps(blocks: list[Block]) -> list[Block]:
         while is_comment(block.key) and not block.lines[-1].strip():
             gap.insert(0, block.lines.pop())
         closed.append(block)
-    if gap and closed:
+    if closed:
         last = closed[-1]
         (last.tail if last.children or last.tail else last.lines).extend(gap)
     elif gap:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 from .cpp_blocks import tokenize
 from .languages import CPP, PYTHON, Language
-from .python_blocks import nodes
+from .python_blocks import last_line, nodes
 from .tokens import Word
 
 SELF = ("self", "cls", "this")
@@ -100,7 +100,7 @@ def _python(
             bound = {alias.asname or alias.name for alias in node.names}
             (found.ours if is_ours else found.foreign).update(bound)
             found.ours |= {*names} if is_ours and "*" in bound else set()
-            lines = range(node.lineno - 1, node.end_lineno or node.lineno)
+            lines = range(node.lineno - 1, last_line(node))
             found.imports |= dict.fromkeys(lines, is_ours)
         elif isinstance(node, ast.Import):
             for alias in node.names:
@@ -111,7 +111,7 @@ def _python(
                 found.imports[line] = is_ours or found.imports.get(line, False)
         elif isinstance(node, ast.ClassDef):
             bases = {word for base in node.bases for word in _words(base)}
-            lines = range(node.lineno - 1, node.end_lineno or node.lineno)
+            lines = range(node.lineno - 1, last_line(node))
             own.append((node.name, bases, lines))
         elif isinstance(node, ast.Call) and _last(node.func) in classes:
             found.keywords |= {keyword.arg for keyword in node.keywords if keyword.arg}

@@ -80,7 +80,7 @@ def _comments(text: str) -> list[str]:
 def _spans(statements: Sequence[ast.stmt], lines: Sequence[str]) -> list[Span]:
     spans: list[Span] = []
     for index, statement in enumerate(statements):
-        start, end = _first(statement) - 1, statement.end_lineno or statement.lineno
+        start, end = _first(statement) - 1, last_line(statement)
         key = _key(statement, index)
         if isinstance(statement, ast.ImportFrom) and (names := _names(statement)):
             spans.append(_import(key, start, end, names, spans))
@@ -110,13 +110,12 @@ def _names(statement: ast.ImportFrom) -> tuple[Span, ...]:
     lines = [
         statement.lineno,
         *(name.lineno for name in statement.names),
-        statement.end_lineno or 0,
+        last_line(statement),
     ]
     if lines != sorted({*lines}) and not (len(statement.names) == 1 and lines[0] == lines[-1]):
         return ()
     return tuple(
-        Span(f"name {name.name}", name.lineno - 1, name.end_lineno or name.lineno)
-        for name in statement.names
+        Span(f"name {name.name}", name.lineno - 1, last_line(name)) for name in statement.names
     )
 
 
@@ -229,6 +228,11 @@ def _first(statement: ast.stmt) -> int:
     """Return the number of the first line of a statement, that of its decorators."""
     decorators: list[ast.expr] = getattr(statement, "decorator_list", [])
     return min([statement.lineno, *(decorator.lineno for decorator in decorators)])
+
+
+def last_line(node: ast.stmt | ast.alias) -> int:
+    """Return the number of the last line of a node that was read."""
+    return cast(int, node.end_lineno)
 
 
 def _is_text(value: ast.expr) -> bool:

@@ -78,6 +78,7 @@ def test_text_of_several_lines_counts_with_its_blanks(mine):
         ("a.xml", '<a b="1"\n   c="2">', '<a b="1" c="2">'),
         ("a.md", "A text\nof two  lines.\n", "A text of\ntwo lines.\n"),
         ("a.py", "a = 'x\\n'\n", 'a = "x\\n"\n'),
+        ("a.py", "use(\n    one,\n", "use(one,\n"),
     ],
 )
 def test_form_does_not_count(path, one, other):
@@ -99,6 +100,7 @@ def test_form_does_not_count(path, one, other):
         ("CMakeLists.txt", 'set(a "SET (a)")\n', 'set(a "set (a)")\n'),
         ("CMakeLists.txt", "set(a B)\n", "set(a b)\n"),
         ("CMakeLists.txt", '# it\'s "\nset(A "x  y")\n', '# it\'s "\nset(A "x y")\n'),
+        ("a.py", "use(one,\n", "use(two,\n"),
         ("a.xml", "<!-- = \" -->\n<a b='x  y'/>\n", "<!-- = \" -->\n<a b='x y'/>\n"),
     ],
 )

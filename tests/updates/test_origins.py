@@ -74,6 +74,7 @@ OURS = {
     "import lab.reach_interface\n\nlab.reach_interface.ReachData\n": (
         "import lab.grasp_interface\n\nlab.grasp_interface.GraspData\n"
     ),
+    "import lab.reach_interface as r, vendor\n": "import lab.grasp_interface as r, vendor\n",
     "def f(data, config):\n    return f'{data.in_goal} {config.gain}'\n": (
         "def f(data, config):\n    return f'{data.in_target} {config.factor}'\n"
     ),
@@ -112,7 +113,11 @@ CPP_OURS = {
     "#include <lab/mine.hpp>\nstruct A : lab::ReachData\n{\n  int b = in_goal;\n};\n": (
         "#include <lab/mine.hpp>\nstruct A : lab::GraspData\n{\n  int b = in_target;\n};\n"
     ),
+    "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nauto b = in_goal;\n": (
+        "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nauto b = in_target;\n"
+    ),
     '#include "reach_interface.hpp"\n': '#include "grasp_interface.hpp"\n',
+    "void f() {data_  // mine\n  .in_goal;}\n": "void f() {data_  // mine\n  .in_target;}\n",
     "void f() {data_.in_goal = this->config_.gain + config->gain;}\n": (
         "void f() {data_.in_target = this->config_.factor + config->factor;}\n"
     ),
