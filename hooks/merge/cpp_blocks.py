@@ -110,7 +110,7 @@ def _whole(tokens: Tokens, at: int) -> tuple[Tokens, int]:
         end, at = tokens[at], at + 1
         before = kept[-1].text if kept else ""
         after = tokens[at].text if at < len(tokens) else ""
-        is_inside = re.match(r"[=,(?+|&]", before) or re.search(r"[{:=,;)]$", after)
+        is_inside = re.fullmatch(r"[=,(?+|&]", before) or re.fullmatch(r"[{:=,;)]", after)
         if all(map(_balanced, branches)) and not is_inside:
             kept += [*(token for branch in branches for token in branch), end]
         elif one := next((branch[1:] for branch in branches if branch[1:]), []):

@@ -247,6 +247,13 @@ PARTS_OF_CPP = {
     "namespace a\n{\nint b;\n}\n#if D\nnamespace a\n{\nint c;\n}\n#endif\n": [
         *("namespace a", "variable b", "#if D", "then", "namespace a", "variable c")
     ],
+    **{
+        f"#if A\nint b;\nint c;\n#endif\n{below}\n": [
+            *("#if A", "then", "variable b", "variable c"),
+            name,
+        ]
+        for below, name in (("#define D(e) (e)", "#define D(e) (e)"), ("::a::b d;", "variable d"))
+    },
     "namespace a {int b;}\nint d;\nnamespace a\n{\nint c;\n}\n": [
         *("namespace a", "variable d", "namespace a #2", "variable c")
     ],
