@@ -25,6 +25,8 @@ class Origins:
     """What the code of a file says of its names."""
 
     ours: set[str] = field(default_factory=set)
+    modules: set[str] = field(default_factory=set)
+    """Those of ours that an import of a whole module gives."""
     foreign: set[str] = field(default_factory=set)
     holders: set[str] = field(default_factory=set)
     """Names of objects whose classes are of the package."""
@@ -108,6 +110,7 @@ def _python(
                 is_ours = parts[0] in roots
                 bound = {alias.asname} if alias.asname else {*parts}
                 (found.ours if is_ours else found.foreign).update(bound)
+                found.modules |= bound if is_ours else set()
                 found.imports[line] = is_ours or found.imports.get(line, False)
         elif isinstance(node, ast.ClassDef):
             bases = {word for base in node.bases for word in _words(base)}

@@ -169,12 +169,13 @@ class Renaming:
             if word.text in members and word.chain and word.before[1] != "::":
                 return members[word.text] if origin.has(word, vocabulary) else word.text
             holder, sign = word.before
-            if word.text in self.targets and known is CMAKE and sign in ("(", "TARGETS"):
-                is_target = sign == "TARGETS" or _ABOUT_TARGETS.match(holder)
-                return self.targets[word.text] if is_target else word.text
+            is_target = sign == "TARGETS" or (sign == "(" and _ABOUT_TARGETS.match(holder))
+            if is_target and known is CMAKE and word.text in self.targets:
+                return self.targets[word.text]
             if word.text in self.packages and not word.chain and is_ours:
-                is_root = word.after == "::" or sign in ("namespace", "from", "import")
-                is_root = is_root or word.text in origin.ours
+                is_module = sign == "import" and not lines[word.line].startswith("from ")
+                is_root = word.after == "::" or sign in ("namespace", "from") or is_module
+                is_root = is_root or word.text in origin.modules
                 return self.packages[word.text] if is_root else word.text
             return word.text
 

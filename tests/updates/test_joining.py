@@ -377,6 +377,17 @@ def test_files_that_one_developer_has_moved_are_those_that_the_other_edits():
         assert result.tree["to_one.py"].text == "mine\n" + near
 
 
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_file_like_the_one_that_a_developer_has_moved_is_deleted(is_ours):
+    lines = "".join(f"a{number}\n" for number in range(10))
+    old = files(moved=lines, deleted=lines.replace("a9", "b"))
+    sides = (files(to=lines), {**old, "moved.py": File(b"mine\n" + old["moved.py"].data)})
+    first, second = sides if is_ours else sides[::-1]
+    result, wrong = people(first, old, second).merged()
+    assert (wrong, result.conflicts) == ([], {})
+    assert result.tree == files(to="mine\n" + lines)
+
+
 @pytest.mark.parametrize("branch", ["main", "topic"])
 def test_conflict_of_one_developer_and_the_model_stays_one(team, branch):
     """The other developer has not touched what the model has changed, too."""

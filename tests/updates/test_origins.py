@@ -6,7 +6,7 @@ import pytest
 
 from hooks.merge import languages
 from hooks.merge.languages import CMAKE, MARKDOWN
-from hooks.merge.renaming import _as_made, _heads
+from hooks.merge.renaming import Renaming, _as_made, _heads
 from hooks.merge.tokens import words
 from hooks.merge.versions import Versions
 from support.arm import SPEC
@@ -128,10 +128,41 @@ CASES += [("src/tools.cpp", text, text) for text in CPP_FOREIGN]
 CASES += [("src/tools.cpp", *case) for case in CPP_OURS.items()]
 
 
+CASES += [
+    (
+        "CMakeLists.txt",
+        "link(reach)\nset(target_b c reach)\n",
+        "link(reach)\nset(target_b c reach)\n",
+    ),
+    ("CMakeLists.txt", "ADD_EXECUTABLE(reach a.cpp)\n", "ADD_EXECUTABLE(grasp a.cpp)\n"),
+    ("CMakeLists.txt", "install(TARGETS reach)\n", "install(TARGETS grasp)\n"),
+]
+
+
 @pytest.mark.parametrize(("path", "text", "wanted"), CASES)
 def test_names_in_own_files(pairs, path, text, wanted):
     model = "python_model" if path.endswith(".py") else "cpp_model"
     assert pairs[model].renaming.text(path, text) == wanted
+
+
+OF_PACKAGE = {
+    "import arm\n\nuse(arm.x, x.arm)\n": "import robot\n\nuse(robot.x, x.arm)\n",
+    "import os, arm\n\nuse(arm)\n": "import os, robot\n\nuse(robot)\n",
+    "from arm import arm\n\nuse(arm.x)\n": "from robot import arm\n\nuse(arm.x)\n",
+    "def f():\n    from arm import (\n        arm,\n    )\n": (
+        "def f():\n    from robot import (\n        arm,\n    )\n"
+    ),
+    "import arm\nprint arm\n": "import robot\nprint arm\n",
+    "arm = 1\n": "arm = 1\n",
+    "namespace arm\n{\narm::A arm;\n}\n": "namespace robot\n{\nrobot::A arm;\n}\n",
+    "link(arm arm::core)\n": "link(arm robot::core)\n",
+}
+
+
+@pytest.mark.parametrize(("text", "wanted"), OF_PACKAGE.items())
+def test_name_of_the_package(text, wanted):
+    path = "a.cpp" if "::A" in text else "a.cmake" if "link" in text else "a.py"
+    assert Renaming(packages={"arm": "robot"}).text(path, text) == wanted
 
 
 IN_LOGIC = {

@@ -118,6 +118,11 @@ def test_what_git_could_not_bring_back_is_refused(package, situation, message, i
     refuse(package, ["other.py"], {}) if situation is not no_repository else None
 
 
+def test_file_that_git_does_not_have_is_no_folder_of_what_begins_like_it(package):
+    (package / "reach").write_text("MINE = 1\n")
+    refuse(package, ["reach.py"], {})
+
+
 def test_message_names_three_files(package):
     paths = [f"{name}.py" for name in "abcde"]
     for path in paths:
