@@ -37,8 +37,8 @@ def changed(folder: Path) -> list[str]:
     return [entry[3:].removeprefix(prefix) for entry in status.split("\0") if entry]
 
 
-def committed(folder: Path, path: str, commit: str = "HEAD") -> bytes:
-    """Return a file of a commit, by default the last one; nothing where it has none."""
+def committed(folder: Path, path: str, commit: str) -> bytes:
+    """Return a file of a commit; nothing where it has none."""
     return os.fsencode(git(folder, "show", f"{commit}:./{path}", check=False))
 
 

@@ -83,6 +83,19 @@ def test_model_that_is_a_template_by_itself(root, model):
         assert specs.check_answers(run) == ""
 
 
+@pytest.mark.parametrize(("is_inner", "said"), [(False, "changed"), (True, "")])
+def test_spec_that_changed_is_looked_for_where_a_file_may_be_read(root, is_inner, said):
+    (root / "dictionary.yaml").write_text("node_interface: {topic: [name]}\n")
+    folder = root / "arm"
+    folder.mkdir()
+    (folder / "arm.ros_package").write_text("<package name='arm'><node name='a'/></package>")
+    about = {"given": {}, "distro": "humble", "is_inner": is_inner}
+    run = SimpleNamespace(**about, package=Package(folder, "answers.yml"))
+    specs = Specs(root, lambda model: None, lambda *about: None)
+    assert specs.changed(run, "", {}) == said
+    assert specs.changed(run, "", specs.context(run, "")) == ""
+
+
 def test_template_that_copier_can_use(root):
     (root / "template").mkdir()
     more = """

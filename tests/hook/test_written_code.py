@@ -412,6 +412,58 @@ def test_long_lines(fold, text, folded):
     assert fold(text.replace("[\n    ]", "[]")) == text.replace("[\n    ]", "[]")
 
 
+LONG = "  # noqa: E501"
+JUST = [
+    ('"""Words, %s."""', '"""Words, %s."""', '"""Words."""'),
+    (*['"""\nWords.\n\nMore %s\n"""'] * 2, '"""\nWords.\n\nMore\n%s\n"""'),
+    ("    # Words %s", "    # Words %s", "    # Words\n    # %s"),
+    ("call(%s, 2)", "call(\n    %s, 2\n)", "call(\n    %s,\n    2,\n)"),
+    ("return %s[1, 2]", "return %s[\n    1, 2\n]", f"return %s[{LONG}\n    1, 2\n]"),
+    ("x = [%s]", "x = [\n    %s,\n]", f"x = [\n    %s,{LONG}\n]"),
+    ("x = [y(1, 2), %s]", *(f"x = [\n    y(1, 2),\n    %s,{end}\n]" for end in ("", LONG))),
+    (
+        f"x: Sequence[{'y' * 90}] = (\n    %s,\n)",
+        f"x: Sequence[\n    {'y' * 90}\n] = (%s,)",
+        f"x: Sequence[\n    {'y' * 90}\n] = (\n    %s,\n)",
+    ),
+    ("name_name = %s.y", "name_name = (\n    %s.y\n)", f"name_name = %s.y{LONG}"),
+    ("name_name = %s.y,", "name_name = (\n    %s.y,\n)", f"name_name = %s.y,{LONG}"),
+    ("%s = x.yyyyyy", "%s = (\n    x.yyyyyy\n)", f"%s = x.yyyyyy{LONG}"),
+    ("%s = call(2222)", "%s = (\n    call(2222)\n)", f"%s = call({LONG}\n    2222\n)"),
+    (
+        "x: Sequence[%s] = (\n    1,\n)",
+        "x: Sequence[\n    %s\n] = (1,)",
+        f"x: Sequence[\n    %s{LONG}\n] = (1,)",
+    ),
+    (
+        "def call(self, %s):\n    pass",
+        "def call(\n    self, %s\n):\n    pass",
+        "def call(\n    self,\n    %s,\n):\n    pass",
+    ),
+    (
+        "call(\n    namename=%s.y,\n)",
+        "call(\n    namename=(\n        %s.y\n    ),\n)",
+        f"call(\n    namename=%s.y,{LONG}\n)",
+    ),
+    (
+        "call(\n    %s + summand_summand,\n)",
+        "call(\n    %s\n    + summand_summand,\n)",
+        f"call(\n    %s{LONG}\n    + summand_summand,\n)",
+    ),
+]
+"""Code, and what becomes of it where the line with `%s` has 99 columns then, and where 100."""
+
+
+@pytest.mark.parametrize(("code", "fits", "is_long"), JUST)
+def test_line_that_just_fits(code, fits, is_long):
+    (line,) = (line for line in fits.split("\n") if "%s" in line)
+    rest = f"\n# Words\n# {'x' * 100}"
+    for length, folded in ((99, fits), (100, is_long)):
+        word = "x" * (length - len(line % ""))
+        text = code.replace("%s", word) + rest.replace("\n# x", " x")
+        assert fold_python(text).replace(rest, "").replace(word, "%s") == folded
+
+
 @pytest.mark.parametrize(("before", "margin"), [("x =", ""), ("x", "  "), (" = x", "  ")])
 def test_arguments_of_a_value_that_has_its_own_line_begin_where_it_does(before, margin):
     call, arguments = "    create<fifty>(", ["fifty,", "1);"]

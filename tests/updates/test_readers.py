@@ -274,6 +274,7 @@ PARTS_OF_CPP = {
         *("A::operator==()", "operator()()")
     ],
     "void f()\n{\n}\nvoid f()\n{\n}\n": ["f()", "f() #2"],
+    "inline namespace a\n{\n}\nint b;\n": ["inline namespace a", "variable b"],
     **{
         f"ARM_F(a)\n\n{word}\n{{\n}}\n": [f"ARM_F ( a ) {word}"]
         for word in "const noexcept override final throw mutable volatile".split()
