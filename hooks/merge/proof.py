@@ -88,7 +88,7 @@ def _prove_file(
     if base and mine.data == base.data:
         return
     if mine.text is None:
-        if found is None and path not in result.left and mine != base:
+        if found is None and path not in result.left:
             proof.lost.append((target, "the file"))
         return
     ours, old = plain(mine.text), (base.text if base else None) or ""

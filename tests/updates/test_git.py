@@ -1,6 +1,17 @@
 """What git is asked of a package."""
 
-from hooks.merge.git import merge_bases, name_in, parents
+from hooks.merge.git import (
+    changed,
+    committed,
+    files_of,
+    mark_conflict,
+    merge_bases,
+    name_in,
+    parents,
+    stage,
+    tracked,
+    untracked,
+)
 from support.repository import commit, git
 
 
@@ -14,6 +25,24 @@ def test_commits_and_what_they_have(tmp_path):
     assert merge_bases(tmp_path, first, second) == [first]
     assert name_in(tmp_path, first, "a") == git(tmp_path, "hash-object", "a")
     assert name_in(tmp_path, first, "b") == ""
+
+
+def test_paths_are_those_from_the_folder_of_a_package(tmp_path):
+    folder = tmp_path / "arm"
+    folder.mkdir()
+    (folder / "a").write_text("1\n")
+    (tmp_path / "b").write_text("1\n")
+    commit(tmp_path)
+    (folder / "a").write_text("2\n")
+    (folder / "c").write_text("2\n")
+    (tmp_path / "b").write_text("2\n")
+    assert (changed(folder), untracked(folder), [*tracked(folder)]) == (["a"], ["c"], ["a"])
+    assert committed(folder, "a", "HEAD") == files_of(folder, "HEAD")["a"].data == b"1\n"
+    assert [*files_of(folder, "HEAD")] == ["a"]
+    stage(folder, ["a", "c"])
+    assert tracked(folder).keys() == {"a", "c"}
+    mark_conflict(folder, "a", "100644", {1: b"1\n", 2: b"2\n", 3: b"3\n"})
+    assert git(tmp_path, "status", "--short", "arm").split("\n")[0] == "UU arm/a"
 
 
 def test_histories_with_nothing_in_common(tmp_path):

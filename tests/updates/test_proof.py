@@ -10,13 +10,14 @@ import pytest
 from hooks.dictionary import load
 from hooks.faults import SpecError
 from hooks.merge import versions as module
+from hooks.merge.lines import MARKS
 from hooks.merge.merging import by_line, conflict
 from hooks.merge.package import Result, merge_package
 from hooks.merge.proof import places, prove, uses_of_left
 from hooks.merge.renaming import Renaming
 from hooks.merge.render import Render
 from hooks.merge.transaction import Snapshot
-from hooks.merge.tree import File, Tree
+from hooks.merge.tree import File, Tree, encode
 from hooks.merge.update import Update
 from support.arm import MINE, NEW, OLD, PATH
 from support.repository import ROOT, commit, git
@@ -205,6 +206,62 @@ def test_lines_that_exchange_their_places_are_seen():
     swapped = result.tree[PATH].text.replace("a = 1\n        b = a", "b = a\n        a = 1")
     found = {PATH: File(swapped.encode())}
     assert prove(mine, old, result, found, Renaming()).lost == [(PATH, "b = a")]
+
+
+TWO = "def f():\n    a()\n\n\ndef g():\n    b()\n"
+OWN = TWO.replace("a()\n", "a()\n    c()\n")
+IN_CONFLICT = TWO.replace("    a()\n", "{}\n    a()\n%s{}\n    d()\n%s{}\n".format(*MARKS))
+IF = "if(A)\n  b()\nendif()\n"
+IMPORT = "from arm import (\n    A,\n    B,\n)\n\nx = 1\n"
+FOUND = [
+    ("a.py", OWN, TWO, OWN, 1, []),
+    ("a.py", OWN, TWO, OWN.replace("\n", "\r\n"), 1, []),
+    ("a.py", OWN, TWO, "\ufeff" + OWN, 1, []),
+    ("a.py", OWN, TWO, TWO, 1, ["c()"]),
+    ("a.py", OWN, TWO, TWO + "    c()\n", 1, ["c()"]),
+    ("a.py", OWN, TWO, IN_CONFLICT % ("    c()\n", ""), 1, []),
+    ("a.py", OWN, TWO, IN_CONFLICT % ("", "    c()\n"), 1, ["c()"]),
+    ("a.py", OWN.replace("    c()\n", "    c()\n" * 2), TWO, OWN, 2, ["c()"]),
+    ("a.py", TWO.replace("a()", "a( )"), TWO, TWO, 0, []),
+    ("a.py", OWN, TWO, "def f(:\n    c()\n", 1, ["c()", "cannot be read any more"]),
+    ("a.py", "def (\nx\n", "", "def (\n  x\n", 2, ["x"]),
+    ("a.py", "def (\nx = 1\n", "", "x = 1\n", 2, ["def ("]),
+    ("a.py", f"# mine\n\n{TWO}", TWO, f"y = 1\n\n# mine\n\n{TWO}", 1, []),
+    ("a.py", "# mine\n\n" * 2 + TWO, TWO, f"# mine\n\n{TWO}", 2, ["# mine"]),
+    (
+        "a.py",
+        IMPORT.replace("B", "B,\n    C"),
+        IMPORT,
+        "from arm import A, B, C\n\nx = 1\n",
+        1,
+        [],
+    ),
+    ("a.py", IMPORT.replace("B", "B,\n    C"), IMPORT, IMPORT, 1, ["C,"]),
+    ("a.cmake", IF[:-1] + "  # mine\n", IF, IF[:-1] + "  # mine\n", 1, []),
+    ("a.cmake", IF[:-1] + "  # mine\n", IF, IF, 1, ["endif()  # mine"]),
+    ("a.txt", f"a\n{MARKS[1]}\n", "a\n", f"a\n{MARKS[1]}\n", 1, []),
+    ("a.txt", f"a\n{MARKS[1]}\n", "a\n", "a\n", 1, [MARKS[1]]),
+    ("a.txt", "x\ny\n", None, "x\n\ny", 2, []),
+    ("a.txt", "x\ny\n", None, "y\nx\n", 2, ["y"]),
+    ("a.txt", "x\ny\n", "x\n", None, 1, ["y"]),
+    ("a.txt", "x\n", "x\n", None, 0, []),
+    ("a.bin", "a\0", "b\0", None, 0, ["the file"]),
+    ("a.bin", "a\0", "b\0", "c\0", 0, []),
+    ("a.bin", "a\0", None, None, 0, ["the file"]),
+    ("a.bin", "a\0", "a\0", None, 0, []),
+]
+
+
+@pytest.mark.parametrize(("path", "mine", "old", "found", "total", "lost"), FOUND)
+def test_what_became_of_the_lines_of_a_file(path, mine, old, found, total, lost):
+    """In another function, or on the new side of a conflict, a line is lost."""
+    mine, old, found = (
+        {} if text is None else {path: File(encode(text))} for text in (mine, old, found)
+    )
+    proof = prove(mine, old, Result(), found, Renaming())
+    assert proof.lost == [(path, line) for line in lost]
+    lines = [line for line in lost if line not in ("the file", "cannot be read any more")]
+    assert (proof.total, proof.in_place) == (total, total - len(lines))
 
 
 def test_lines_that_would_be_lost_are_said_where_the_developer_has_them():
