@@ -1,6 +1,7 @@
 """Three versions of a package in memory, merged: without Copier and git, so quickly."""
 
 import posixpath
+import re
 
 import pytest
 
@@ -99,6 +100,64 @@ def test_file_that_both_have_made_has_what_both_have():
     result = merge_package(trees[0], {}, trees[1], Renaming(), {""}.__contains__)
     assert list(result.conflicts) == ["notes"]
     assert "mine\n" in result.tree["notes"].text
+
+
+OF_A_DEVELOPER = {
+    "- 1 1": "- missing",
+    "- 1 2": "- missing",
+    "1 1 -": "-",
+    "1! 1! -": "-",
+    "2 1 -": "- left",
+    "2! 1! -": "- left",
+    "2! 1 -": "- left",
+}
+OF_TWO = {
+    "- 1 1": "-",
+    "- 1 2": "2 13",
+    "1 1 -": "-",
+    "2 1 -": "2 12",
+    "2! 1! -": "2! 12",
+}
+OF_BOTH = {
+    "- - 1": "1",
+    "1 - -": "1",
+    "1 1 2": "2",
+    "2 1 1": "2",
+    "2 1 3": "2|3 123",
+    "2 1! 3": "2 123",
+    "2 - 2": "2",
+    "2 - 3": "2|3 23",
+    "2 - 3!": "2 23",
+    "2! 1! 3!": "2! 123",
+    "2! 1! 1!": "2!",
+    "1! 1! 2!": "2!",
+    "2! 1! 2!": "2!",
+}
+"""A file of the developer, of before and of now, `!` if no text; what it is then: with the
+versions that git has of a conflict, or what is said of it."""
+
+
+@pytest.mark.parametrize(
+    ("of_people", "sides", "wanted"),
+    [
+        *((False, *case) for case in (OF_A_DEVELOPER | OF_BOTH).items()),
+        *((True, *case) for case in (OF_TWO | OF_BOTH).items()),
+    ],
+)
+def test_file_that_is_made_or_deleted_or_no_text(of_people, sides, wanted):
+    sides = [side.replace("!", "\0").encode() for side in sides.split()]
+    trees = [{} if side == b"-" else {"a": File(side)} for side in sides]
+    result = merge_package(*trees, Renaming(), {""}.__contains__, of_people=of_people)
+    text = result.tree["a"].text if "a" in result.tree else "-"
+    data = result.tree["a"].data.decode().replace("\0", "!") if text is None else text
+    found = "|".join(re.findall(r"(?m)^[\d!-]+", data))
+    said = [name for name in ("missing", "left") if getattr(result, name)]
+    stages = result.conflicts.get("a", {})
+    assert " ".join([found, *said, "".join(map(str, sorted(stages)))]).rstrip() == wanted
+    assert stages.items() <= dict(zip((2, 1, 3), sides, strict=True)).items()
+    ours, _, theirs = sides
+    is_settled = "|" in found or (stages and b"-" in (ours, theirs))
+    assert result.settled == ({"a": File(theirs if ours == b"-" else ours)} if is_settled else {})
 
 
 def test_edited_file_that_leaves_is_said():
