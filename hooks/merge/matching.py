@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import chain, count, islice, takewhile
 
-from .blocks import Block, every, is_condition, walk
+from .blocks import THEN, Block, every, is_condition, walk
 from .lines import depth, margin, split
 
 Blocks = Sequence[Block]
@@ -31,6 +31,7 @@ def align(
     Where both sides have put some around one thing, it raises BothAroundError.
     """
     match(new, old)
+    old, new = opened(mine, old, new)
     mine = identify(mine, old, new)
     tell_apart(mine, old, new)
     _refuse_both(mine, old, new)
@@ -38,6 +39,51 @@ def align(
     base, theirs = (wrap(side, mine, *known, is_between=of_people) for side in (old, new))
     ours, base = (wrap(side, new, old, is_between=True) for side in (mine, base))
     return ours, base, theirs
+
+
+def opened(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Block]]:
+    """Return two versions in which nothing is around what the developer has taken out of it.
+
+    What is new in a namespace comes in one of its own: code out of it may name that each time.
+    """
+    base, theirs = ([*_opened(side, mine, old)] for side in (old, new))
+    match(theirs, base)
+    return base, theirs
+
+
+_MAY_OPEN = re.compile(r"#?if|namespace |group ")
+
+
+def _opened(side: Blocks, mine: Blocks, old: Blocks) -> Iterator[Block]:
+    ours, base = _by_key(mine, _name), _by_key(old)
+    for block in side:
+        same, was = ours.get(_name(block.key), []), base.get(block.key, [block])[0]
+        made = _items(was) if _MAY_OPEN.match(block.key) else []
+        inside = {_name(key) for key in base}.union(*map(_names_in, same))
+        out = {_name(item.key): item for item in made if _name(item.key) in ours.keys() - inside}
+        children = block.children
+        if out:
+            by = next(_depth(ours[name][0]) - _depth(item) for name, item in out.items())
+            names = out.keys() if same else {_name(item.key) for item in made}
+            is_scope = block.key.startswith("namespace ")
+            children = [
+                i for i in _items(block) if _name(i.key) not in names and (same or is_scope)
+            ]
+            yield from (_shifted(item, by) for item in _items(block) if item not in children)
+            if children and is_condition(block):
+                children = [Block(THEN, [], children)]
+        elif same:
+            theirs = [child for one in same for child in one.children]
+            children = [*_opened(children, theirs, was.children)]
+        if children or not out:
+            yield Block(block.key, block.lines, children, block.tail)
+
+
+def _items(block: Block) -> Blocks:
+    """Return what a container holds; nothing of a condition with alternatives."""
+    if not is_condition(block):
+        return block.children
+    return block.children[0].children if len(block.children) == 1 else []
 
 
 def identify(blocks: Blocks, old: Blocks, new: Blocks) -> list[Block]:

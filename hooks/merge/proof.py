@@ -15,7 +15,7 @@ from ..package import SUFFIX
 from .blocks import Block, is_comment, walk
 from .languages import PYTHON, TEXT, XML, Language, language
 from .lines import MARKS, plain, split
-from .matching import identify, match, tell_apart, wrap
+from .matching import identify, match, opened, tell_apart, wrap
 from .merging import readable
 from .origins import Names
 from .package import Result
@@ -96,9 +96,10 @@ def _prove_file(
     if not readable(known, [ours]):
         known = TEXT
     before, after = (_blocks(known, text, origin, renaming) for text in (old, ours))
-    after = identify(after, before, before)
     theirs = _blocks(known, made.text, "", Renaming()) if made and made.text else []
     match(theirs, before)
+    before, theirs = opened(after, before, theirs)
+    after = identify(after, before, before)
     tell_apart(after, before, theirs)
     before, after = (wrap(side, theirs, before, is_between=True) for side in (before, after))
     own = split(ours)

@@ -31,6 +31,8 @@ _IMPORT = re.compile(r"\tfrom\n\t\w+\n(\t\.\n\t\w+\n)*\timport\n")
 """An import, which one may split; that each used name has one is looked for below."""
 _NAMES = re.compile(r"\bfrom \S+ import \([^)]*\)")
 """Names that are imported, of which a line may have several."""
+_NAMESPACE = re.compile(r"(?m)^[ \t]*(namespace\b[^;{]*\{|\}[ \t]*//.*\bnamespace\b.*$)")
+"""What begins and ends a namespace, which may be opened again; its braces are counted below."""
 Places = list[tuple[str, str]]
 _CMAKE = ("CMakeLists.txt", ".cmake")
 
@@ -99,7 +101,7 @@ def recount(
             ours, base, theirs, there = map(_lower, (ours, base, theirs, there))
         ours, base = (renaming.text(origin, text) for text in (ours, base))
         if target not in carried:
-            sides = [_text(text) for text in (ours, base, theirs, there)]
+            sides = [_text(_NAMESPACE.sub("", text)) for text in (ours, base, theirs, there)]
             parts = [*result.own.get(target, []), *result.missing.get(target, [])]
             numbered = enumerate(split(plain(file.written)), 1)
             excuse = "".join(line for n, line in numbered if n in leaving.get(path, ()))

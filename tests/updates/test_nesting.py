@@ -78,12 +78,56 @@ def put_around(first, last, head, tail):
     return edit
 
 
+def taken_out_of(head, tail):
+    """Take what is between two lines out of them, to the left."""
+
+    def edit(text):
+        before, _, rest = text.partition(f"{head}\n")
+        inside, _, after = rest.rpartition(f"{tail}\n")
+        margin = head[: -len(head.lstrip())]
+        return before + textwrap.indent(textwrap.dedent(inside), margin) + after
+
+    return edit
+
+
 def without(text, *lines):
     """Return a text without some lines, each of which it has."""
     for line in lines:
         assert f"{line}\n" in text, text
         text = text.replace(f"{line}\n", "", 1)
     return text
+
+
+TAKEN = {
+    "tests": ("CMakeLists.txt", "cpp_model", "kilted", "if(BUILD_TESTING)", "endif()"),
+    "tests, ROS 1": (
+        "CMakeLists.txt",
+        "cpp_model",
+        "noetic",
+        "if(CATKIN_ENABLE_TESTING)",
+        "endif()",
+    ),
+    "group": (
+        "launch/lab.launch",
+        "python_model",
+        "noetic",
+        "  <group if=\"$(eval arg('namespace') == '')\">",
+        "  </group>",
+    ),
+}
+
+
+@pytest.mark.parametrize("new_nodes", [[ARM, LEG, FOOT], [ARM], [FOOT, LEG]])
+@pytest.mark.parametrize(("path", "model", "distro", "head", "tail"), TAKEN.values(), ids=TAKEN)
+def test_what_the_developer_has_taken_out_of_a_container_changes_there(
+    renders, update, path, model, distro, head, tail, new_nodes
+):
+    """A node whose `<group>` they took away went on to start when it had left the spec."""
+    sides = ([ARM, LEG], new_nodes, model, distro)
+    edit = taken_out_of(head, tail)
+    found, result = update(path, edit, *sides)
+    assert found.split() == edit(renders(*sides).new[path]).split()
+    assert not result.missing
 
 
 BLOCKS = {

@@ -1163,6 +1163,37 @@ def test_function_in_cpp_that_names_its_namespace_is_what_it_was():
     assert result.removed == {"src/a.cpp": ["WorkerImpl::serve_reset"]}
 
 
+SCOPES = {
+    "named": ("", r"arm::\g<0>"),
+    "used": ("using namespace arm;\n", r"\g<0>"),
+}
+
+
+@pytest.mark.parametrize(("line", "name"), SCOPES.values(), ids=SCOPES)
+def test_functions_in_cpp_that_stand_in_no_namespace_are_what_they_were(line, name):
+    """What is new comes in a namespace: the developer's functions may each name theirs."""
+
+    def bare(text):
+        text = changed(text, ("namespace arm\n{\n", line), ("}  // namespace arm\n", ""))
+        return re.sub(r"WorkerImpl(?=::)", name, text)
+
+    new = changed(CPP_FILE, HOME["cpp"])
+    for text, gone in ((new, CPP_FILE), (CPP_FILE, changed(CPP_FILE, NO_RESET["cpp"]))):
+        trees = [{"src/a.cpp": File(encode(one))} for one in (bare(text), text, gone)]
+        result, doubts = Versions(*trees).merged()
+        assert result.tree["src/a.cpp"].text.split() == bare(gone).split()
+        assert (result.conflicts, result.missing, doubts) == ({}, {}, [])
+    mine, old = bare(CPP_FILE), CPP_FILE
+    for changes in ((HOME["cpp"],), (HOME["cpp"], NO_RESET["cpp"])):
+        made = changed(CPP_FILE, *changes)
+        trees = [{"src/a.cpp": File(encode(one))} for one in (mine, old, made)]
+        result, doubts = Versions(*trees).merged()
+        assert (result.conflicts, result.missing, doubts) == ({}, {}, [])
+        mine, old = result.tree["src/a.cpp"].text, made
+        assert re.search(r"(?s)namespace arm\s*\{.*WorkerImpl::serve_home", mine)
+    assert "serve_reset" not in mine
+
+
 ATTACHED = {
     "pragma": ("cpp", "#pragma omp parallel\n"),
     "two": ("cpp", "#pragma GCC push\n#pragma GCC ignored\n"),
