@@ -165,6 +165,10 @@ _LOOSE = re.compile(
 """Blocks that are known by what they say, or that nobody misses."""
 
 
+_IMPORTED = re.compile(r"^\s*from \S+ import|[\s,]")
+"""What is no part of a name that is imported: it may have an import of its own."""
+
+
 _UNNAMED = re.compile(r"from |import |install |list ")
 """Blocks of which there may be several with one key."""
 
@@ -209,17 +213,27 @@ class _Merger:
         return merged
 
     def alone(self, mine: Block, old: dict[str, Block], new: dict[str, Block]) -> Merged:
-        """Return what the developer alone has; of one more import of a module, what stays."""
+        """Return what the developer alone has; of one more import of a module, what stays.
+
+        An import may be in an `if TYPE_CHECKING`, which cannot be empty.
+        """
         name = mine.key.partition(" #")[0]
         if self.language is PYTHON and name.startswith("from ") and name in old and name in new:
             made = new[name].text
             left = python_blocks.joined_import(mine.text, old[name].text + made, made)
             return list(lines.split(mine.text if left is None else left))
+        if self.language is PYTHON and not name.startswith("from "):
+            inner = (line for child in mine.children for line in self.alone(child, old, new))
+            text = lines.text([*mine.lines, *inner, *mine.tail])
+            if readable(PYTHON, [textwrap.dedent(text)]):
+                return list(lines.split(text))
         return list(lines.split(mine.text))
 
     def left(self, mine: Block, old: Block) -> Merged:
         """Take out a block that the new version has no longer."""
-        if self.is_same(mine, old):
+        texts = [_IMPORTED.sub("", block.text) for block in (mine, old)]
+        is_name = mine.key.startswith("name ") and texts[0] == texts[1]
+        if is_name or self.is_same(mine, old):
             return []
         if self.of_people:
             return self.disputed(mine.text, old.text, "")

@@ -448,17 +448,27 @@ def test_import_gets_names_whatever_the_developer_made_of_it(edit, change):
 
 @pytest.mark.parametrize("gone", ["Load", "Reach", "Zoom"])
 @pytest.mark.parametrize("first", ["Load", "Reach, Load", "Load, Zoom"])
-def test_name_leaves_whichever_import_of_its_module_has_it(first, gone):
+@pytest.mark.parametrize("condition", ["", "if TYPE_CHECKING:\n    "])
+def test_name_leaves_whichever_import_of_its_module_has_it(condition, first, gone):
     old = LONG.replace("    Reach,\n", "    Reach,\n    Zoom,\n").replace("Reach)", "Reach, Zoom)")
     new = re.sub(rf"\b{gone}\b,?", "", old.replace(f"    {gone},\n", ""))
     rest = ", ".join(name for name in ("Load", "Reach", "Zoom", "own") if name not in first)
-    mine = f"{IN_A_LINE}{first}\n{IN_A_LINE}{rest}\n" + old[old.index("\n\n") :]
+    mine = f"{IN_A_LINE}{first}\n{condition}{IN_A_LINE}{rest}\n" + old[old.index("\n\n") :]
     trees = [{"arm/reach_impl.py": File(encode(text))} for text in (mine, old, new)]
     result, doubts = Versions(*trees).merged()
     assert (doubts, result.conflicts) == ([], {})
     found = result.tree["arm/reach_impl.py"].text
     assert imported(found) == sorted({*imported(mine)} - {gone})
     assert found.count("import") == 2 - (first == gone)
+
+
+def test_name_that_has_an_import_of_its_own_leaves_unsaid():
+    old = "from arm import (\n    A,\n    B,\n)\n\nuse(A)\n"
+    mine = "from arm import A\nfrom arm import B\n\nuse(A)\n"
+    texts = (mine, old, changed(old, ("    B,\n", "")))
+    result, doubts = Versions(*({"a.py": File(encode(text))} for text in texts)).merged()
+    assert (doubts, result.conflicts, result.removed) == ([], {}, {})
+    assert result.tree["a.py"].text == changed(mine, ("from arm import B\n", ""))
 
 
 @pytest.mark.parametrize("edit", [("A, B", "A, B"), ("A, B", "A, B, mine")])
