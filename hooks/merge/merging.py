@@ -207,6 +207,8 @@ class _Merger:
                 merged += lines.split(names)
             elif key not in theirs:
                 self.gone.append(block_name(key))
+            else:
+                self.reworded += lines.split(theirs[key].text)
             if is_comment(last) and last not in theirs and _touch(merged[end - 1 : end + 1]):
                 merged.insert(end, "\n")  # or the comment would be about what follows it now
             last = key if merged[end:] else last

@@ -233,7 +233,8 @@ def _as_made(
     """Return a line whose words are exchanged; of a generated one, comment and head, too."""
     line, changed = before.strip(), after.strip()
     made, sign = generated.get(line), _COMMENT.get(known.name)
-    if made and sign and made.partition(sign)[0] == changed.partition(sign)[0]:
+    is_prose = known is PYTHON and line == changed and not re.search("['\"]", line.strip('"'))
+    if made and sign and (is_prose or made.partition(sign)[0] == changed.partition(sign)[0]):
         return after.replace(changed, made)
     end = _ENDS[known.name].search(changed) if heads else None
     was = _ENDS[known.name].search(line) if end else None

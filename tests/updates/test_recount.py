@@ -453,6 +453,7 @@ ASIDES = {
     "a.yaml": ("/**:\n  ros__parameters:\n", "    # {}, m\n    reach: 1.0\n", "    rate: 1\n"),
     "a.hpp": ("struct Config\n{\n", "  /// {}, m\n  double reach = 1.0;\n", "};\n"),
     "a.py": ("class Config:\n", "    # {}, m\n    reach: float = 1.0\n", "    b: int = 1\n"),
+    "b.py": ("class Config:\n", '    """{}."""\n\n    reach: float = 1.0\n', "    b: int = 1\n"),
     "CMakeLists.txt": ("project(a)\n", "install(FILES\n  # {}\n  1.0\n)\n", "ament_package()\n"),
     "table.md": ("# a\n\n", "| {} |\nIt takes 1.0 s.\n", "\n# b\n"),
     "fence.md": ("# a\n\n", "```\n{}\n```\nIt takes 1.0 s.\n", "\n# b\n"),

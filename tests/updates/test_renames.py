@@ -165,6 +165,17 @@ def test_renamed_package_keeps_its_code(arm, update):
     assert not (arm / "arm").exists()
 
 
+def test_docstrings_of_the_developer_stay_where_the_node_is_renamed(merge):
+    """Of those of a module and a class one is the developer's, one is the model's."""
+    own = ('    """The logic of reach."""\n', '    """Moves the arm; see reach."""\n')
+    changes = [('<node name="reach"', '<node name="grasp" was="reach"')]
+    files, _ = merge(SPEC, changes, {"arm/reach_impl.py": [own]})
+    text = files["arm/grasp_impl.py"]
+    assert "\nThe logic of grasp.\n" in text
+    assert text.count("reach") == 1
+    assert own[1] in text
+
+
 def test_renamed_in_cpp(merge):
     changes = [
         ('<node name="reach"', '<node name="grasp" was="reach"'),
