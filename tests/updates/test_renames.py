@@ -405,6 +405,15 @@ def test_imports_of_a_package_that_is_renamed(code):
     assert renaming.text("arm/a.py", code) == code.replace("arm.tools", "leg.tools")
 
 
+def test_project_of_cmake_that_has_a_version():
+    old, marked = (
+        {"CMakeLists.txt": File(encode(f"project({name})\n"))} for name in ("arm", "zq0x")
+    )
+    renaming = plan(old, marked, [Mark("arm", "leg", "package")], old)
+    form = "PROJECT({} VERSION 1.2.3)\n"
+    assert renaming.text("CMakeLists.txt", form.format("arm")) == form.format("leg")
+
+
 def test_targets_of_cmake():
     """A file, a variable that has the name of a node is none."""
     old, marked = (
