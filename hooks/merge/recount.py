@@ -43,7 +43,7 @@ def _lower(text: str) -> str:
 
 def _tight(text: str) -> str:
     """Return a text without what a formatter changes: blanks, quotes, brackets, commas, rules."""
-    words = _WORD.findall(re.sub("-{3,}", "---", text))
+    words = _WORD.findall(re.sub("(?<=/[/*])[!<]+", "", re.sub("-{3,}", "---", text)))
     return "".join(f"\t{word}\n" for word in words if word)
 
 

@@ -473,6 +473,15 @@ def test_what_the_developer_has_deleted_may_be_reworded(path, value):
     assert result.tree[path].text == mine.replace("1.0", value)
 
 
+@pytest.mark.parametrize("sign", ["//!", "/*!"])
+def test_comments_may_have_the_other_form_that_doxygen_reads(sign):
+    old = "class A\n{\n  /// Load.\n  void load();\n\n  /// Stop.\n  void stop();\n};\n"
+    new = old.replace("};", "\n  /// Go.\n  void go();\n};")
+    mine = re.sub("///(.*)", rf"{sign}\1" + " */" * (sign[1] == "*"), old)
+    result, doubts = Versions(*({"a.hpp": File(encode(one))} for one in (mine, old, new))).merged()
+    assert (doubts, result.conflicts, result.missing) == ([], {}, {})
+
+
 def test_comment_that_the_developer_has_reworded_too_is_a_conflict():
     """As one of those that are left, beside one that was deleted."""
     old = "class Config:\n    # How far\n    # How fast\n    reach: float = 1.0\n"
