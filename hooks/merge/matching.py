@@ -178,6 +178,7 @@ def _retitled(mine: Blocks, old: Blocks, new: Blocks) -> Blocks:
         if key not in base and key not in theirs:
             have = {*(one.key for one in mine), *_names_in(block)}
             was = _most_like(block, (o for k, o in base.items() if k not in have))
+            was = was or _below_title(ours, base) if key.startswith("# ") else was
             came = _most_like(was, (n for k, n in theirs.items() if k not in base))
             if was and came and was.key not in theirs:
                 came.key = was.key
@@ -187,6 +188,12 @@ def _retitled(mine: Blocks, old: Blocks, new: Blocks) -> Blocks:
                 known = (side for side in (*old, *new) if side.key == block.key)
                 match(block.children, *(each.children for each in known))
     return mine
+
+
+def _below_title(*sides: Mapping[str, Block]) -> Block | None:
+    """Return what the last of some files has below its title, where each has one title."""
+    titles = [[side[key] for key in side if key.startswith("# ")] for side in sides]
+    return titles[-1][0] if all(len(found) == 1 for found in titles) else None
 
 
 def _is_titled(block: Block) -> bool:

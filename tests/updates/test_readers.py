@@ -1084,6 +1084,17 @@ def test_section_keeps_the_heading_that_the_developer_gave_it(edit, row):
     assert not result.missing
 
 
+def test_title_that_the_developer_gave_stays_and_what_is_below_it_changes():
+    mine = changed(ARM, ("# Arm\n", "# My robot\n\n[![CI](ci.svg)](https://ci.example.org)\n"))
+    words = ("Moves.", "Turns.")
+    merges, found, result = merge("README.md", mine, ARM, changed(ARM, words))
+    assert merges
+    assert (found, result.missing) == (changed(mine, words), {})
+
+
+ARM = "# Arm\n\nMoves.\n\n## Topics\n\n| a | |\n"
+
+
 @pytest.mark.parametrize(
     ("row", "after"),
     [("| b | |\n", ""), ("| b | |\n", "| b | odd |\n"), ("| a | |\n", "| a | |\n| c | |\n")],
