@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from . import git
-from .blocks import every
+from .blocks import Block, every
 from .languages import CPP, PYTHON, Language, language
 from .merging import block_name
 from .package import Result
@@ -100,11 +100,15 @@ def _returned(package: Path, before: Tree, after: Tree, result: Result) -> Itera
 
 def _functions(known: Language, file: File) -> dict[str, str]:
     """Return the text of each function of a file by its key."""
+    found = _code(known, file)
+    return {b.key: b.text for b in found if b.key.startswith("def ") or b.key.endswith("()")}
+
+
+def _code(known: Language, file: File) -> list[Block]:
+    """Return the blocks of a file of code, those inside of others, too."""
     with contextlib.suppress(ValueError, RecursionError):
-        found = every(known.blocks(file.written))
-        functions = (b for b in found if b.key.startswith("def ") or b.key.endswith("()"))
-        return {block.key: block.text for block in functions}
-    return {}
+        return [*every(known.blocks(file.written))] if known in (CPP, PYTHON) else []
+    return []
 
 
 def removed(
@@ -150,10 +154,29 @@ def _unnamed(after: Tree, left: Iterable[tuple[str, int, str]]) -> Iterator[str]
 
 
 def _missing(after: Tree, result: Result) -> Iterator[tuple[str, str]]:
-    """Name the generated parts that are not there; any source may have a member of a class."""
+    """Name the generated parts that are not there.
+
+    Any source may have a member of a class, a header may define it, and a base may have it.
+    """
     found = [(path, part) for path, parts in sorted(result.missing.items()) for part in parts]
-    has: set[str] = set()
-    if any("::" in part for _, part in found):
-        sources = (file for path, file in after.items() if language(path, "") is CPP)
-        has = {block_name(key) for file in sources for key in _functions(CPP, file) if "::" in key}
-    yield from ((path, part) for path, part in found if part not in has)
+    bases: dict[str, set[str]] = {}
+    has: set[tuple[str, str]] = set()
+    for path, file in after.items() if found else ():
+        for block in _code(language(path, ""), file):
+            owner, _, name = block_name(block.key).rpartition("::")
+            has.add((owner, name))
+            if block.key.startswith("class "):
+                name = block.key.removeprefix("class ")
+                words = {*re.findall(r"\w+", "".join(block.lines))}
+                bases |= {name: words, path: bases.get(path, set()) | words - {name}}
+                has |= {
+                    (name, block_name(b.key)) for b in block.children if _DEFINED.search(b.text)
+                }
+    for path, part in found:
+        owner, _, name = part.rpartition("::")
+        if not any((one, name) in has for one in bases.get(owner or path, {owner})):
+            yield path, part
+
+
+_DEFINED = re.compile(r"\{|\bdef ")
+"""What a member has that is more than declared."""
