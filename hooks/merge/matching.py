@@ -69,7 +69,10 @@ def _opened(side: Blocks, mine: Blocks, old: Blocks) -> Iterator[Block]:
             children = [
                 i for i in _items(block) if _name(i.key) not in names and (same or is_scope)
             ]
-            yield from (_shifted(item, by) for item in _items(block) if item not in children)
+            taken = [_shifted(item, by) for item in _items(block) if item not in children]
+            if taken and not taken[0].lines[0].isspace():
+                taken[0].lines[:0] = takewhile(str.isspace, block.lines)
+            yield from taken
             if children and is_condition(block):
                 children = [Block(THEN, [], children)]
         elif same:

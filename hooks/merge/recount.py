@@ -33,6 +33,8 @@ _NAMES = re.compile(r"\bfrom \S+ import \([^)]*\)")
 """Names that are imported, of which a line may have several."""
 _NAMESPACE = re.compile(r"(?m)^[ \t]*(namespace\b[^;{]*\{|\}[ \t]*//.*\bnamespace\b.*$)")
 """What begins and ends a namespace, which may be opened again; its braces are counted below."""
+_CLOSES = re.compile(r"end\w+ *\(.*\)|</.*>|\W+")
+"""What ends something, and says not what."""
 Places = list[tuple[str, str]]
 _CMAKE = ("CMakeLists.txt", ".cmake")
 
@@ -185,7 +187,8 @@ def _lines(
                 is_deleted = has_missing and ours < before
                 place = "".join(above)
                 came = max(0, new[place] - old[place])
-                if ours < before and old[place] and found[place] > mine[place] + came:
+                is_shown = ours < before and not _CLOSES.fullmatch(line)
+                if is_shown and old[place] and found[place] > mine[place] + came:
                     yield f"{line} (deleted)"
             if is_first and any(letter.isalnum() for letter in tight):
                 added, deleted = max(0, ours - before), max(0, before - ours)

@@ -433,6 +433,16 @@ def test_line_that_is_a_part_of_two_others_leaves_with_them():
     assert result.tree["launch/a.launch.xml"].text == wanted
 
 
+def test_end_of_a_condition_that_stands_where_one_was_taken_away():
+    rest = "\n  if(C)\n    set(c 1)\n  endif()\n"
+    old = f"if(A)\n\n  if(B)\n    set(a 1)\n    set(b 1)\n  endif()\n{rest}endif()\n"
+    mine = f"if(A)\n\n  set(a 1)\n  set(b 1)\n{rest}endif()\n"
+    trees = [{"CMakeLists.txt": File(encode(one))} for one in (mine, old, old.replace(rest, ""))]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts, result.missing) == ([], {}, {})
+    assert result.tree["CMakeLists.txt"].text == mine.replace(rest, "")
+
+
 def test_commands_may_be_in_capitals():
     """As cmake-format writes them; what comes, leaves or gets another name is not in conflict."""
     old = "project(arm)\n\nif(TESTING)\n  add_executable(reach a.cpp)\nendif()\n"
