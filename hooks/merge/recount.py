@@ -105,7 +105,8 @@ def recount(
         if target not in carried:
             sides = [_text(_NAMESPACE.sub("", text)) for text in (ours, base, theirs, there)]
             parts = [*result.own.get(target, []), *result.missing.get(target, [])]
-            numbered = enumerate(split(plain(file.written)), 1)
+            raw, renamed = split(plain(file.written)), split(ours)
+            numbered = enumerate(renamed if len(raw) == len(renamed) else raw, 1)
             excuse = "".join(line for n, line in numbered if n in leaving.get(path, ()))
             excuse += "".join(result.reworded.get(target, []))
             excuse += _about(theirs, parts)

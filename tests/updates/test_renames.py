@@ -176,6 +176,21 @@ def test_docstrings_of_the_developer_stay_where_the_node_is_renamed(merge):
     assert own[1] in text
 
 
+def test_edited_callback_leaves_a_node_that_is_renamed(merge):
+    """Its lines had another name than those that are counted."""
+    changes = [
+        ('<node name="reach"', '<node name="grasp" was="reach"'),
+        (re.search('.*name="load".*\n', SPEC)[0], ""),
+    ]
+    end = "reach_types::LoadService::Response & response"
+    own = {
+        "include/arm/reach_impl.hpp": [(f"{end});", f"{end}) override;")],
+        "src/reach_impl.cpp": [(f"{end})\n{{", f"{end})\n{{\n  ReachData data;")],
+    }
+    files, _ = merge(SPEC, changes, own, "cpp_model")
+    assert not any("Load" in files[path.replace("reach", "grasp")] for path in own)
+
+
 def test_renamed_in_cpp(merge):
     changes = [
         ('<node name="reach"', '<node name="grasp" was="reach"'),
