@@ -27,11 +27,11 @@ RESULTS = {
 
 
 def sends_to(client):
-    """Return whether the server sends results, which is later than the client is connected."""
+    """Return whether the server sends to a client, which is later than that is connected."""
     server = client.last_status_msg._connection_header["callerid"]
     _, _, links = ServerProxy(rosnode.get_api_uri(rosgraph.Master("/peer"), server)).getBusInfo("")
-    topics = [topic for _, node, _, _, topic, *_ in links if node == rospy.get_name()]
-    return client.result_sub.resolved_name in topics
+    topics = {topic for _, node, _, _, topic, *_ in links if node == rospy.get_name()}
+    return {client.feedback_sub.resolved_name, client.result_sub.resolved_name} <= topics
 
 
 class Peer:
@@ -172,7 +172,7 @@ class Peer:
                 type_ = load("test_msgs/msg/FibonacciAction")
                 self.clients[action] = client = actionlib.ActionClient(action, type_)
         assert client.wait_for_server(rospy.Duration(TIMEOUT)), f"no action {action}"
-        wait_for(lambda: sends_to(client), "the server has no connection for results")
+        wait_for(lambda: sends_to(client), "the server does not send to this peer")
         handle = client.send_goal(load("test_msgs/msg/FibonacciGoal")(order))
         wait_for(
             lambda: handle.get_comm_state() != actionlib.CommState.WAITING_FOR_GOAL_ACK,

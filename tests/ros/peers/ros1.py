@@ -26,11 +26,11 @@ def load(type_name, suffix=""):
 
 
 def sends_to(client):
-    """Return whether the server sends results, which is later than the client is connected."""
+    """Return whether the server sends to a client, which is later than that is connected."""
     server = client.last_status_msg._connection_header["callerid"]
     _, _, links = ServerProxy(rosnode.get_api_uri(rosgraph.Master("/peer"), server)).getBusInfo("")
-    topics = [topic for _, node, _, _, topic, *_ in links if node == rospy.get_name()]
-    return client.result_sub.resolved_name in topics
+    topics = {topic for _, node, _, _, topic, *_ in links if node == rospy.get_name()}
+    return {client.feedback_sub.resolved_name, client.result_sub.resolved_name} <= topics
 
 
 class Goal:
@@ -110,7 +110,7 @@ class Peer:
         assert client.wait_for_server(rospy.Duration(TIMEOUT)), "no action server"
         end = time.monotonic() + TIMEOUT
         while not sends_to(client):
-            assert time.monotonic() < end, "the server has no connection for results"
+            assert time.monotonic() < end, "the server does not send to this peer"
             time.sleep(0.01)
         self.kept.append(client)
         return Goal(client, load(type_name, "Goal")(**fields))
