@@ -131,8 +131,9 @@ class Carrier:
         if not places:
             raise ForeignError
         for level, at in places:
+            other = level[0] if level else block
             if not any(same.key == block.key for same in level):
-                level.insert(at, set_beside(Block(block.key, split(text)), [*level, block][0]))
+                level.insert(at, set_beside(Block(block.key, split(text)), other))
         self._note(number, text)
 
     def _note(self, number: int, text: str) -> None:
