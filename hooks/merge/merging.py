@@ -217,18 +217,21 @@ class _Merger:
     def alone(self, mine: Block, old: dict[str, Block], new: dict[str, Block]) -> Merged:
         """Return what the developer alone has; of one more import of a module, what stays.
 
-        An import may be in an `if TYPE_CHECKING`, which cannot be empty.
+        An import may be in an `if TYPE_CHECKING`, which leaves when it is all in there.
         """
         name = mine.key.partition(" #")[0]
         if self.language is PYTHON and name.startswith("from ") and name in old and name in new:
             made = new[name].text
             left = python_blocks.joined_import(mine.text, old[name].text + made, made)
             return list(lines.split(mine.text if left is None else left))
-        if self.language is PYTHON and not name.startswith("from "):
-            inner = (line for child in mine.children for line in self.alone(child, old, new))
+        if self.language is PYTHON and mine.children and not name.startswith("from "):
+            inner = [line for child in mine.children for line in self.alone(child, old, new)]
             text = lines.text([*mine.lines, *inner, *mine.tail])
             if readable(PYTHON, [textwrap.dedent(text)]):
                 return list(lines.split(text))
+            if not lines.text(inner).strip():
+                self.removed.append(block_name(mine.key))
+                return []
         return list(lines.split(mine.text))
 
     def left(self, mine: Block, old: Block) -> Merged:

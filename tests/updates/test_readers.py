@@ -462,6 +462,16 @@ def test_name_leaves_whichever_import_of_its_module_has_it(condition, first, gon
     assert found.count("import") == 2 - (first == gone)
 
 
+def test_condition_leaves_with_all_that_it_imports_and_is_said():
+    old = "from arm import A, B\n\nuse(A)\n"
+    mine = "from arm import A\n\nif TYPE_CHECKING:\n    from arm import B\n\nuse(A)\n"
+    texts = (mine, old, changed(old, (", B", "")))
+    result, doubts = Versions(*({"a.py": File(encode(text))} for text in texts)).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.removed == {"a.py": ["if TYPE_CHECKING"]}
+    assert result.tree["a.py"].text == texts[2]
+
+
 def test_name_that_has_an_import_of_its_own_leaves_unsaid():
     old = "from arm import (\n    A,\n    B,\n)\n\nuse(A)\n"
     mine = "from arm import A\nfrom arm import B\n\nuse(A)\n"
