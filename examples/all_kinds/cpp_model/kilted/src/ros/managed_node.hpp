@@ -583,11 +583,17 @@ private:
       report_running();
     }
     session_->disconnect();
+    wake_threads();
+    end_logic("deactivate", &Session::deactivate);
+    session_->cancel_goals(Stop::deadline(stop_timeout()));
+  }
+
+  /// Let executors that wait drop what is destroyed.
+  void wake_threads()
+  {
     for (const auto & [name, thread] : callback_threads_) {
       thread->wake();
     }
-    end_logic("deactivate", &Session::deactivate);
-    session_->cancel_goals(Stop::deadline(stop_timeout()));
   }
 
   /// Clean the logic up and drop it.
@@ -603,6 +609,7 @@ private:
     session_->cancel_goals(Stop::deadline(stop_timeout()));
     session_->flush(Stop::deadline(timeouts::RECEIVE));
     session_.reset();
+    wake_threads();
   }
 
   rclcpp::Context::SharedPtr context_;
