@@ -37,16 +37,9 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'out_status': ('/status', std_msgs.msg.String, 'publisher', None, 'volatile', None),
         'in_speed': ('speed', geometry_msgs.msg.Twist, 'subscription', None, None, None),
         'in_counter': ('counter', std_msgs.msg.Int64, 'subscription', None, None, None),
-        'pub_echo': ('{echo_topic}', std_msgs.msg.String, 'publisher', None, 'volatile', None),
-        'pub_empty': ('~/empty', std_msgs.msg.Empty, 'publisher', None, 'volatile', None),
-        'pub_answer': (
-            '{answer_topics}',
-            std_msgs.msg.String,
-            'publisher',
-            None,
-            'volatile',
-            None,
-        ),
+        'pub_echo': ('{echo_topic}', std_msgs.msg.String, 'publisher', None, 'volatile', 10),
+        'pub_empty': ('~/empty', std_msgs.msg.Empty, 'publisher', None, 'volatile', 10),
+        'pub_answer': ('{answer_topics}', std_msgs.msg.String, 'publisher', None, 'volatile', 10),
         'receive_say': ('say', std_msgs.msg.String, 'subscription', None, None, 10),
         'receive_call': ('{call_topics}', std_msgs.msg.String, 'subscription', None, None, 10),
         'input_sighting.point': (
@@ -83,7 +76,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'echo_topic': ('echo', ['other_echo_topic'], [True]),
         'call_topics': (['hall/call', '~/call'], [['other_call_topics']], [True]),
         'answer_topics': (['hall/answer', '/answer'], [['other_answer_topics']], [True]),
-        'weights': ([0.5, 1.0, 2000.0], [[0.0]], [True]),
+        'weights': ([0.5, 1.0, 2000.0], [[], [0.0]], [True]),
     }
     dynamic_parameters = {  # default, other values, refused ones
         'gain': (1.5, [0.0, 10.0, 1.0], [True, -0.0001, 10.001]),

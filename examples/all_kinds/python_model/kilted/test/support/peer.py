@@ -111,6 +111,8 @@ class Peer:
     def set_parameter(self, node, name, value):
         """Set a parameter; return False if it was refused, with a reason."""
         parameter = rclpy.parameter.Parameter(name, value=value).to_parameter_msg()
+        if value == []:  # which may be a list of anything
+            parameter.value.type = self.parameter(node, name).type
         request = SetParameters.Request(parameters=[parameter])
         response = self.call(node, SetParameters, node.name + '/set_parameters', request)
         return response.results[0].successful or not response.results[0].reason
@@ -126,6 +128,11 @@ class Peer:
         request = GetParameters.Request(names=[name])
         response = self.call(node, GetParameters, node.name + '/get_parameters', request)
         return response.values[0]
+
+    def called(self, node):
+        """Return the names of the services that a node has clients of."""
+        space, _, name = node.name.rpartition('/')
+        return dict(self._node.get_client_names_and_types_by_node(name, space))
 
     def has(self, node, kind, topic, type_, *policies):
         """Return whether a node has a publisher or subscription of a type and QoS."""

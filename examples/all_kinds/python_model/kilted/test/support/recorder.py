@@ -20,6 +20,7 @@ from threading import Event, Thread
 from time import monotonic, sleep
 from typing import get_args, get_type_hints
 
+from builtin_interfaces.msg import Time
 from rclpy.serialization import deserialize_message, serialize_message
 
 LINES = open(0)  # not sys.stdin, which Python closes at its end while a thread reads it
@@ -52,6 +53,7 @@ class _Recorder:
         self._config = None
         self._released = Event()
         self._taken = {}
+        report('made')
         is_first = not _Recorder._current
         _Recorder._current = self
         if is_first:
@@ -167,6 +169,9 @@ class _Recorder:
     def _do_sleep(self, _, seconds, *__):
         return self.passthrough.sleep(float(seconds))
 
+    def _do_log(self, _, text, *__):
+        self.passthrough.log.warning(text)
+
     def _do_fail(self, _, reason, *__):
         self.passthrough.fail(f'{reason}\nfor good')
 
@@ -185,9 +190,10 @@ class _Recorder:
         self._do_broadcaster(name.partition('_')[2], *value, 'broadcast_static')
 
     def _do_listener(self, name, value, _):
-        target, source, timeout = value.split(',')
+        target, source, timeout, *stamp = value.split(',')
         listener = getattr(self.passthrough, name)
-        found = listener.lookup(target, source, float(timeout))
+        times = [Time(sec=int(seconds)) for seconds in stamp]
+        found = listener.lookup(target, source, float(timeout), *times)
         return found.transform.translation.x if found else listener.reason
 
     def _count(self, method):

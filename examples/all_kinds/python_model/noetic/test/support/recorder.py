@@ -21,6 +21,7 @@ from threading import Event, Thread
 from time import monotonic, sleep
 from typing import get_args, get_type_hints
 
+from rospy import Time
 from rospy.msg import serialize_message
 
 LINES = open(0)  # not sys.stdin, which Python closes at its end while a thread reads it
@@ -172,6 +173,9 @@ class _Recorder:
     def _do_sleep(self, _, seconds, *__):
         return self.passthrough.sleep(float(seconds))
 
+    def _do_log(self, _, text, *__):
+        self.passthrough.log.warning(text)
+
     def _do_fail(self, _, reason, *__):
         self.passthrough.fail(f'{reason}\nfor good')
 
@@ -190,9 +194,10 @@ class _Recorder:
         self._do_broadcaster(name.partition('_')[2], *value, 'broadcast_static')
 
     def _do_listener(self, name, value, _):
-        target, source, timeout = value.split(',')
+        target, source, timeout, *stamp = value.split(',')
         listener = getattr(self.passthrough, name)
-        found = listener.lookup(target, source, float(timeout))
+        times = [Time(int(seconds)) for seconds in stamp]
+        found = listener.lookup(target, source, float(timeout), *times)
         return found.transform.translation.x if found else listener.reason
 
     def _count(self, method):

@@ -34,6 +34,7 @@
 #include "all_kinds/ros/goal.hpp"
 #include "all_kinds/ros/publisher.hpp"
 #include "all_kinds/ros/service_client.hpp"
+#include "all_kinds/ros/time.hpp"
 #include "ros/serialization.h"
 
 namespace all_kinds
@@ -366,14 +367,15 @@ Step broadcasts(const std::shared_ptr<Broadcaster> & broadcaster, bool is_static
          };
 }
 
-/// The step that looks up a transform along x, or says why there is none: TARGET,SOURCE,TIMEOUT.
+/// The step that looks up a transform along x, or says why not: TARGET,SOURCE,TIMEOUT,STAMP.
 template<typename Listener>
 Step looks_up(const std::shared_ptr<Listener> & listener)
 {
   return [listener](const std::string & text) {
            const auto words = split(text);
            const std::chrono::duration<double> timeout(std::stod(words[2]));
-           const auto found = listener->lookup(words[0], words[1], timeout);
+           const Time stamp(words.size() > 3 ? std::stoll(words[3]) * 1'000'000'000 : 0);
+           const auto found = listener->lookup(words[0], words[1], timeout, stamp);
            return found ? to_json(found->transform.translation.x) : to_json(listener->reason());
          };
 }
