@@ -120,10 +120,6 @@ class NodeTests:
             else:
                 yield from ((f'{member}.{topic}', topic, *rest) for topic in found)
 
-    def name_of(self, member, node):
-        """Return the full name of an interface of a node."""
-        return {each: name for each, name, *_ in self.each(member, node=node.name)}[member]
-
     def test_topics(self):
         """Every topic has its name, type and QoS, or the QoS that is given."""
         for node, policy in ((self.node, lambda value: value), (self.given, OTHER.get)):
@@ -145,11 +141,13 @@ class NodeTests:
 
     def test_deadlines(self):
         """A topic is late once when no message has come for so long, and again after the next."""
-        simulated = self.active(override=True)
+        simulated = self.start(override=True)
         node = self.start()
-        for late, member, deadline in self.lates():
+        for late, *_ in self.lates():
             self.assertTrue(eventually(lambda: node.got(late)), late)
-            sleep(2 * deadline)
+        sleep(2 * max([deadline for *_, deadline in self.lates()], default=0))
+        self.assertTrue(eventually(lambda: simulated.got('activate')), simulated.log)
+        for late, member, deadline in self.lates():
             self.assertEqual(node.got(late), [late[:15]])  # the name of its thread
             _, topic, type_, _, *qos, _ = next(self.each(member, node=node.name))
             publisher = self.peer.publisher(type_, topic, *qos)
@@ -486,10 +484,16 @@ class NodeTests:
             self.assertEqual(goal.end(), ('aborted', result))
             self.assertIsNone(self.peer.goal(self.node, type_, name, request))
             self.assertTrue(self.peer.change(self.node, 'activate'))
-            node = self.active(f'{member} block', stop_timeout=0.1)
-            goal = self.peer.goal(node, type_, self.name_of(member, node), request)
+        members = [member for member, *_ in self.each('execute_')]
+        if not members:
+            return
+        node = self.active(*(f'{member} block' for member in members), stop_timeout=0.1)
+        goals = []
+        for member, name, type_, *_ in self.each('execute_', node=node.name):
+            goals.append(self.peer.goal(node, type_, name, type_.Goal()))
             self.assertTrue(eventually(lambda: node.got(member)), name)
-            self.peer.change(node, 'deactivate')
+        self.peer.change(node, 'deactivate')
+        for goal in goals:
             self.assertEqual(goal.end()[0], 'aborted')  # by the node: its logic does not return
 
     def test_parallel_goals(self):
@@ -603,6 +607,7 @@ class NodeTests:
             return after - before < 1.05 * cycles and (missed or after - before > 0.95 * cycles)
 
         if self.frequency:
+            wrong = self.start(frequency=0.0)
             self.assertTrue(eventually(lambda: is_kept(self.node, self.frequency)))
             frequency = (0.5 if self.frequency > 1.0 else 2.0) * self.frequency
             started = monotonic()
@@ -613,7 +618,6 @@ class NodeTests:
             self.assertRegex(other.log, r'Missed ([2-9]|[1-9]\d+) cycles .*update takes')
             told = other.log.count('update takes')  # at most once in 10 s
             self.assertLessEqual(told, 1 + (monotonic() - started) / 10)
-            wrong = self.start(frequency=0.0)
             self.assertEqual((wrong.exit_code(), wrong.life()), (1, []), wrong.log)
 
             def starts_at_once():
@@ -648,7 +652,7 @@ class NodeTests:
 
             self.assertTrue(not frequency or eventually(is_regular), (method, ticks))
             last = self.turns(method, node=self.given)
-            self.turns(method, more=5)
+            self.turns(method, more=3)
             self.assertEqual(self.turns(method, node=self.given), last)
         for late, *_ in self.lates():  # and so do deadlines
             self.assertTrue(
@@ -723,17 +727,20 @@ class NodeTests:
             node = self.active()
             value = next(each for each in others if each != default)
             self.assertTrue(self.peer.change(node, 'deactivate'))
-            node.order('reconfigure', 'wait=3')  # longer than the 2 s that it may take
+            node.order('reconfigure', 'block')  # longer than the 2 s that it may take
             self.assertFalse(self.peer.set_parameter(node, name, value), name)
+            node.order('now', 'release')
             node.order('reconfigure', 'raise')
             self.assertFalse(self.peer.set_parameter(node, name, value), name)
             self.assertEqual((node.exit_code(), node.life()), (1, LIFE), node.log)
 
     def test_names_of_topics(self):
         """Without names of topics, each once, in its parameters the node refuses to configure."""
-        names = [name[1:-1] for name, *_ in self.interfaces.values() if name[0] == '{']
-        values = ['a b', ['a b'], ['a', 'a']]
-        wrong = [(name, each) for name in names for each in values]
+        wrong = []
+        for name in (name[1:-1] for name, *_ in self.interfaces.values() if name[0] == '{'):
+            is_list = isinstance(self.named('{' + name + '}', True), list)
+            values = [['a b'], ['a', 'a']] if is_list else ['a b']
+            wrong += [(name, each) for each in values]
         with ThreadPoolExecutor(4) as pool:
             list(pool.map(self.ends_with, wrong))
 
@@ -779,13 +786,6 @@ class NodeTests:
 
         self.assertTrue(eventually(lambda: says(OK, 'active', None)), last())
         self.assertIn('active', [each.value for each in last()[0].values])
-
-        def is_regular():
-            own = [each for each in heard if each.status[0].name == node.name]
-            times = [each.header.stamp.sec + each.header.stamp.nanosec * 1e-9 for each in own]
-            return any(0.8 < end - begin < 1.2 for begin, end in zip(times, times[1:]))
-
-        self.assertTrue(eventually(is_regular), heard)  # once a second
         for word, level in ('error', ERROR), ('ok', OK), ('warning', WARN):
             node.order('now', f'diagnose={word},{word}')
             self.assertTrue(eventually(lambda: says(level, word, word)), (word, last()))
@@ -801,17 +801,19 @@ class NodeTests:
 
             self.assertTrue(eventually(are_counted), last())
             self.assertTrue(says(WARN, 'warning', 'warning'), last())  # both sentences
+        lates = {}
         for _, member, _ in self.lates():
             _, topic, type_, _, *qos, _ = next(self.each(member, node=node.name))
             late = 'no message on ' + self.named(self.interfaces[member][0], False)
             self.assertTrue(eventually(lambda: says(WARN, late, 'warning')), (late, last()))
-            publisher = self.peer.publisher(type_, topic, *qos)
+            lates[late] = self.peer.publisher(type_, topic, *qos), sample(type_, 1)
 
-            def is_heard():
-                publisher.publish(sample(type_, 1))
-                return last() and late not in last()[0].message
+        def are_heard():
+            for publisher, message in lates.values():
+                publisher.publish(message)
+            return not any(late in last()[0].message for late in lates)
 
-            self.assertTrue(eventually(is_heard), (late, last()))
+        self.assertTrue(eventually(are_heard), last())
         for transition in 'deactivate', 'cleanup':
             self.assertTrue(self.peer.change(node, transition))
         self.assertTrue(eventually(lambda: says(OK, 'unconfigured', None)), last())
@@ -822,6 +824,13 @@ class NodeTests:
             self.assertTrue(self.peer.change(node, transition))
         self.assertTrue(eventually(lambda: says(OK, 'active', None)), last())
         node.order('now', 'diagnose=warning,warning')
+
+        def is_regular():
+            own = [each for each in heard if each.status[0].name == node.name]
+            times = [each.header.stamp.sec + each.header.stamp.nanosec * 1e-9 for each in own]
+            return any(0.8 < end - begin < 1.2 for begin, end in zip(times, times[1:]))
+
+        self.assertTrue(eventually(is_regular), heard)  # once a second
         node.order('now', 'fail=lost')
         self.assertEqual(node.exit_code(), 1)
         self.assertTrue(eventually(lambda: says(ERROR, 'lost for good', 'warning')), last())
@@ -833,6 +842,7 @@ class NodeTests:
             topics = self.each('pub_', given=given)
             steps = [f'{member}={encode(type_())}' for member, _, type_, *_ in topics]
             orders.append(' '.join(['cleanup', *steps]))
+        late = self.start('deactivate block', stop_timeout=0.1)
         node = self.start(*orders, autostart=False)
         self.assertEqual(self.peer.state(node), 'unconfigured')
         wanted = {}
@@ -879,11 +889,11 @@ class NodeTests:
             self.assertTrue(eventually(lambda: name not in self.peer.called(node)), name)
         calls.append('cleanup')
         self.assertTrue(eventually(lambda: node.life() == calls), (node.life(), calls))
-        node = self.active('deactivate block', stop_timeout=0.1)
-        self.assertTrue(self.peer.change(node, 'deactivate'))
-        self.assertFalse(self.peer.change(node, 'activate'))  # while it has not returned
-        node.order('now', 'release')
-        self.assertTrue(eventually(lambda: self.peer.change(node, 'activate')))
+        self.assertTrue(eventually(lambda: self.peer.state(late) == 'active'), late.log)
+        self.assertTrue(self.peer.change(late, 'deactivate'))
+        self.assertFalse(self.peer.change(late, 'activate'))  # while it has not returned
+        late.order('now', 'release')
+        self.assertTrue(eventually(lambda: self.peer.change(late, 'activate')))
 
     def test_ends(self):
         """The node ends as its logic and signals have it: exit code, calls and log."""
@@ -924,14 +934,13 @@ class NodeTests:
         for member, _, type_ in self.each('client_') if self.frequency else ():
             order = f'update {member}={encode(type_.Request())},1000'
             ends.append((order, 2.0, [INT], 0, LIFE, f'["{member}", null]'))
-        for method in [*self.threads, *self.timers]:
+        beside = [*self.threads, *self.timers, *(late for late, *_ in self.lates())]
+        for method in beside:
             ends.append((f'{method} raise', 2.0, [], 1, LIFE, 'told to raise'))
-            ends.append((f'{method} sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
             ends.append((f'{method} block', 0.1, [TERM], 1, LIFE, 'Still running'))
-        for late, *_ in self.lates():
-            ends.append((f'{late} raise', 2.0, [], 1, LIFE, 'told to raise'))
-            ends.append((f'{late} sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
-            ends.append((f'{late} block', 0.1, [TERM], 1, LIFE, 'Still running'))
+        if beside:  # their waits end together
+            orders = '\n'.join(f'{method} sleep=1000' for method in beside)
+            ends.append((orders, 2.0, [TERM], 0, LIFE, '["sleep", false]'))
         with ThreadPoolExecutor(4) as pool:
             list(pool.map(self.end, ends))
 
@@ -945,7 +954,8 @@ class NodeTests:
             self.trigger(node, method)
         events = ('activate' if method in LIFE[1:] else 'begun', 'deactivate')
         for number, event in zip(signals, events):
-            self.assertTrue(eventually(lambda: node.got(event)), node.log)
+            count = len(order.splitlines())
+            self.assertTrue(eventually(lambda: len(node.got(event)) >= count), node.log)
             node.signal(number)
         ended = node.exit_code()
         self.assertEqual(ended if code is not None else None, code, (order, node.log))
