@@ -784,8 +784,10 @@ class NodeTests:
                 return is_level and own == (said or 'none', said)
             return False
 
-        self.assertTrue(eventually(lambda: says(OK, 'active', None)), last())
-        self.assertIn('active', [each.value for each in last()[0].values])
+        def is_active():
+            return says(OK, 'active', None) and last()[0].values[0].value == 'active'
+
+        self.assertTrue(eventually(is_active), last())
         for word, level in ('error', ERROR), ('ok', OK), ('warning', WARN):
             node.order('now', f'diagnose={word},{word}')
             self.assertTrue(eventually(lambda: says(level, word, word)), (word, last()))
@@ -822,7 +824,7 @@ class NodeTests:
         self.assertTrue(eventually(lambda: says(ERROR, 'configure', None)), last())
         for transition in 'configure', 'activate':
             self.assertTrue(self.peer.change(node, transition))
-        self.assertTrue(eventually(lambda: says(OK, 'active', None)), last())
+        self.assertTrue(eventually(is_active), last())
         node.order('now', 'diagnose=warning,warning')
 
         def is_regular():

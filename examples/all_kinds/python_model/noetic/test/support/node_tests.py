@@ -747,8 +747,10 @@ class NodeTests:
                 return is_level and own == (said or 'none', said)
             return False
 
-        self.assertTrue(eventually(lambda: says(OK, 'active', None)), last())
-        self.assertIn('active', [each.value for each in last()[0].values])
+        def is_active():
+            return says(OK, 'active', None) and last()[0].values[0].value == 'active'
+
+        self.assertTrue(eventually(is_active), last())
         for word, level in ('error', ERROR), ('ok', OK), ('warning', WARN):
             node.order('now', f'diagnose={word},{word}')
             self.assertTrue(eventually(lambda: says(level, word, word)), (word, last()))
