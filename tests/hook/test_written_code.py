@@ -464,6 +464,45 @@ def test_line_that_just_fits(code, fits, is_long):
         assert fold_python(text).replace(rest, "").replace(word, "%s") == folded
 
 
+NOLINT = "  // NOLINT(whitespace/line_length)"
+BROKEN = {
+    "// Words %s": "// Words\n// %s",
+    "  #define %s 1": f"  #define %s 1{NOLINT}",
+    "std::string %s;": "std::string\n  %s;",
+    "int f(int a) {return %s;}": "int f(int a)\n{\n  return %s;\n}",
+    "using Name = std::vector<%s>;": "using Name =\n  std::vector<%s>;",
+    "class Name : public %s": "class Name\n  : public %s",
+    '  run(one, "%s", f(2, 3));': '  run(\n    one,\n    "%s",\n    f(2, 3));',
+    "return a::%s;": "return a::\n%s;",
+    "[[maybe_unused]] int %s;": "[[maybe_unused]]\nint %s;",
+    "if (a == %s) {": "if (\n  a ==\n  %s)\n{",
+    ": one, %s": ": one,\n%s",
+    "const a::B & %s(": "const a::B &\n%s(",
+    "std::map<a, std::vector<%s>> b;": "std::map<a, std::vector<\n    %s>> b;",
+}
+JUST_IN_CPP = [(code, code, broken) for code, broken in BROKEN.items()] + [
+    ("std::string %s = 1;", "std::string\n  %s = 1;", "std::string\n  %s =\n  1;"),
+    ("std::string %s = 1;", "std::string\n  %s =\n  1;", "std::string\n  %s\n  =\n  1;"),
+    ("std::vector<a> %s = 1;", "std::vector<a>\n%s = 1;", "std::vector<a>\n%s =\n1;"),
+    ("std::vector<a> %s = 1;", "std::vector<a>\n%s =\n1;", "std::vector<a>\n%s\n  =\n  1;"),
+    ("using %s = int;", "using %s =\n  int;", "using %s\n  =\n  int;"),
+    ("using %s = int;", "using\n%s\n  =\n  int;", f"using\n%s{NOLINT}\n  =\n  int;"),
+    ("const Name & %s;", "const Name &\n%s;", f"const Name &\n%s;{NOLINT}"),
+    ("const %s & name;", "const %s &\nname;", "const %s\n& name;"),
+    ("const %s & name;", "const %s\n& name;", "const\n%s\n& name;"),
+    ('x = "%s";', 'x =\n  "%s";', f'x =\n  "%s";{NOLINT}'),
+]
+"""Code, and what becomes of it where the line with `%s` has 100 columns then, and where 101."""
+
+
+@pytest.mark.parametrize(("code", "fits", "is_long"), JUST_IN_CPP)
+def test_line_of_cpp_that_just_fits(code, fits, is_long):
+    (line,) = (line for line in fits.split("\n") if "%s" in line)
+    for length, broken in ((100, fits), (101, is_long)):
+        word = "x" * (length - len(line % ""))
+        assert fit(code % word).replace(word, "%s") == broken
+
+
 @pytest.mark.parametrize(("before", "margin"), [("x =", ""), ("x", "  "), (" = x", "  ")])
 def test_arguments_of_a_value_that_has_its_own_line_begin_where_it_does(before, margin):
     call, arguments = "    create<fifty>(", ["fifty,", "1);"]
