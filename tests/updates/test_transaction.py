@@ -178,7 +178,7 @@ def test_rejected_conflict_is_said(arm, copier_command):
 
 def test_file_that_is_as_it_was_is_not_written_again(tmp_path):
     """Editors and builds look at its time."""
-    paths = ["a.py", "b/c/d.py", "e.py"]
+    paths = ["a.py", "b/c/d.py", "e.py", "f/g.py"]
     for path in paths:
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text("MINE = 1\n")
@@ -186,10 +186,13 @@ def test_file_that_is_as_it_was_is_not_written_again(tmp_path):
     commit(tmp_path, "Begin")
     taken = take(tmp_path)
     taken.put(Result(dict.fromkeys(paths, File(b"MINE = 1\n"))), set(), inline=True)
-    assert [(tmp_path / path).stat().st_mtime for path in paths] == [1e9] * 3
-    (tmp_path / "e.py").unlink()  # as Copier does
+    assert [(tmp_path / path).stat().st_mtime for path in paths] == [1e9] * 4
+    for path in ("e.py", "f/g.py"):  # as Copier does
+        (tmp_path / path).unlink()
+    (tmp_path / "f").rmdir()
     taken.put(Result({"a.py": File(b"MINE = 1\n")}), set(), inline=True)
     assert {path.name for path in tmp_path.iterdir()} == {".git", "a.py"}
+    assert (tmp_path / "a.py").stat().st_mtime == 1e9
 
 
 @pytest.mark.parametrize("way", ["put", "restore"])
