@@ -32,6 +32,11 @@ from ..b import (  # mine
 from .b import f
 >[name g]
 from .b import g as h
+[from i]
+from i import j, k
+[from l]
+from l import (
+    m)
 [import os]
 import os
 [A =]
@@ -39,7 +44,11 @@ A = 1
 [(A, B) =]
 A, B = 1, 2
 [C =]
-C: int = 2; D = E = 3
+C: int = 2; D = E = (
+    3
+)
+[F = G = 4]
+F = G = 4
 [setup(one)]
 setup("one", f(2))
 [setup(two)]

@@ -274,6 +274,9 @@ PARTS_OF_CPP = {
         *("A::operator==()", "operator()()")
     ],
     "void f()\n{\n}\nvoid f()\n{\n}\n": ["f()", "f() #2"],
+    "namespace a\n{\nnamespace b\n{\nint c;\n}\n}\n": ["namespace a", "namespace b", "variable c"],
+    "A::A() : b{1}\n{\n}\nint c;\n": ["A::A()", "variable c"],
+    "enum class A\n{\n  B,\n  C\n};\nint d;\n": ["class A", "variable d"],
     "inline namespace a\n{\n}\nint b;\n": ["inline namespace a", "variable b"],
     **{
         f"ARM_F(a)\n\n{word}\n{{\n}}\n": [f"ARM_F ( a ) {word}"]
