@@ -5,6 +5,7 @@ import operator
 import pytest
 
 from hooks.merge.lines import (
+    MARKS,
     Conflict,
     conflicts,
     margin,
@@ -54,6 +55,9 @@ def parts(conflict):
         ("", "abc", "abc", ""),
         ("abc", "", "xyz", "xyzabc"),
         ("axyzd", "abcd", "abCxd", "axyzxd"),
+        ("xyc", "abc", "azw", "[xyc|abc|azw]"),
+        ("axyd", "abcd", "zbwd", "z[xy|bc|bw]d"),
+        ("aXbc", "abc", "axbz", "aXbz"),
     ],
 )
 def test_lines_of_two_sides(mine, old, new, wanted):
@@ -87,6 +91,26 @@ def test_conflict_between_marks():
     assert text(["a", "b"]) == "a\nb"
     assert conflicts(MERGED)
     assert not conflicts(["a\n"])
+
+
+@pytest.mark.parametrize(
+    ("mine", "new", "written"),
+    [
+        ("a123b", "c123d", "[a|c]123[b|d]"),
+        ("a12b", "c12d", "[a12b|c12d]"),
+        ("a12-b", "c12-d", "[a12-b|c12-d]"),
+        ("a123", "123", "[a|]123"),
+        ("123", "123d", "123[|d]"),
+        ("123", "123", "[123|123]"),
+    ],
+)
+def test_lines_that_both_sides_have_part_a_conflict(mine, new, written):
+    """Three with words do."""
+    sides = ([f"{letter}\n" for letter in side] for side in (mine, new))
+    found = text([Conflict(next(sides), [], next(sides))])
+    for mark, sign in zip(MARKS, "[|]", strict=True):
+        found = found.replace(mark, sign)
+    assert found.replace("\n", "") == written
 
 
 def test_conflict_with_the_developers_side():
