@@ -7,7 +7,7 @@ import yaml
 
 from hooks.merge.package import Result
 from hooks.merge.transaction import take
-from hooks.merge.tree import File
+from hooks.merge.tree import File, write
 from support.arm import SPEC
 from support.packages import QUIET
 from support.repository import commit, git
@@ -193,6 +193,13 @@ def test_file_that_is_as_it_was_is_not_written_again(tmp_path):
     taken.put(Result({"a.py": File(b"MINE = 1\n")}), set(), inline=True)
     assert {path.name for path in tmp_path.iterdir()} == {".git", "a.py"}
     assert (tmp_path / "a.py").stat().st_mtime == 1e9
+
+
+def test_file_in_the_place_of_a_link_is_not_written_through_it(tmp_path):
+    (tmp_path / "mine").write_text("1")
+    (tmp_path / "a").symlink_to("mine")
+    write(tmp_path / "a", File(b"2"))
+    assert files(tmp_path) == {tmp_path / "a": b"2", tmp_path / "mine": b"1"}
 
 
 @pytest.mark.parametrize("way", ["put", "restore"])
