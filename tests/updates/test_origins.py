@@ -5,7 +5,7 @@ import re
 import pytest
 
 from hooks.merge import languages
-from hooks.merge.languages import CMAKE, MARKDOWN
+from hooks.merge.languages import CMAKE, MARKDOWN, PYTHON
 from hooks.merge.renaming import Renaming, _as_made, _heads
 from hooks.merge.tokens import words
 from hooks.merge.versions import Versions
@@ -258,6 +258,11 @@ def test_row_of_a_table_with_the_name_keeps_the_last_cell_of_the_developer(pairs
     assert joined(pairs[model], "README.md", start, text) == (wanted, [], False)
     aligned, found = (row.replace(" | Mine", "    | Mine") for row in (text, wanted))
     assert joined(pairs[model], "README.md", start, aligned) == (found, [], False)
+
+
+def test_head_of_a_line_is_known_by_more_than_a_name():
+    lines = {"gain: int = 1": "factor: int = 1", "gain = 1": "factor = 1", "k: a = 1": "k: a = 2"}
+    assert _heads(PYTHON, lines) == {"gain: int": "factor: int"}
 
 
 def test_empty_cell_of_a_row_with_the_name_keeps_its_blanks():
