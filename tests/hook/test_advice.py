@@ -87,6 +87,7 @@ def test_contradiction_is_noted(one, other, note, distro):
         (("publisher", "pos_x", FLOAT), ("subscriber", "pos_y", FLOAT)),
         (("publisher", "pose", "geometry_msgs::Pose"), ("publisher", "poses", FLOAT)),
         (("publisher", "left", FLOAT), ("publisher", "right", FLOAT)),
+        (("publisher", "arm", FLOAT), ("subscriber", "army", FLOAT)),
         (("publisher", "wheel_left", FLOAT), ("publisher", "wheels_left_x", FLOAT)),
     ],
 )

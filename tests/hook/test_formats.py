@@ -424,6 +424,11 @@ LIST = "allowed: a list such as [1, 2]"
             "1",
             '"1" is not a double[]; allowed: a list such as [0.5, 1] [invalid-value]',
         ),
+        (
+            "float32[]",
+            "1",
+            '"1" is not a float32[]; allowed: a list such as [0.5, 1] [invalid-value]',
+        ),
         ("uint8[2]", "1", f'"1" is not a uint8[2]; {LIST} [invalid-value]'),
         (
             "string<=5[]",

@@ -34,7 +34,7 @@ leg_interface:
 tag_attributes: [word]
 aliases: {limb: leg}
 """
-SPEC = """<package title="x">
+SPEC = """<package title="x" was="y">
   <tag word="w"> <!-- nothing --> </tag>
   <limb name="l" was="m"><joint name="knee"/><depend name="x"/></limb>
   <depend kind="exec"> std_msgs </depend>
