@@ -2232,7 +2232,7 @@ def assert_no_growth(before, after, node):
 
 
 def settled_graph(stage):
-    """Return the size of the ROS graph when two seconds have brought nothing new.
+    """Return the size of the ROS graph, once there is one and two seconds bring nothing new.
 
     The peer hears of the node's topics and services one by one, after its transition.
     """
@@ -2240,7 +2240,7 @@ def settled_graph(stage):
 
     def is_settled():
         sizes.append(stage.peer.graph(namespace=stage.namespace))
-        return len(sizes) > 20 and len({*sizes[-20:]}) == 1
+        return sizes[-1] and len(sizes) > 20 and len({*sizes[-20:]}) == 1
 
     wait_for(lambda: time.sleep(0.1) or is_settled(), "the graph does not settle")
     return sizes[-1]

@@ -9,7 +9,7 @@ from math import modf
 import os
 from pathlib import Path
 import socket
-from threading import Thread
+from threading import Event, Thread
 from time import sleep
 
 from action_msgs.msg import GoalStatus
@@ -270,6 +270,8 @@ class GoalServer:
 
     def __init__(self, node, executor, action_type, name, feedback, result):
         """Serve an action."""
+        self.answers = Event()
+        self.answers.set()
         self.goals = []
         self.cancels = 0
         self._executor = executor
@@ -301,6 +303,7 @@ class GoalServer:
 
     def _accept(self, goal):
         self.goals.append(goal)
+        self.answers.wait(TIMEOUT)
         return GoalResponse.REJECT if self.rejects else GoalResponse.ACCEPT
 
     def _start(self, handle):

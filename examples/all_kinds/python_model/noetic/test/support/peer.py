@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from copy import deepcopy
 from io import BytesIO
-from threading import Thread
+from threading import Event, Thread
 from time import sleep
 from xmlrpc.client import ServerProxy
 
@@ -243,6 +243,8 @@ class GoalServer:
 
     def __init__(self, action_type, name, feedback, result):
         """Serve an action."""
+        self.answers = Event()
+        self.answers.set()
         self.goals = []
         self.cancels = 0
         self._handle = None
@@ -262,6 +264,7 @@ class GoalServer:
 
     def _accept(self, handle):
         self.goals.append(handle.get_goal())
+        self.answers.wait(TIMEOUT)
         if self.rejects:
             handle.set_rejected()
             return
