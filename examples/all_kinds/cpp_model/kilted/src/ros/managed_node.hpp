@@ -241,6 +241,7 @@ public:
   CallbackReturn on_cleanup(const rclcpp_lifecycle::State &) override
   {
     clean_up();
+    wake_threads();
     return has_thrown() ? CallbackReturn::ERROR : CallbackReturn::SUCCESS;
   }
 
@@ -609,7 +610,6 @@ private:
     session_->cancel_goals(Stop::deadline(stop_timeout()));
     session_->flush(Stop::deadline(timeouts::RECEIVE));
     session_.reset();
-    wake_threads();
   }
 
   rclcpp::Context::SharedPtr context_;
