@@ -117,17 +117,17 @@ class Peer:
         response = self.call(node, SetParameters, node.name + '/set_parameters', request)
         return response.results[0].successful or not response.results[0].reason
 
-    def set_time(self, seconds):
-        """Publish simulated time."""
-        fraction, whole = modf(seconds)
-        time = Time(sec=int(whole), nanosec=int(fraction * 1e9))
-        self._clock.publish(Clock(clock=time))
-
     def parameter(self, node, name):
         """Return the value of a parameter, of whichever type."""
         request = GetParameters.Request(names=[name])
         response = self.call(node, GetParameters, node.name + '/get_parameters', request)
         return response.values[0]
+
+    def set_time(self, seconds):
+        """Publish simulated time."""
+        fraction, whole = modf(seconds)
+        time = Time(sec=int(whole), nanosec=int(fraction * 1e9))
+        self._clock.publish(Clock(clock=time))
 
     def called(self, node):
         """Return the names of the services that a node has clients of."""
