@@ -2587,15 +2587,6 @@ def test_the_logic_is_dropped_after_cleanup(stage):
     node.wait("destructor", "block")
 
 
-def test_nothing_in_the_graph_after_cleanup(stage):
-    """What `configure` has made is gone: rclcpp keeps what an executor waits for."""
-    only_ros2(stage)
-    node = stage.start("probe", autostart=False)
-    before = settled_graph(stage)
-    assert stage.transition("configure", "activate", "deactivate", "cleanup"), node.story()
-    wait_for(lambda: stage.peer.graph(namespace=stage.namespace) == before, "the graph has grown")
-
-
 def test_diagnostics_of_a_new_logic(stage):
     """What a logic has said goes with it."""
     only_ros2(stage)
