@@ -56,15 +56,16 @@ _MAY_OPEN = re.compile(r"#?if|namespace |group ")
 
 def _opened(side: Blocks, mine: Blocks, old: Blocks) -> Iterator[Block]:
     ours, base = _by_key(mine, _name), _by_key(old)
+    alone = ours.keys() - map(_name, base)
     for block in side:
         same, was = ours.get(_name(block.key), []), base.get(block.key, [block])[0]
-        made = _items(was) if _MAY_OPEN.match(block.key) else []
-        inside = {_name(key) for key in base}.union(*map(_names_in, same))
-        out = {_name(item.key): item for item in made if _name(item.key) in ours.keys() - inside}
+        items = _items(was) if _MAY_OPEN.match(block.key) else ()
+        made = {_name(item.key): item for item in items}
+        out = (alone & made.keys()).difference(*map(_names_in, same)) if made else set()
         children = block.children
         if out:
-            by = next(_depth(ours[name][0]) - _depth(item) for name, item in out.items())
-            names = out.keys() if same else {_name(item.key) for item in made}
+            by = next(_depth(ours[name][0]) - _depth(made[name]) for name in made if name in out)
+            names = out if same else made.keys()
             is_scope = block.key.startswith("namespace ")
             children = [
                 i for i in _items(block) if _name(i.key) not in names and (same or is_scope)
@@ -181,7 +182,8 @@ def _retitled(mine: Blocks, old: Blocks, new: Blocks) -> Blocks:
         if key not in base and key not in theirs:
             have = {*(one.key for one in mine), *_names_in(block)}
             was = _most_like(block, (o for k, o in base.items() if k not in have))
-            was = was or _below_title(ours, base) if key.startswith("# ") else was
+            if not was and key.startswith("# "):
+                was = _below_title(ours, base)
             came = _most_like(was, (n for k, n in theirs.items() if k not in base))
             if was and came and was.key not in theirs:
                 came.key = was.key

@@ -227,7 +227,7 @@ class _Merger:
         if self.language is PYTHON and mine.children and not name.startswith("from "):
             inner = [line for child in mine.children for line in self.alone(child, old, new)]
             text = lines.text([*mine.lines, *inner, *mine.tail])
-            if readable(PYTHON, [textwrap.dedent(text)]):
+            if text == mine.text or readable(PYTHON, [textwrap.dedent(text)]):
                 return list(lines.split(text))
             if not lines.text(inner).strip():
                 self.removed.append(block_name(mine.key))

@@ -87,7 +87,7 @@ def _returned(package: Path, before: Tree, after: Tree, result: Result) -> Itera
     for path, file in sorted(after.items()):
         source = sources.get(path, path)
         old, known = before.get(source), language(path, file.written)
-        if known not in (CPP, PYTHON) or old is None or old == file:
+        if old is None or old == file:
             continue
         had, has = _functions(known, old), _functions(known, file)
         for key in sorted(has.keys() - had.keys()):
