@@ -14,6 +14,7 @@ import rospy
 import tf2_ros
 from actionlib_msgs.msg import GoalStatus
 from common import TIMEOUT, Heard, Served, later, load, wait_for
+from connection import sends_to
 from genpy.message import fill_message_args
 
 RESULTS = {
@@ -24,14 +25,6 @@ RESULTS = {
     GoalStatus.REJECTED: "rejected",
     GoalStatus.LOST: "lost",
 }
-
-
-def sends_to(client):
-    """Return whether the server sends to a client, which is later than that is connected."""
-    server = client.last_status_msg._connection_header["callerid"]
-    _, _, links = ServerProxy(rosnode.get_api_uri(rosgraph.Master("/peer"), server)).getBusInfo("")
-    topics = {topic for _, node, _, _, topic, *_ in links if node == rospy.get_name()}
-    return {client.feedback_sub.resolved_name, client.result_sub.resolved_name} <= topics
 
 
 class Peer:

@@ -3,11 +3,10 @@
 import json
 import runpy
 import sys
-import time
 from pathlib import Path
 
-from lifecycle_msgs.srv import GetState
 from rcl_interfaces import srv
+from ros2 import Peer
 
 SCRIPT = Path(__file__).parents[3] / "scripts/describe_node.py"
 LISTS = ("publishers", "subscriptions", "service_servers", "service_clients")
@@ -26,16 +25,12 @@ def policies(infos, node):
     return known
 
 
-def is_active(ros, node):
-    answer = ros.call(GetState, f"{node}/get_state")
-    return answer and answer.current_state.label == "active"
-
-
 def main():
     node = sys.argv[1]
+    peer = Peer()
+    peer.wait_until_active(node)
+    peer.close()
     ros = runpy.run_path(str(SCRIPT))["Ros2"]()
-    while not is_active(ros, node):
-        time.sleep(0.1)
     dict(ros.describe([node]))  # waits until the graph is whole
     found = dict(zip(LISTS, ros.graph()[node], strict=True))
     asked = (ros.node.get_publishers_info_by_topic, ros.node.get_subscriptions_info_by_topic)

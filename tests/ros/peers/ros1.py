@@ -2,14 +2,12 @@
 
 import importlib
 import time
-from xmlrpc.client import ServerProxy
 
 import actionlib
 import dynamic_reconfigure.client
-import rosgraph
-import rosnode
 import rospy
 import tf2_ros
+from connection import sends_to
 
 TIMEOUT = 30.0
 RESULTS = {
@@ -23,14 +21,6 @@ def load(type_name, suffix=""):
     package, folder, name = type_name.split("/")
     folder = "msg" if folder == "action" else folder
     return getattr(importlib.import_module(f"{package}.{folder}"), name + suffix)
-
-
-def sends_to(client):
-    """Return whether the server sends to a client, which is later than that is connected."""
-    server = client.last_status_msg._connection_header["callerid"]
-    _, _, links = ServerProxy(rosnode.get_api_uri(rosgraph.Master("/peer"), server)).getBusInfo("")
-    topics = {topic for _, node, _, _, topic, *_ in links if node == rospy.get_name()}
-    return {client.feedback_sub.resolved_name, client.result_sub.resolved_name} <= topics
 
 
 class Goal:

@@ -28,11 +28,15 @@ def load(type_name):
     return getattr(importlib.import_module(f"{package}.{folder}"), name)
 
 
-def result_of(future, what):
+def wait_for(condition, what):
     end = time.monotonic() + TIMEOUT
-    while not future.done():
+    while not condition():
         assert time.monotonic() < end, what
         time.sleep(0.002)
+
+
+def result_of(future, what):
+    wait_for(future.done, what)
     return future.result()
 
 
@@ -192,10 +196,7 @@ class Peer:
 
     def wait_until_active(self, node):
         """Wait until a node that starts takes goals and answers services."""
-        end = time.monotonic() + TIMEOUT
-        while self.state(node) != "active":
-            assert time.monotonic() < end, f"{node} does not become active"
-            time.sleep(0.01)
+        wait_for(lambda: self.state(node) == "active", f"{node} does not become active")
 
     def change_state(self, node, transition):
         request = {
