@@ -111,7 +111,7 @@ class Peer:
     def set_parameter(self, node, name, value):
         """Set a parameter; return False if it was refused, with a reason."""
         parameter = rclpy.parameter.Parameter(name, value=value).to_parameter_msg()
-        if value == []:  # which may be a list of anything
+        if value == []:  # rclpy 9.1.2 takes it for a list of bytes
             parameter.value.type = self.parameter(node, name).type
         request = SetParameters.Request(parameters=[parameter])
         response = self.call(node, SetParameters, node.name + '/set_parameters', request)
