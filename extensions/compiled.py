@@ -6,6 +6,7 @@ import contextlib
 import functools
 import hashlib
 from collections.abc import Callable
+from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
 from types import CodeType
@@ -15,7 +16,11 @@ from jinja2 import Environment, FileSystemBytecodeCache
 from jinja2.bccache import Bucket
 from jinja2.ext import Extension
 
+bytecode: Any = import_module(f"{str(__package__).removesuffix('extensions')}hooks.bytecode")
+
 _LIBRARIES = ("copier", "jinja2", "jinja2-ansible-filters")
+_known: dict[str, Any] = {}
+"""Byte code by the keys of templates and the digests of their texts."""
 
 
 class CompiledExtension(Extension):
@@ -42,7 +47,6 @@ class _Cache(FileSystemBytecodeCache):
     def __init__(self, version: str) -> None:
         super().__init__()
         self.version = version
-        self.texts: dict[str, CodeType] = {}
 
     def get_cache_key(self, name: str, filename: str | None = None) -> str:
         return super().get_cache_key(f"{self.version} {name}")
@@ -52,10 +56,21 @@ class _Cache(FileSystemBytecodeCache):
     ) -> Bucket:
         bucket = super().get_bucket(environment, name, filename, source)
         if bucket.code and filename:
-            bucket.code = _located(bucket.code, filename)
+            bucket.code = bytecode.located(bucket.code, filename)
         return bucket
 
+    def load_bytecode(self, bucket: Bucket) -> None:
+        """Read it once in an update, which renders several times."""
+        key = f"{bucket.key} {bucket.checksum}"
+        if key not in _known:
+            super().load_bytecode(bucket)
+            if bucket.code is None:
+                return
+            _known[key] = bucket.code
+        bucket.code = _known[key]
+
     def dump_bytecode(self, bucket: Bucket) -> None:
+        _known[f"{bucket.key} {bucket.checksum}"] = bucket.code
         with contextlib.suppress(OSError):  # a full disk
             super().dump_bytecode(bucket)
 
@@ -73,22 +88,12 @@ def _compile(
         return compiler(source, name, *options)
     # Copier (9.19) forgets the `yield` of the text before when it preprocesses the next one.
     environment.preprocess(source)
-    if source not in cache.texts:
-        bucket = cache.get_bucket(environment, source, None, source)
-        if bucket.code is None:
-            lines = source.strip().splitlines() or [""]
-            bucket.code = compiler(source, None, f'"{lines[0]}"')  # what faults have for a file
-            cache.set_bucket(bucket)
-        cache.texts[source] = bucket.code
-    return cache.texts[source]
-
-
-def _located(code: CodeType, filename: str) -> CodeType:
-    """Return code whose faults name this file, and not the one that it was compiled from."""
-    constants = (
-        _located(each, filename) if isinstance(each, CodeType) else each for each in code.co_consts
-    )
-    return code.replace(co_filename=filename, co_consts=tuple(constants))
+    bucket = cache.get_bucket(environment, source, None, source)
+    if bucket.code is None:
+        lines = source.strip().splitlines() or [""]
+        bucket.code = compiler(source, None, f'"{lines[0]}"')  # what faults have for a file
+        cache.set_bucket(bucket)
+    return bucket.code
 
 
 def _version(root: Path) -> str:

@@ -1,20 +1,19 @@
 """The bridge from Copier to the hook: the one file that knows Copier (decision 137).
 
 Copier renders a package several times in one update, each time with the template of one
-version. So an instance of the extension belongs to one of these versions, and has the hook of its
-own template. This module keeps nothing.
+version. So an instance of the extension belongs to one of these renders, and this module, which
+is loaded with the hook of its version, keeps nothing.
 """
 
 from __future__ import annotations
 
 import contextlib
 import functools
-import hashlib
-import importlib.util
 import os
 import re
 import sys
 from collections.abc import Callable, Iterator, Mapping
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -23,6 +22,8 @@ from copier.errors import CopierError, UserMessageError
 from jinja2 import Environment, UndefinedError, pass_context
 from jinja2.ext import Extension
 from jinja2.runtime import Context
+
+hooks: Any = import_module(f"{str(__package__).removesuffix('extensions')}hooks")
 
 if TYPE_CHECKING:
     from hooks.faults import SpecError
@@ -42,9 +43,8 @@ class SpecExtension(Extension):
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
         self.root = Path(environment.loader.searchpath[0])  # type: ignore[union-attr]
-        self.hooks = _load_hooks(self.root)
-        self.steps: Steps = self.hooks.steps.Steps(self._copy)
-        self.specs: Specs = self.hooks.specs.Specs(self.root, self._use, self.steps.check)
+        self.steps: Steps = hooks.steps.Steps(self._copy)
+        self.specs: Specs = hooks.specs.Specs(self.root, self._use, self.steps.check)
         functions: dict[str, Callable[..., Any]] = {
             "ros_distros": self.specs.distros,
             "check_answers": self.specs.check_answers,
@@ -58,7 +58,7 @@ class SpecExtension(Extension):
             "package_name": self.specs.name,
             "chosen_package": self.specs.chosen_package,
             "notes": self.specs.notes,
-            "template_notes": lambda run: self.hooks.specs.template_notes(run.source),
+            "template_notes": lambda run: hooks.specs.template_notes(run.source),
             "begin_update": self._begin,
             "finish_update": self._finish,
             "joined": lambda run: self.steps.theirs,
@@ -69,22 +69,23 @@ class SpecExtension(Extension):
             environment.globals[name] = pass_context(self._reporting(self._given_run(function)))
         environment.globals |= {
             "can_ask": _can_ask,
-            "default_ros_distro": lambda: self.hooks.ros.default_distro(os.environ),
+            "default_ros_distro": lambda: hooks.ros.default_distro(os.environ),
         }
         environment.handle_exception = self._say_where  # type: ignore[method-assign]
         loader: Any = environment.loader
         loader.get_source = self._reading(loader.get_source)
-        self._register(self.hooks.model.public_functions(self.hooks.names))
-        self._register({"is_lacking": self.hooks.ros.is_lacking})
+        self._register(hooks.model.public_functions(hooks.names))
+        self._register({"is_lacking": hooks.ros.is_lacking})
         for name in ("python", "cpp", "qos", "text"):
-            self._register(self.hooks.model.load_functions(self.root / f"extensions/{name}.py"))
+            module = import_module(f"{__package__}.{name}")
+            self._register(hooks.model.public_functions(module))
 
     # What the conditions of `hooks/copier.yml` call is always false: there is nothing to run
     # after the call itself (decision 22).
 
     def _begin(self, run: Run) -> bool:
         if not _is_render(run.package.folder):
-            self.hooks.run.updating[:] = [run.package.folder]
+            hooks.run.updating[:] = [run.package.folder]
             self.steps.begin(run)
         return False
 
@@ -112,10 +113,10 @@ class SpecExtension(Extension):
     def _run(self, context: Context) -> Run:
         conf = context["_copier_conf"]
         folder = Path(conf["dst_path"]).absolute()
-        if _is_render(folder) and "spec" not in conf["data"] and self.hooks.run.updating:
-            folder = self.hooks.run.updating[0]
-        package = self.hooks.package.Package(folder, str(conf["answers_file"]))
-        run: Run = self.hooks.run.Run(
+        if _is_render(folder) and "spec" not in conf["data"] and hooks.run.updating:
+            folder = hooks.run.updating[0]
+        package = hooks.package.Package(folder, str(conf["answers_file"]))
+        run: Run = hooks.run.Run(
             template=self.root,
             package=package,
             given=conf["data"],
@@ -135,7 +136,7 @@ class SpecExtension(Extension):
         major, minor = (int(number) for number in version.split(".")[:2])
         if (major, minor) > NEWEST_COPIER and "UNTESTED_COPIER" not in os.environ:
             newest = ".".join(map(str, NEWEST_COPIER))
-            raise self.hooks.faults.SpecError(
+            raise hooks.faults.SpecError(
                 f"Copier {version} is newer than {newest}, the newest that this version of the"
                 " model is tested with; install that, as by"
                 f' pipx install --force "copier=={newest}.*", or set UNTESTED_COPIER=1 to try',
@@ -167,8 +168,8 @@ class SpecExtension(Extension):
         except CopierError as error:
             fault: Any = error.__cause__  # of the hook of whatever version
             if not hasattr(fault, "id"):
-                fault = self.hooks.faults.SpecError(str(error), "not-rendered")
-            raise self.hooks.faults.UnrenderedError(fault.text, fault.id) from error
+                fault = hooks.faults.SpecError(str(error), "not-rendered")
+            raise hooks.faults.UnrenderedError(fault.text, fault.id) from error
         return worker.match_skip
 
     def _use(self, model: Model) -> None:
@@ -190,7 +191,7 @@ class SpecExtension(Extension):
         def call(*arguments: Any, **options: Any) -> Any:
             try:
                 return function(*arguments, **options)
-            except self.hooks.faults.SpecError as error:
+            except hooks.faults.SpecError as error:
                 raise self._message(error) from error
 
         return call
@@ -205,18 +206,21 @@ class SpecExtension(Extension):
             except UnicodeDecodeError as error:
                 line = error.object[: error.start].count(b"\n") + 1
                 what = f"{name}:{line}: not UTF-8 text; save it as UTF-8"
-                fault = self.hooks.faults.SpecError(what, "not-utf-8")
+                fault = hooks.faults.SpecError(what, "not-utf-8")
                 raise self._message(fault) from fault
 
         return call
 
     def _message(self, fault: SpecError) -> UserMessageError:
         """Say a fault without the folder of the model: Copier's clone is gone when it is read."""
-        return UserMessageError(str(fault).replace(f"{self.root}{os.sep}", ""))
+        said = str(fault)
+        for folder in (self.root, Path(__file__).parents[1]):
+            said = said.replace(f"{folder}{os.sep}", "")
+        return UserMessageError(said)
 
     def _say_where(self, source: str | None = None) -> NoReturn:
         """Make a fault of a template a message of Copier's, with file and line (decision 100)."""
-        templates, spec_error = self.hooks.templates, self.hooks.faults.SpecError
+        templates, spec_error = hooks.templates, hooks.faults.SpecError
         try:
             Environment.handle_exception(self.environment, source)
         except CopierError as error:  # of a function that the template calls, or a part of it
@@ -267,29 +271,3 @@ def _is_render(folder: Path) -> bool:
 def _can_ask() -> bool:
     """Say whether there is a terminal: without one, defaults count (decision 5)."""
     return bool(sys.stdin and not sys.stdin.closed and sys.stdin.isatty())
-
-
-def _load_hooks(root: Path) -> Any:
-    """Load the template's own `hooks` beside other versions, each once: its content names it.
-
-    Decision 3: an update runs two versions in one process.
-    """
-    folder = root / "hooks"
-    digest = hashlib.sha1()
-    for file in sorted(path for path in folder.rglob("*") if path.suffix in (".py", ".yaml")):
-        digest.update(f"{file.relative_to(folder)}\n".encode() + file.read_bytes())
-    name = f"hooks_{digest.hexdigest()}"
-    spec = importlib.util.spec_from_file_location(
-        name, folder / "__init__.py", submodule_search_locations=[str(folder)]
-    )
-    assert spec
-    assert spec.loader
-    if name not in sys.modules:
-        sys.modules[name] = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(sys.modules[name])
-    # A folder goes with the render that it was cloned for; modules may be loaded later.
-    for package in ("", ".merge"):
-        if module := sys.modules.get(name + package):
-            places = {str(folder / package.strip(".")): None, **dict.fromkeys(module.__path__)}
-            module.__path__ = list(filter(os.path.exists, places))
-    return sys.modules[name]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +21,5 @@ def load_yaml(text: str | bytes) -> Any:
 
 
 def load_data(name: str) -> Any:
-    """Return the content of a YAML file of this folder, wherever the package is now."""
-    places = (Path(folder) / name for folder in sys.modules[str(__package__)].__path__)
-    return load_yaml(next(filter(Path.exists, places)).read_text(encoding="utf-8"))
+    """Return the content of a YAML file of this folder."""
+    return load_yaml(Path(__file__).with_name(name).read_text(encoding="utf-8"))

@@ -515,7 +515,7 @@ class _Reader:
         if isinstance(options.get("requires"), str):
             options["requires"] = [options["requires"]]
         for key, value in options.items():
-            self.check_shape(kind, f"{kind}: {key}", value, typing.get_type_hints(Interface)[key])
+            self.check_shape(kind, f"{kind}: {key}", value, _INTERFACE_SHAPES[key])
         return Interface(str(kind), attributes, interfaces=inside, **plain(options))
 
     def scope(self, label: Located, item: Any, known: Set[str]) -> Scope:
@@ -627,6 +627,7 @@ _INTERFACE_KEYS = (
     "interface",
 )
 _SHAPES = typing.get_type_hints(Attribute)
+_INTERFACE_SHAPES = typing.get_type_hints(Interface)
 _WORDS = {
     str: "a text",
     bool: "true or false",

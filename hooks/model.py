@@ -12,6 +12,7 @@ from typing import Any
 
 from . import names
 from .advice import contradictions
+from .bytecode import compiled
 from .changes import places
 from .check import CheckedSpec, check
 from .complete import Functions, complete
@@ -101,7 +102,7 @@ def load_functions(file: Path) -> Functions:
     module = ModuleType(file.stem)
     module.__file__ = str(file)
     try:
-        exec(compile(file.read_text(encoding="utf-8"), str(file), "exec"), module.__dict__)
+        exec(compiled(file.read_text(encoding="utf-8"), str(file)), module.__dict__)
     except (Exception, SystemExit) as error:
         raise SpecError(f"{_place(file, error)}: {_why(error)}", "function-fails") from error
     return public_functions(module)

@@ -8,6 +8,9 @@ from pathlib import Path
 
 from jinja2 import TemplateError, TemplateNotFound, TemplateSyntaxError
 
+_CODE = Path(__file__).parents[1]
+"""Where the hook and the extensions are loaded from."""
+
 
 def place(error: Exception, root: Path, is_told: bool = False) -> tuple[str, bool]:
     """Return the template and the line of a fault, or a text without a file; and whether a file.
@@ -18,7 +21,7 @@ def place(error: Exception, root: Path, is_told: bool = False) -> tuple[str, boo
     frames = [(f.filename, f.lineno) for f in traceback.extract_tb(error.__traceback__)]
     if not is_told and not isinstance(error, TemplateError) and frames:
         last = Path(frames[-1][0])
-        if last.suffix == ".py" and last.is_relative_to(root):
+        if last.suffix == ".py" and any(map(last.is_relative_to, (root, _CODE))):
             return "", False
     if isinstance(error, TemplateSyntaxError):
         frames.append((error.filename or "", error.lineno))

@@ -38,6 +38,8 @@ class _Work:
 
     quiet: bool = True
     known: dict[str, Render] = field(default_factory=dict)
+    copies: dict[Path, tempfile.TemporaryDirectory[str]] = field(default_factory=dict)
+    """Of the folders of templates."""
     taken: float = 0.0
     """Seconds."""
 
@@ -63,6 +65,8 @@ _work = _Work()
 def begin(quiet: bool = True) -> None:
     """Forget what has been rendered, when an update begins and ends."""
     global _work
+    for copy in _work.copies.values():
+        copy.cleanup()
     _work = _Work(quiet)
 
 
@@ -98,17 +102,18 @@ class Renderer:
         return _work.known[key]
 
     def _render_copy(self, answers: Mapping[str, Any]) -> Render:
-        with tempfile.TemporaryDirectory(prefix="template.") as folder:
+        if self.folder not in _work.copies:
             # Copier clones a repository, which takes longer than all the rest.
-            copy = Path(folder) / self.folder.name
+            folder = _work.copies[self.folder] = tempfile.TemporaryDirectory(prefix="template.")
             shutil.copytree(
                 self.folder,
-                copy,
+                Path(folder.name) / self.folder.name,
                 symlinks=True,
                 ignore=shutil.ignore_patterns(".git"),
                 copy_function=_link_or_copy,
             )
-            return self._render(str(copy), None, answers)
+        copy = Path(_work.copies[self.folder].name) / self.folder.name
+        return self._render(str(copy), None, answers)
 
     def recorded(self, answers: Mapping[str, Any]) -> Render:
         """Render with the version that the answers name, which raises as above."""

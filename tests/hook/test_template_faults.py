@@ -13,7 +13,7 @@ from jinja2 import Environment, FileSystemLoader
 
 from extensions.compiled import CompiledExtension
 from extensions.spec import SpecExtension, _is_render
-from hooks import templates
+from hooks import faults, templates
 from support.repository import ROOT
 
 
@@ -62,7 +62,7 @@ def test_fault_of_a_template(environment, root, text, said):
 
 def test_fault_that_the_model_tells_of_a_template(environment, root):
     """The file is named where the bridge, too, is one of the model, as it is for Copier."""
-    runpy.run_path(str(root / "extensions/spec.py"))["SpecExtension"](environment)
+    runpy.run_path(str(root / "extensions/load.py"))["AllExtensions"](environment)
     (root / "a.md").write_text("\n{{ 'x' | is_lacking('y') }}")
     with pytest.raises(UserMessageError, match=r" \(in a\.md:2\) \[unknown-feature\]$"):
         environment.get_template("a.md").render()
@@ -131,7 +131,7 @@ def test_newer_copier_is_refused(environment, monkeypatch):
     for version in ("9.19.0", "9.19.7.dev1", "8.99.0"):
         bridge._check_copier(version)
     for version in ("9.20.0", "10.0.0", "9.100.0a1"):
-        with pytest.raises(bridge.hooks.faults.SpecError) as caught:
+        with pytest.raises(faults.SpecError) as caught:
             bridge._check_copier(version)
         said = f"Copier {version} is newer than 9.19, the newest that this version of the model is"
         assert str(caught.value).startswith(
@@ -150,7 +150,7 @@ def context(**conf):
 def test_what_copier_tells_of_a_run(environment, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     bridge = environment.bridge
-    monkeypatch.setattr(bridge.hooks.run, "updating", [tmp_path / "other"])
+    monkeypatch.setattr("hooks.run.updating", [tmp_path / "other"])
     run = bridge._run(context())
     assert run.package.folder == tmp_path / "arm"
     assert (run.package.answers_file, run.source, run.template) == ("a.yml", "model", tmp_path)
@@ -173,7 +173,7 @@ def test_temporary_folder_of_an_update_stands_for_the_package(environment, tmp_p
     bridge, place = environment.bridge, tmp_path / "copier._main.new_copy.x/arm"
     begun = []
     monkeypatch.setattr(bridge.steps, "begin", begun.append)
-    monkeypatch.setattr(bridge.hooks.run, "updating", [])
+    monkeypatch.setattr("hooks.run.updating", [])
     assert _is_render(place)
     assert not _is_render(tmp_path / "main.new_copy.x")
     assert bridge._run(context(dst_path=str(place))).package.folder == place

@@ -40,12 +40,15 @@ def has_ros1():
 def run(laboratory, has_ros1, model, distro, trials, ways=None, moving=0.15):
     """Run the trials of a variant; say how far they are, and how long it will take.
 
-    One in fifty of the packages is run, or compiled.
+    One in fifty of the packages is run, or compiled. Each pair of renders has a seed of its own,
+    with which it is made again.
     """
-    random, counts, start = Random(f"{SEED} {model} {distro}"), Counts(), time.monotonic()
+    counts, start = Counts(), time.monotonic()
     only_logic = ways is not None
     check = checks(model, distro, has_ros1)
     while counts.updates < trials:
+        seed = f"{SEED} {model} {distro} {counts.updates}"
+        random = Random(seed)
         has_nodes = model != "interfaces_model"
         spec = (
             specs.random_spec(random, only_logic) if has_nodes else specs.random_interfaces(random)
@@ -58,7 +61,7 @@ def run(laboratory, has_ros1, model, distro, trials, ways=None, moving=0.15):
         for _ in range(EACH):
             turn = check if counts.updates % 50 == 0 else None
             for complaint in trial(random, pair, counts, check=turn, only_logic=only_logic):
-                print(f"{model} {distro}, update {counts.updates}: {complaint}")
+                print(f"seed {seed}: {complaint}")
         if counts.updates % 100 == 0:
             left = (time.monotonic() - start) / counts.updates * (trials - counts.updates)
             print(f"{model} {distro}: {counts.updates} of {trials}, {left / 60:.0f} minutes left")

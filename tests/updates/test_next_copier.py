@@ -3,6 +3,7 @@
 import pytest
 from jinja2 import Environment, FileSystemLoader
 
+from extensions import spec
 from extensions.spec import SpecExtension
 from hooks.run import updating
 from support.arm import SPEC
@@ -31,7 +32,7 @@ def test_questions_are_asked_in_a_temporary_folder(bridge, arm, tmp_path, monkey
     old, new = (tmp_path / f"copier._main.{each}_copy.x1" for each in ("old", "new"))
     for folder in (old, new):
         folder.mkdir()
-    steps = SpecExtension(Environment(loader=FileSystemLoader(ROOT))).hooks.steps.Steps
+    steps = spec.hooks.steps.Steps
     monkeypatch.setattr(steps, "check", lambda *_: None)
     bridge("begin_update", arm)
     bridge("begin_update", old)

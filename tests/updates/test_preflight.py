@@ -7,6 +7,7 @@ import pytest
 import yaml
 from jinja2 import Environment, FileSystemLoader
 
+from extensions import spec
 from extensions.spec import SpecExtension
 from hooks.dictionary import load
 from hooks.faults import SpecError
@@ -212,7 +213,7 @@ def test_version_that_copier_refuses(tmp_path):
     (tmp_path / "model").mkdir()
     (tmp_path / "model/copier.yml").write_text("_min_copier_version: 99.0.0\n")
     extension = SpecExtension(Environment(loader=FileSystemLoader(ROOT)))
-    with pytest.raises(extension.hooks.faults.UnrenderedError, match=r"99.* \[not-rendered\]$"):
+    with pytest.raises(spec.hooks.faults.UnrenderedError, match=r"99.* \[not-rendered\]$"):
         extension._copy(str(tmp_path / "model"), tmp_path / "arm", {}, "answers.yml", None)
 
 

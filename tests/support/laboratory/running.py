@@ -115,7 +115,7 @@ def compiles(mine, result, edited, pair, names, sources="src/.*_impl"):
             header = folder / "stubs" / package / f"{action}Action.h"
             header.write_text(_STUB.format(package=package, name=action))
         command = "g++ -std=c++17 -fsyntax-only -Iinclude -Istubs -Isrc".split()
-        command += [f"-D{macro}=" for macro in MACROS]
+        command += [f"-D{macro}=" for macro in (*MACROS, "LAB_MINE")]
         complaints = []
         for path in sorted(path for path in result if re.fullmatch(rf"{sources}\.cpp", path)):
             if not re.search(r"lab/\w+Config\.h", result[path].text):

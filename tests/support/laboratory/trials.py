@@ -344,7 +344,7 @@ def _said(removed):
 def unjustified(pair, result, names):
     """Return what was removed although the new version has it.
 
-    In another ROS, files in `ros` may have another function of one name.
+    In another ROS, files in `ros` may have another function of one name; of overloads, one may go.
     """
     taken = {after for before, after in pair.renaming.paths.items() if after != before}
     complaints = [f"{p}: left, and is new" for p in result.left if p in {*pair.new} - taken]
@@ -355,9 +355,12 @@ def unjustified(pair, result, names):
         taken = names.get(path, {}).values()
         for part in parts:
             name = part.rpartition("::")[2]
-            if name not in taken and re.search(
-                rf"(?<![.>])\b{re.escape(name)}\(", pair.new.get(target, "")
-            ):
+            call = re.compile(rf"(?<![.>])\b{re.escape(name)}\(")
+            before, after = (
+                len(call.findall(texts.get(at, "")))
+                for texts, at in ((pair.old, result.origins.get(path, path)), (pair.new, target))
+            )
+            if name not in taken and 0 < after >= before:
                 complaints.append(f"{path}: {part} removed, and is new")
     return complaints
 
