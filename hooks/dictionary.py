@@ -199,8 +199,8 @@ class Dictionary:
     scopes: list[Scope]
     holders: list[str]
     """What the logic calls the objects whose members interfaces name."""
-    files: list[Path]
-    """Where all of this is said: each dictionary after those that it includes."""
+    files: list[str]
+    """Where all of this is said, below the root: each dictionary after those that it includes."""
 
     @property
     def naming(self) -> str:
@@ -231,32 +231,52 @@ def load(file: Path, root: Path) -> Dictionary:
         SpecError: the file is not YAML or says what no dictionary can say.
 
     """
-    files: list[Path] = []
-    content = _read(file, root, files)
-    return _Reader(str(file)).dictionary(content, files)
+    name = _name(file, root)
+    for texts, known in _known:  # of another folder of this version
+        if known.files[-1] == name and all(_has(root / each, texts[each]) for each in texts):
+            return known
+    texts = {}
+    content = _read(name, root, texts)
+    read = _Reader(name).dictionary(content, [*texts])
+    _known.append((texts, read))
+    return read
 
 
-def _read(file: Path, root: Path, files: list[Path], within: tuple[Path, ...] = ()) -> Any:
-    """Return what a dictionary says, added to what those that it includes say; note its file.
+_known: list[tuple[dict[str, bytes], Dictionary]] = []
+"""What was read, with the texts of the files."""
+
+
+def _name(file: Path, root: Path) -> str:
+    """Return the name of a file in messages and in `Dictionary.files`."""
+    return file.relative_to(root).as_posix() if file.is_relative_to(root) else str(file)
+
+
+def _has(file: Path, text: bytes) -> bool:
+    return file.is_file() and file.read_bytes() == text
+
+
+def _read(name: str, root: Path, texts: dict[str, bytes], within: tuple[str, ...] = ()) -> Any:
+    """Return what a dictionary says, added to what those that it includes say; note its text.
 
     Decision 89: with a key that took the place of the included one, all of it had to be repeated.
     """
-    content = load_located(file)
+    content = load_located(root / name, name)
     if not isinstance(content, dict):
         what = "must be a mapping with package_attributes and <tag>_interface"
-        raise SpecError(f"{file}: {what}", "wrong-shape")
+        raise SpecError(f"{name}: {what}", "wrong-shape")
     included: dict[str, Any] = {}
     names = content.pop("include", None) or []
-    for name in names if isinstance(names, list) else [names]:
-        place = getattr(name, "place", file)
-        if not (root / str(name)).is_file():
-            what = f"{name}: no such file; a model needs it"
+    for other in names if isinstance(names, list) else [names]:
+        place = getattr(other, "place", name)
+        if not (root / str(other)).is_file():
+            what = f"{other}: no such file; a model needs it"
             raise SpecError(f"{place}: include: {what}", "no-such-file")
-        if root / str(name) in (*within, file):
-            what = f"{name} includes this file itself; drop one"
+        inner = _name(root / str(other), root)
+        if inner in (*within, name):
+            what = f"{other} includes this file itself; drop one"
             raise SpecError(f"{place}: include: {what}", "circular-include")
-        included = _added(included, _read(root / str(name), root, files, (*within, file)))
-    files.append(file)
+        included = _added(included, _read(inner, root, texts, (*within, name)))
+    texts[name] = (root / name).read_bytes()
     return _added(included, content)
 
 
@@ -279,7 +299,7 @@ class _Reader:
         self.places: dict[str, str] = {}
         """The file and line of each thing that a message may name."""
 
-    def dictionary(self, content: Any, files: list[Path]) -> Dictionary:
+    def dictionary(self, content: Any, files: list[str]) -> Dictionary:
         own = {
             key for key in content if re.fullmatch(r"(?!package_)\w+_(attributes|interface)", key)
         }

@@ -32,8 +32,8 @@ class Located(str):
         return other
 
 
-def load_located(file: Path) -> Any:
-    """Return the content of a YAML file, each text in it a `Located`.
+def load_located(file: Path, name: str) -> Any:
+    """Return the content of a YAML file, each text in it a `Located`; messages name it so.
 
     Raises:
         SpecError: there is no such file, it is not YAML, or a mapping has a key twice.
@@ -45,25 +45,25 @@ def load_located(file: Path) -> Any:
 
     def text(loader: yaml.SafeLoader, scalar: yaml.ScalarNode) -> Located:
         found = Located(scalar.value)
-        found.file, found.line = str(file), scalar.start_mark.line + 1
+        found.file, found.line = name, scalar.start_mark.line + 1
         return found
 
     Loader.add_constructor(_TEXT, text)
     try:
         content = yaml.compose(file.read_text(encoding="utf-8"), Loader)
-        _check_keys(content, str(file), set())
+        _check_keys(content, name, set())
         return Loader("").construct_document(content) if content else None
     except FileNotFoundError:
-        raise SpecError(f"{file}: no such file; a model needs it", "no-such-file") from None
+        raise SpecError(f"{name}: no such file; a model needs it", "no-such-file") from None
     except UnicodeDecodeError:
-        raise SpecError(f"{file}: not UTF-8 text; save it as UTF-8", "not-utf-8") from None
+        raise SpecError(f"{name}: not UTF-8 text; save it as UTF-8", "not-utf-8") from None
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
         why = ", ".join(filter(None, (error.problem, error.context)))
         line = f":{mark.line + 1}" if mark else ""
-        raise SpecError(f"{file}{line}: not YAML: {why}", "not-yaml") from None
+        raise SpecError(f"{name}{line}: not YAML: {why}", "not-yaml") from None
     except yaml.YAMLError as error:
-        what = f"{file}: not YAML: {str(error).splitlines()[0]}"
+        what = f"{name}: not YAML: {str(error).splitlines()[0]}"
         raise SpecError(what, "not-yaml") from None
 
 

@@ -39,9 +39,10 @@ class Model:
         """
         self.dictionary: Dictionary = load(folder / "dictionary.yaml", root)
         self.functions: Functions = {}
-        places = [file.with_name("functions.py") for file in self.dictionary.files]
-        for file in dict.fromkeys(places):
-            self.functions |= load_functions(file)
+        self.folders = list(dict.fromkeys((root / f).parent for f in self.dictionary.files))
+        """Where its dictionary and those that this includes are."""
+        for each in self.folders:
+            self.functions |= load_functions(each / "functions.py")
 
     def context(
         self, xml: bytes, file: str, distro: str, root: Element | None = None

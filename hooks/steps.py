@@ -123,4 +123,4 @@ class Steps:
 def _moved_files(model: Model, spec: Mapping[str, Any]) -> dict[str, str]:
     from .merge.moves import moved_files
 
-    return moved_files(spec, model.dictionary)
+    return moved_files(spec, model)

@@ -75,7 +75,7 @@ def is_yaml(file: Path) -> bool:
     if file.suffix in _SUFFIXES:
         return not text.startswith(b"<")
     try:
-        return not text.startswith(b"<") and isinstance(load_located(file), dict)
+        return not text.startswith(b"<") and isinstance(load_located(file, str(file)), dict)
     except SpecError:
         return False
 
@@ -111,7 +111,7 @@ def read_yaml(
 
 
 def _load(file: str) -> Any:
-    content = load_located(Path(file))
+    content = load_located(Path(file), file)
     try:
         json.dumps(content, default=str)
     except (ValueError, RecursionError):

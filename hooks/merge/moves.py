@@ -12,25 +12,26 @@ from typing import Any
 import yaml
 
 from ..data import load_yaml
-from ..dictionary import PACKAGE, Dictionary
+from ..dictionary import PACKAGE
 from ..faults import SpecError
+from ..model import Model
 
 FILE = "moved_files.yaml"
 
 
-def moved_files(spec: Mapping[str, Any], dictionary: Dictionary) -> dict[str, str]:
+def moved_files(spec: Mapping[str, Any], model: Model) -> dict[str, str]:
     """Return the new path of each old one, for the components of a spec.
 
     What a model says counts for those whose dictionaries include its own.
     Where that is no mapping of paths, it raises SpecError.
     """
     # What the braces of a path may stand for: the package, and a component of it.
-    names = [{PACKAGE: str(spec[dictionary.naming])}]
-    for component in dictionary.components.values():
+    names = [{PACKAGE: model.name(spec)}]
+    for component in model.dictionary.components.values():
         items = spec.get(component.key, [])
         names += [{**names[0], component.tag: str(item[component.naming])} for item in items]
     moved: dict[str, str] = {}
-    for file in (file.with_name(FILE) for file in dictionary.files):
+    for file in (folder / FILE for folder in model.folders):
         if not file.exists():
             continue
         try:

@@ -513,7 +513,7 @@ def test_whole_message(tmp_path, dictionary, says):
     file.write_text(dictionary)
     with pytest.raises(SpecError) as error:
         load(file, tmp_path)
-    assert str(error.value) == f"{file}:{says}"
+    assert str(error.value) == f"dictionary.yaml:{says}"
 
 
 def test_what_names_may_say(tmp_path):
@@ -527,4 +527,4 @@ def test_what_names_may_say(tmp_path):
         ["{x}+"],
     )
     assert (scope.ignore_case, scope.ros, scope.parts) == (True, 1, "/")
-    assert scope.said_at == f"{file}:2"
+    assert scope.said_at == "dictionary.yaml:2"

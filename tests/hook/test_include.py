@@ -121,3 +121,22 @@ def test_missing_dictionary(model, tmp_path, name):
     (tmp_path / "both/dictionary.yaml").write_text(f"include: {name}\n")
     with pytest.raises(SpecError, match="no such file; a model needs it"):
         model()
+
+
+def test_dictionary_of_another_folder_is_read_once(tmp_path):
+    """Copier clones a version for each render; one that says anything else is read anew."""
+    said = {"one/dictionary.yaml": "include: more.yaml\na_attributes: [name]\n"}
+    said["more.yaml"] = "b_attributes: [name]\n"
+    read = []
+    for number, text in enumerate((*[said["more.yaml"]] * 2, "b_attributes: [name, other]\n")):
+        root = tmp_path / str(number)
+        for file, content in (said | {"more.yaml": text}).items():
+            (root / file).parent.mkdir(parents=True, exist_ok=True)
+            (root / file).write_text(content)
+        read.append(load(root / "one/dictionary.yaml", root))
+    assert read[0] is read[1]
+    attributes = [list(each.components["b"].attributes) for each in read]
+    assert attributes[1:] == [["name"], ["name", "other"]]
+    (tmp_path / "1/more.yaml").unlink()
+    with pytest.raises(SpecError, match=r"^one/dictionary\.yaml:1: include: more\.yaml: no such"):
+        load(tmp_path / "1/one/dictionary.yaml", tmp_path / "1")

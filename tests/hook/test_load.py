@@ -20,13 +20,16 @@ def temporary(tmp_path, monkeypatch):
     folder = tmp_path / "temporary"
     folder.mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(folder))
-    forget(monkeypatch)
-    return folder
+    before = forget()
+    yield folder
+    forget()
+    sys.modules.update(before)
 
 
-def forget(monkeypatch):
-    for name in [name for name in sys.modules if name.startswith("template_")]:
-        monkeypatch.delitem(sys.modules, name)
+def forget():
+    """Do as another command, which has loaded nothing yet; return what was loaded."""
+    names = [name for name in sys.modules if name.startswith("template_")]
+    return {name: sys.modules.pop(name) for name in names}
 
 
 @pytest.fixture
@@ -81,15 +84,15 @@ def test_nothing_is_compiled_again(clone, monkeypatch):
     """Not by another command either, nor where Python is told to write no byte code."""
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
     load(clone("one"))
-    forget(monkeypatch)
+    forget()
     monkeypatch.setattr(importlib.machinery.SourceFileLoader, "source_to_code", None)
     assert load(clone("two"))
 
 
-def test_copy_that_has_lost_a_file(clone, monkeypatch, temporary):
+def test_copy_that_has_lost_a_file(clone, temporary):
     """As a temporary folder does that is cleared of old files."""
     load(clone("one"))
-    forget(monkeypatch)
+    forget()
     (steps,) = temporary.glob("*/*/hooks/steps.py")
     steps.unlink()
     for compiled in steps.parent.glob("__pycache__/steps.*"):

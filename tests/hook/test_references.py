@@ -116,7 +116,7 @@ def test_dictionary_that_names_no_tag(tmp_path, right, wrong, message):
     (tmp_path / "dictionary.yaml").write_text(DICTIONARY.replace(right, wrong))
     with pytest.raises(SpecError) as error:
         Model(tmp_path, tmp_path)
-    assert str(error.value).startswith(f"{tmp_path}/dictionary.yaml:15: arrow to: ")
+    assert str(error.value).startswith("dictionary.yaml:15: arrow to: ")
     assert message in str(error.value)
 
 

@@ -6,13 +6,12 @@ from pathlib import Path
 import pytest
 import yaml
 
-from hooks.dictionary import load
+from hooks import model
 from hooks.faults import SpecError
 from hooks.merge import render as module
 from hooks.merge.moves import FILE, moved_files
 from hooks.merge.render import Renderer, begin, recorded_answers
 from hooks.merge.tree import read_folder, write
-from hooks.model import Model as Dictionary
 from hooks.package import Package
 from hooks.run import Run
 from hooks.steps import Steps
@@ -157,11 +156,11 @@ def test_answers_that_are_none(tmp_path, text):
 )
 def test_moved_files_of_a_version(tmp_path, text, moved):
     (tmp_path / "dictionary.yaml").write_text("node_interface: {topic: [name]}\n")
-    dictionary = load(tmp_path / "dictionary.yaml", tmp_path)
+    known = model.Model(tmp_path, tmp_path)
     spec = {"name": "arm", "nodes": [{"name": "r"}, {"name": "w"}]}
-    assert moved_files(spec, dictionary) == {}
+    assert moved_files(spec, known) == {}
     (tmp_path / FILE).write_text(text)
-    assert moved_files(spec, dictionary) == moved
+    assert moved_files(spec, known) == moved
 
 
 @pytest.mark.parametrize(
@@ -170,13 +169,13 @@ def test_moved_files_of_a_version(tmp_path, text, moved):
 )
 def test_moved_files_that_are_no_mapping_of_paths(tmp_path, text):
     (tmp_path / "dictionary.yaml").write_text("node_interface: {topic: [name]}\n")
-    dictionary = load(tmp_path / "dictionary.yaml", tmp_path)
+    known = model.Model(tmp_path, tmp_path)
     (tmp_path / FILE).write_text(text)
     if text in ("'{arm}/{node': b", "'{': a"):
-        assert moved_files({"name": "arm"}, dictionary) == {}  # is of no component
+        assert moved_files({"name": "arm"}, known) == {}  # is of no component
         return
     with pytest.raises(SpecError, match=rf"{FILE}: must be a mapping of new paths.*wrong-shape"):
-        moved_files({"name": "arm"}, dictionary)
+        moved_files({"name": "arm"}, known)
 
 
 @pytest.fixture
@@ -203,7 +202,7 @@ class Life:
         how = {**usual, "can_ask": False, **how}
         about = (template, Package(package, ANSWERS), {}, given, "python_model", "kilted")
         self.run = Run(*about, **how)
-        self.steps, self.model = Steps(copies), Dictionary(ROOT / "python_model", ROOT)
+        self.steps, self.model = Steps(copies), model.Model(ROOT / "python_model", ROOT)
 
     def check(self):
         self.steps.check(self.run, self.model, XML, "arm.ros_package", self.spec)

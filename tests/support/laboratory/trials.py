@@ -14,7 +14,6 @@ from dataclasses import dataclass, field
 import copier
 
 from hooks.changes import marked
-from hooks.dictionary import load
 from hooks.merge.moves import moved_files
 from hooks.merge.renaming import Renaming, plan
 from hooks.merge.tree import File, encode, read_folder, remove, write
@@ -145,8 +144,7 @@ class Laboratory:
         layout = {}
         if version != old_version:
             source = self.versions[version]
-            dictionary = load(source / model / "dictionary.yaml", source)
-            layout = moved_files(contexts[1], dictionary)
+            layout = moved_files(contexts[1], Model(source / model, source))
         renaming.follow(layout, old, new)
         renaming.move(tree_of(old), tree_of(new))
         to_ros = contexts[1]["ros"] if contexts[0]["ros"] != contexts[1]["ros"] else None
