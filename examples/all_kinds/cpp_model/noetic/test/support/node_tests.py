@@ -572,7 +572,7 @@ class NodeTests:
         if self.frequency:
             wrong = self.start(frequency=0.0)
             self.assertTrue(eventually(lambda: is_kept(self.node, self.frequency)))
-            frequency = (0.5 if self.frequency > 1.0 else 2.0) * self.frequency
+            frequency = (0.5 if self.frequency > 25.0 else 2.0) * self.frequency
             started = monotonic()
             orders = [f'update wait={periods / frequency}' for periods in (3.5, 2.5)]
             other = self.active(*orders, frequency=frequency)
@@ -607,7 +607,7 @@ class NodeTests:
                 nonlocal time
                 time += 0.25 / frequency
                 self.peer.set_time(time)
-                sleep(1.0 / frequency if frequency > 5.0 else 0.0)  # not the speed of wall time
+                sleep(0.5 / frequency if frequency > 5.0 else 0.0)  # not the speed of wall time
                 tick = self.turns(method, node=self.given)[2]
                 ticks.extend([tick] if tick not in ticks else [])
                 cycles = [(end - start) * frequency for start, end in zip(ticks, ticks[1:])]
@@ -794,51 +794,51 @@ class NodeTests:
     def test_ends(self):
         """The node ends as its logic and signals have it: exit code, calls and log."""
         ends = [  # order, stop_timeout, signals, exit code, calls, text of the log
-            ('configure refuse', 2.0, [], 1, LIFE[:1], 'refuse'),
-            ('configure raise', 2.0, [], 1, LIFE[:1], 'in configure'),
-            ('activate refuse', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'refuse'),
-            ('activate raise', 2.0, [], 1, [*LIFE[:2], 'cleanup'], 'told to raise'),
-            ('configure sleep=1000', 2.0, [TERM], 0, [LIFE[0], 'cleanup'], '["sleep", false]'),
+            ('deactivate wait=2.5', 1e3, [INT], 0, LIFE, '["wait", null]'),
+            ('configure refuse', 20.0, [], 1, LIFE[:1], 'refuse'),
+            ('configure raise', 20.0, [], 1, LIFE[:1], 'in configure'),
+            ('activate refuse', 20.0, [], 1, [*LIFE[:2], 'cleanup'], 'refuse'),
+            ('activate raise', 20.0, [], 1, [*LIFE[:2], 'cleanup'], 'told to raise'),
+            ('configure sleep=1000', 20.0, [TERM], 0, [LIFE[0], 'cleanup'], '["sleep", false]'),
             ('configure block', 0.1, [TERM], 1, LIFE[:1], 'stops: configure.'),
             ('deactivate sleep=1000', 0.1, [TERM], None, LIFE, '["sleep", false]'),
-            ('deactivate raise', 2.0, [INT], 1, LIFE, 'told to raise'),
-            ('configure fail=lost', 2.0, [], 1, [LIFE[0], 'cleanup'], 'The logic failed: lost'),
-            ('activate fail=lost', 2.0, [], 1, LIFE, 'The logic failed: lost'),
-            ('cleanup raise', 2.0, [TERM], 1, LIFE, 'told to raise'),
+            ('deactivate raise', 20.0, [INT], 1, LIFE, 'told to raise'),
+            ('configure fail=lost', 20.0, [], 1, [LIFE[0], 'cleanup'], 'The logic failed: lost'),
+            ('activate fail=lost', 20.0, [], 1, LIFE, 'The logic failed: lost'),
+            ('cleanup raise', 20.0, [TERM], 1, LIFE, 'told to raise'),
             ('deactivate block', 0.1, [TERM], 1, LIFE[:3], 'stops: deactivate.'),
             ('deactivate block', 1e3, [INT, INT], -INT, LIFE[:3], ''),
-            ('deactivate wait=2.5', 1e3, [INT], 0, LIFE, '["wait", null]'),
-            ('deactivate sleep=0.1', 2.0, [TERM], 0, LIFE, '["sleep", true]'),
+            ('deactivate sleep=0.1', 20.0, [TERM], 0, LIFE, '["sleep", true]'),
             ('configure wait=0', -1.0, [], 1, [], 'stop_timeout'),
-            ('deactivate wait=0.1', 2.0, ['rosnode kill'], 0, LIFE, '["wait", null]'),
+            ('deactivate wait=0.1', 20.0, ['rosnode kill'], 0, LIFE, '["wait", null]'),
         ]
         if self.frequency:
-            ends.append(('update raise', 2.0, [], 1, LIFE, 'told to raise'))
-            ends.append(('update sleep=1000', 2.0, [TERM], 0, LIFE, '["sleep", false]'))
+            ends.append(('update raise', 20.0, [], 1, LIFE, 'told to raise'))
+            ends.append(('update sleep=1000', 20.0, [TERM], 0, LIFE, '["sleep", false]'))
         callbacks = self.callbacks()
         for member in callbacks:
-            ends.append((f'{member} raise', 2.0, [], 1, LIFE, 'told to raise'))
+            ends.append((f'{member} raise', 20.0, [], 1, LIFE, 'told to raise'))
         for member, *_ in self.each('accept_'):
-            ends.append((f'{member} raise', 2.0, [], 1, LIFE, 'told to raise'))
+            ends.append((f'{member} raise', 20.0, [], 1, LIFE, 'told to raise'))
         for member in callbacks[:1]:
             ends.append((f'{member} block', 0.1, [TERM], 1, LIFE, 'Still running'))
         for member, *_ in self.each(*self.can_refuse):
-            ends.append((f'{member} refuse', 2.0, [], 1, LIFE, 'no response'))
+            ends.append((f'{member} refuse', 20.0, [], 1, LIFE, 'no response'))
         for member in self.transforms if self.frequency else ():
             if member.startswith('listener_'):
                 order = f'update {member}=map,nowhere,1000'
-                ends.append((order, 2.0, [INT], 0, LIFE, f'["{member}", "'))
+                ends.append((order, 20.0, [INT], 0, LIFE, f'["{member}", "'))
         for member, _, type_ in self.each('client_') if self.frequency else ():
             order = f'update {member}={encode(type_._request_class())},1000'
-            ends.append((order, 2.0, [INT], 0, LIFE, f'["{member}", null]'))
+            ends.append((order, 20.0, [INT], 0, LIFE, f'["{member}", null]'))
         beside = [*self.threads, *self.timers, *(late for late, *_ in self.lates())]
         for method in beside:
-            ends.append((f'{method} raise', 2.0, [], 1, LIFE, 'told to raise'))
+            ends.append((f'{method} raise', 20.0, [], 1, LIFE, 'told to raise'))
             ends.append((f'{method} block', 0.1, [TERM], 1, LIFE, 'Still running'))
         if beside:  # their waits end together
             orders = '\n'.join(f'{method} sleep=1000' for method in beside)
-            ends.append((orders, 2.0, [TERM], 0, LIFE, '["sleep", false]'))
-        with ThreadPoolExecutor(4) as pool:
+            ends.append((orders, 20.0, [TERM], 0, LIFE, '["sleep", false]'))
+        with ThreadPoolExecutor(8) as pool:
             list(pool.map(self.end, ends))
 
     def end(self, case):
