@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from .cpp_blocks import tokenize
 from .languages import CPP, PYTHON, Language
 from .python_blocks import last_line, nodes
-from .tokens import Word
+from .tokens import BEFORE_TYPE, Word
 
 SELF = ("self", "cls", "this")
 Names = Collection[str]
@@ -32,8 +32,8 @@ class Origins:
     """Names of objects whose classes are of the package."""
     known_holders: Names = ()
     """Names that such objects have in any file, as the dictionary says."""
-    keywords: set[str] = field(default_factory=set)
-    """Those of arguments of these classes."""
+    keywords: set[tuple[int, str]] = field(default_factory=set)
+    """The arguments of these classes, each with its line."""
     imports: dict[int, bool] = field(default_factory=dict)
     """By line of an import, the first counted 0, whether it is of the package."""
 
@@ -46,6 +46,11 @@ class Origins:
         """Say whether an object is of a class of the package."""
         return name in self.holders or name.strip("_") in self.known_holders
 
+    def is_argument(self, word: Word) -> bool:
+        """Say whether a word names a field where an object of these classes is made."""
+        is_named = word.after == "=" and not word.chain
+        return is_named and (word.line, word.text) in self.keywords
+
     def has(self, word: Word, known: Names) -> bool:
         """Say whether a word is a name of the package; `known` are those that are, by themselves.
 
@@ -53,20 +58,26 @@ class Origins:
         """
         if word.line in self.imports:
             return self.imports[word.line]
+        if self.is_argument(word):
+            return True
+        if word.before[1] == "->" and word.chain in BEFORE_TYPE and word.text in self.types:
+            word = word._replace(chain=())
         if (word.chain or (word.text,))[0] in self.foreign:
             return False
         if word.line in self.others and (not word.chain or word.chain[-1] in SELF):
-            return not word.chain and word.text in self.types
+            is_space = word.after == "::" and word.text in self.ours
+            return not word.chain and (is_space or word.text in self.types)
         if not word.chain:
-            is_argument = word.after == "=" and word.text in self.keywords
-            return is_argument or word.text in self.ours or word.text in known
+            return word.text in self.ours or word.text in known
         holder = word.chain[-1]
         if holder in SELF:
             return word.text in known
         if all(part in known or part in self.ours for part in word.chain):
             return True
-        is_own = len(word.chain) == 1 or (len(word.chain) == 2 and word.chain[0] in SELF)
-        return is_own and self.is_holder(holder)
+        first, *others = word.chain
+        is_own = not others or (len(others) == 1 and (first in SELF or self.is_holder(first)))
+        is_logic = first in self.holders and others == ["impl"]  # of a harness of tests
+        return is_logic or (is_own and self.is_holder(holder))
 
 
 def origins(
@@ -116,8 +127,6 @@ def _python(
             bases = {word for base in node.bases for word in _words(base)}
             lines = range(node.lineno - 1, last_line(node))
             own.append((node.name, bases, lines))
-        elif isinstance(node, ast.Call) and _last(node.func) in classes:
-            found.keywords |= {keyword.arg for keyword in node.keywords if keyword.arg}
     found.foreign -= found.ours
     found.types = found.ours
     found.others = _others(own, classes)
@@ -126,6 +135,33 @@ def _python(
             isinstance(value, ast.Name | ast.Attribute) and found.is_holder(_last(value))
         ):
             found.holders.add(target)
+    found.keywords = _keywords(found, tree, {*classes} - found.foreign)
+
+
+def _keywords(found: Origins, tree: Iterable[ast.AST], classes: set[str]) -> set[tuple[int, str]]:
+    """Return the keywords of calls and patterns of some classes, but for those in doubt."""
+    ours: set[tuple[int, str]] = set()
+    others: set[tuple[int, str]] = set()
+    for node in tree:
+        if isinstance(node, ast.Call):
+            function, first = node.func, node.args[0] if node.args else node.func
+            names = [(word.lineno, word.arg or "") for word in node.keywords]
+        elif isinstance(node, ast.MatchClass):
+            function = first = node.cls
+            names = [(p.lineno, n) for p, n in zip(node.kwd_patterns, node.kwd_attrs, strict=True)]
+        else:
+            continue
+        is_changed = _last(function) in _OF_FIELDS and (
+            found.is_holder(_last(first)) or bool({*_words(first)} & classes)
+        )
+        is_made = _last(function) in classes and not {*_words(function)} & found.foreign
+        keywords = ours if is_made or is_changed else others
+        keywords |= {(line - 1, name) for line, name in names}
+    return ours - others
+
+
+_OF_FIELDS = ("replace", "run_cycle")
+"""Functions whose keywords are fields of their first argument: of dataclasses, in tests."""
 
 
 _Class = tuple[str, set[str], range]
@@ -189,23 +225,30 @@ def _words(node: ast.expr) -> Iterator[str]:
             yield name
 
 
-_INCLUDE = re.compile(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"](\w+)/')
+_INCLUDE = re.compile(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"](\w+|\.\.?)/')
 _USING = re.compile(r"\busing\s+(?:(namespace)\s+)?(?:(\w+)\s*=\s*)?(?:::)?(\w+)(?:::(\w+))*\s*;")
 
 
 def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Names) -> None:
-    is_user = any(root in roots for root in _INCLUDE.findall(text))
+    spaces = "|".join(map(re.escape, roots)) or "(?!)"
+    is_user = any(root in {*roots, ".", ".."} for root in _INCLUDE.findall(text))
+    is_user = is_user or bool(
+        re.search(rf"\bnamespace\s+(?:{spaces})\b|(?<![\w:])(?:{spaces})::", text)
+    )
     for kind, alias, root, last in _USING.findall(text):
         if root not in {*roots, *classes, "std"}:
             is_user = is_user and not kind
             found.foreign |= {alias or last} - {""}
     if is_user:
-        found.ours |= {*names}
+        found.ours |= {*names} | {*re.findall(rf"\bnamespace\s+(\w+)\s*=\s*(?:{spaces})::", text)}
     found.types = {*classes} | {*roots}
     found.others = _others(_cpp_classes(text), classes)
     types = "|".join(map(re.escape, {*classes} - found.foreign)) or "(?!)"
-    spaces = "|".join(map(re.escape, roots)) or "(?!)"
     ours = rf"(?<![\w:])(?:(?:::)?(?:{spaces})::)?(?:{types})\b"
     declared = rf"{ours}[\s&*>)]*(?:const\b)?[\s&*]*\b(\w+)\b(?!\s*::)"
     made = rf"\bauto\b[\s&*]*(\w+)\s*=[^;=]*?{ours}"
     found.holders |= {*re.findall(declared, text), *re.findall(made, text)}
+    for match in re.finditer(rf"{ours}\s*\w*\s*\{{[^{{}}]*\}}", text):
+        for name in re.finditer(r"[{,]\s*\.(\w+)\s*=", match[0]):
+            line = text.count("\n", 0, match.start() + name.start(1))
+            found.keywords.add((line, name[1]))

@@ -166,7 +166,8 @@ class Renaming:
             is_ours = is_ours or origin.has(word, vocabulary)
             if word.text in exact:
                 return exact[word.text] if is_ours else word.text
-            if word.text in members and word.chain and word.before[1] != "::":
+            is_member = bool(word.chain) and word.before[1] != "::"
+            if word.text in members and (is_member or origin.is_argument(word)):
                 return members[word.text] if origin.has(word, vocabulary) else word.text
             holder, sign = word.before
             is_target = sign == "TARGETS" or (sign == "(" and _ABOUT_TARGETS.match(holder))
@@ -353,6 +354,8 @@ def plan(
         known = language(before, text)
         found = [*words(known, text)]
         tokens[before] = {word.text for word in found}
+        if known in (CPP, PYTHON):
+            tokens[before].add(PurePosixPath(path).stem)  # an import may name it
         plain = {
             w.text for w in found if not w.chain or w.before[1] == "::" or w.chain[-1] in SELF
         }

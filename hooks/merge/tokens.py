@@ -35,6 +35,8 @@ _CMAKE = re.compile(
       | (?P<comment> \#[^\n]* ) | (?P<word> [A-Za-z_]\w* ) | (?P<sign> \S )""",
     re.VERBOSE | re.DOTALL,
 )
+_FIELDS = re.compile(r"(\{\{|\}\}|\{(?:[^{}]|\{[^{}]*\})*\})")
+"""What is code in an f-string; doubled braces are none."""
 _PATTERNS = {PYTHON.name: _PYTHON, CPP.name: _CPP, CMAKE.name: _CMAKE}
 
 
@@ -53,6 +55,8 @@ class Word(NamedTuple):
 By = Callable[[Word], str]
 """Says what a word becomes."""
 _JOINTS = (".", "->", "::")
+BEFORE_TYPE = ((")",), ("const",), ("noexcept",), ("mutable",))
+"""What stands before the `->` of the type that a function returns."""
 
 
 def exchange(
@@ -73,16 +77,17 @@ def exchange(
         kind, found = match.lastgroup, match[0]
         line += text.count("\n", at, match.start())
         if kind == "word":
-            chain = chain if signs[1] in _JOINTS else ()
+            after = text[match.end() : match.end() + 80].lstrip()
+            after = after[:2] if after[:2] in ("::", "==") else after[:1]
+            is_type = signs[1] == "->" and after == "::" and chain in BEFORE_TYPE
+            chain = chain if signs[1] in _JOINTS and not is_type else ()
             if among is None or found in among:
-                after = text[match.end() : match.end() + 80].lstrip()
-                after = after[:2] if after[:2] in ("::", "==") else after[:1]
                 found = by(Word(found, signs, after, chain, line))
             chain = (*chain, match[0]) if match[0] not in ("from", "import") else ()
         elif kind == "include":
             found = _path(found, by, line)
         elif kind == "string" and "f" in match["prefix"].lower():
-            pieces = re.split(r"(\{[^{}]*\})", found)
+            pieces = _FIELDS.split(found)
             pieces[1::2] = [exchange(known, part, by, among, line) for part in pieces[1::2]]
             found = "".join(pieces)
         parts += [text[at : match.start()], found]

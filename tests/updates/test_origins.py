@@ -53,10 +53,12 @@ FOREIGN = [
     "import vendor as data\n\ndata.in_goal\n",
     "in_goal = 3\nprint(f'{in_goal} {x.in_goal}')\n",
     "move(in_goal=3)\n",
+    "from vendor import A\n\nA(gain=1)\nmove(\n    data, gain=ReachConfig(gain=2))\n",
+    "def f(data):\n    return f'{{data.in_goal}} {{{1}}}'\n",
 ]
 OURS = {
     "from lab.reach_interface import ReachConfig\n\nReachConfig(gain=1)\n": (
-        "from lab.grasp_interface import GraspConfig\n\nGraspConfig(gain=1)\n"
+        "from lab.grasp_interface import GraspConfig\n\nGraspConfig(factor=1)\n"
     ),
     "from lab.reach_interface import (  # a\n    A,\n    ReachData as B,\n)\n\nB(in_goal=1)\n": (
         "from lab.grasp_interface import (  # a\n    A,\n    GraspData as B,\n)\n\nB(in_goal=1)\n"
@@ -85,6 +87,22 @@ OURS = {
         "from lab.grasp_impl import GraspImpl\n\nimpl = GraspImpl()\nimpl.receive_speak(1)\n"
     ),
     "def f(d: 'ReachData'):\n    d.in_goal\n": "def f(d: 'ReachData'):\n    d.in_target\n",
+    "from lab import reach_ros\n\nreach_ros.main()\n": (
+        "from lab import grasp_ros\n\ngrasp_ros.main()\n"
+    ),
+    "def f(data):\n    return f'{data.in_goal:{data.in_goal}} {{{data.in_goal}}}'\n": (
+        "def f(data):\n    return f'{data.in_target:{data.in_target}} {{{data.in_target}}}'\n"
+    ),
+    "from .reach_interface import ReachConfig\n\nuse(ReachConfig(\n    gain=1),\n  gain=2)\n": (
+        "from .grasp_interface import GraspConfig\n\nuse(GraspConfig(\n    factor=1),\n  gain=2)\n"
+    ),
+    "from . import reach_interface as r\n\nmatch c:\n  case r.ReachConfig(gain=0):\n    d\n": (
+        "from . import grasp_interface as r\n\nmatch c:\n  case r.GraspConfig(factor=0):\n    d\n"
+    ),
+    "def f(a: 'ReachImpl'):\n    run_cycle(a, in_goal=low)\n": (
+        "def f(a: 'ReachImpl'):\n    run_cycle(a, in_target=low)\n"
+    ),
+    "low = replace(config, gain=config.gain)\n": ("low = replace(config, factor=config.factor)\n"),
 }
 CPP_FOREIGN = [
     "#include <vendor/reach_interface.hpp>\nvendor::ReachConfig a;\nReachConfig b;\n",
@@ -96,6 +114,8 @@ CPP_FOREIGN = [
     "ReachData a;\n",
     "#include <lab/mine.hpp>\nlab::vendor::ReachData a;\n",
     "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nstruct B : A\n{\n};\n",
+    "#include <lab/mine.hpp>\nint a = f() -> in_goal;\n",
+    "namespace vendor {ReachData a;}\nnamespace b = vendor;\nb::ReachData c;\n",
 ]
 CPP_OURS = {
     '#include "lab/reach_interface.hpp"\nint f(const lab::ReachData & d) {d.in_goal;}\n': (
@@ -117,6 +137,27 @@ CPP_OURS = {
         "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nauto b = in_target;\n"
     ),
     '#include "reach_interface.hpp"\n': '#include "grasp_interface.hpp"\n',
+    "namespace lab {\nauto f() const -> reach_types::InGoal;\nauto g() -> ReachData;\n}\n": (
+        "namespace lab {\nauto f() const -> grasp_types::InTarget;\nauto g() -> GraspData;\n}\n"
+    ),
+    "#include <lab/mine.hpp>\nauto f() -> lab::reach_types::InGoal;\n": (
+        "#include <lab/mine.hpp>\nauto f() -> lab::grasp_types::InTarget;\n"
+    ),
+    "#include <lab/mine.hpp>\nstruct A {reach_types::InGoal in_goal;};\n": (
+        "#include <lab/mine.hpp>\nstruct A {grasp_types::InTarget in_goal;};\n"
+    ),
+    '#include "../mine.hpp"\nlab::reach_types::InGoal a;\n': (
+        '#include "../mine.hpp"\nlab::grasp_types::InTarget a;\n'
+    ),
+    "namespace lab {struct ReachData;}\n": "namespace lab {struct GraspData;}\n",
+    "namespace a = lab::reach_types;\na::InGoal b;\n": (
+        "namespace a = lab::grasp_types;\na::InTarget b;\n"
+    ),
+    "lab::reach_types::InGoal a;\n": "lab::grasp_types::InTarget a;\n",
+    "lab::ReachHarness h;\nh.data.in_goal = h.config.gain;\nh.impl.receive_say(1);\n": (
+        "lab::GraspHarness h;\nh.data.in_target = h.config.factor;\nh.impl.receive_speak(1);\n"
+    ),
+    "lab::ReachConfig a{.gain = 1};\n": "lab::GraspConfig a{.factor = 1};\n",
     "void f() {data_  // mine\n  .in_goal;}\n": "void f() {data_  // mine\n  .in_target;}\n",
     "void f() {data_.in_goal = this->config_.gain + config->gain;}\n": (
         "void f() {data_.in_target = this->config_.factor + config->factor;}\n"
@@ -155,6 +196,7 @@ OF_PACKAGE = {
     "import arm\nprint arm\n": "import robot\nprint arm\n",
     "arm = 1\n": "arm = 1\n",
     "namespace arm\n{\narm::A arm;\n}\n": "namespace robot\n{\nrobot::A arm;\n}\n",
+    "namespace arm {auto f() -> arm::A;}\n": "namespace robot {auto f() -> robot::A;}\n",
     "link(arm arm::core)\n": "link(arm robot::core)\n",
 }
 
