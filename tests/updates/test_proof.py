@@ -20,6 +20,7 @@ from hooks.merge.transaction import Snapshot
 from hooks.merge.tree import File, Tree, encode
 from hooks.merge.update import Update
 from support.arm import MINE, NEW, OLD, PATH
+from support.laboratory.trials import tree_of
 from support.repository import ROOT, commit, git
 
 SPEC = {"name": "arm", "nodes": []}
@@ -301,3 +302,48 @@ def test_uses_of_what_left(path):
     left = [f"{path}:1: out_t", f"{path}:1: k", f"{path}:3: out_t"]
     left = left if "reach" in path else [left[0], left[2]]  # another node may have k still
     assert said == [f"{use}, which has left" for use in left]
+
+
+NODE = '<node pkg="arm" exec="{}"\n  name="{}"/>\n'
+OF_A_NODE = {
+    "setup.py": (
+        "x = ['a = arm.watch_ros:main', 'arm.watch_rosy', 'b.arm.watch_ros']\n",
+        "arm.watch_ros",
+    ),
+    "launch/a.xml": (
+        '<param from="$(find-pkg-share arm)/config/watch.yaml"/>\n',
+        "config/watch.yaml",
+    ),
+    "launch/b.xml": (NODE.format("watch", "left") + NODE.format("b", "watch_2"), "watch"),
+    "launch/c.xml": (NODE.replace("arm", "vendor").format("watch", "watch"), ""),
+}
+
+
+@pytest.mark.parametrize(("path", "text", "word"), [(p, *case) for p, case in OF_A_NODE.items()])
+def test_uses_of_a_node_that_left_in_texts(path, text, word):
+    """By the files that it had, and by what the launch file has said of it."""
+    launch = NODE.format("reach", "reach")
+    old = {
+        "arm/watch_ros.py": "",
+        "config/watch.yaml": "",
+        "l.xml": launch + NODE.format("watch", "watch"),
+    }
+    old, new, found = map(tree_of, (old, {"l.xml": launch}, {path: text}))
+    said = [*uses_of_left([("watch", "watch")], old, new, found)]
+    assert said == ([f"{path}:1: {word}, which has left"] if word else [])
+
+
+@pytest.mark.parametrize(
+    ("path", "code"),
+    [
+        (
+            "a.py",
+            "from arm.reach_interface import ReachConfig\n\nuse(\n  ReachConfig(k=1),\n  k=2)\n",
+        ),
+        ("a.cpp", "int k = 1;\n\nuse(k,\n  arm::ReachConfig{.k = k});\n"),
+    ],
+)
+def test_parameter_that_left_is_said_where_it_is_given_a_value(path, code):
+    old = tree_of({"arm/reach_interface.py": "class ReachConfig:\n    k: int = 1\n"})
+    said = [*uses_of_left([("reach", "k")], old, {}, tree_of({path: code}), ["config"])]
+    assert said == [f"{path}:4: k, which has left"]
