@@ -244,7 +244,7 @@ def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Names) 
     found.types = {*classes} | {*roots}
     found.others = _others(_cpp_classes(text), classes)
     types = "|".join(map(re.escape, {*classes} - found.foreign)) or "(?!)"
-    ours = rf"(?<![\w:])(?:(?:::)?(?:{spaces})::)?(?:{types})\b"
+    ours = rf"(?<![\w:])(?:(?:::)?(?:{spaces})::){'?' * is_user}(?:{types})\b"
     declared = rf"{ours}[\s&*>)]*(?:const\b)?[\s&*]*\b(\w+)\b(?!\s*::)"
     made = rf"\bauto\b[\s&*]*(\w+)\s*=[^;=]*?{ours}"
     found.holders |= {*re.findall(declared, text), *re.findall(made, text)}

@@ -365,7 +365,9 @@ def plan(
         renaming.generated[before] = reader.lines(text)
         renaming.heads[before] = _heads(known, renaming.generated[before])
         if known in (CPP, PYTHON):
-            renaming.roots |= {*PurePosixPath(before).parts[:-1][known is CPP :][:1]}
+            first, *rest = PurePosixPath(before).parts
+            root = [first, *rest][:-1] if known is PYTHON else rest[:-1] * (first == "include")
+            renaming.roots |= {*root[:1]}
         renaming.keys[before] = _keys(reader, before, text)
         if known is YAML:
             made = _key_nodes(old[before].written)

@@ -106,6 +106,7 @@ OURS = {
 }
 CPP_FOREIGN = [
     "#include <vendor/reach_interface.hpp>\nvendor::ReachConfig a;\nReachConfig b;\n",
+    "#include <ros/ros.h>\nReachConfig a;\nint b = ros::use(a.in_goal);\n",
     '#include "vendor/lab/reach_interface.hpp"\n',
     '#include "lab/mine.hpp"\nvendor::SayMessage a;\nint b = a.in_goal;\n',
     "struct Own\n{\n  int in_goal;\n};\nint f(const Own & msg) {return msg.in_goal;}\n",
