@@ -120,16 +120,17 @@ def _mark(pair: _Pair, marks: list[Mark], owner: int | None) -> int:
 def _follow(pair: _Pair, name: str, context: Values, dictionary: Dictionary) -> None:
     """Give what components take from an element of a name the mark that this name has now."""
     kind = dictionary.components.get(pair.label.split()[0])
-    if pair.level != "component" or not kind or not kind.is_shared or not pair.before:
+    if pair.level != "component" or not kind or not kind.is_shared:
         return
-    mark = pair.before[str(kind.naming)]
+    item: Any = pair.before
+    mark = item[kind.naming]
     for component in dictionary.components.values():
         for inner in component.interfaces.values():
             key = inner.naming if inner.taken == kind.tag else kind.tag
             for owner in component.of(context):
-                for item in inner.of(owner):
-                    if item.get(key) == name:
-                        item[key] = mark
+                for user in inner.of(owner):
+                    if user.get(key) == name:
+                        user[key] = mark
 
 
 def places(spec: CheckedSpec, dictionary: Dictionary) -> dict[str, str]:

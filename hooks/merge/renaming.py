@@ -110,9 +110,9 @@ class Renaming:
     def _renamed(self, path: str) -> str:
         if path in self.paths:
             return self.paths[path]
-        for folder, new in sorted(self.folders.items(), key=lambda item: -len(item[0])):
+        for folder in sorted(self.folders, key=len, reverse=True):
             if path.startswith(f"{folder}/"):
-                return new + path[len(folder) :]
+                return self.folders[folder] + path[len(folder) :]
         return path
 
     def text(self, path: str, text: str) -> str:
@@ -348,7 +348,8 @@ def plan(
         if before not in old:
             continue
         renaming.paths[before] = after
-        _folders(renaming.folders, before, after)
+        parents = (map(str, PurePosixPath(side).parents) for side in (before, after))
+        renaming.folders |= zip(*parents, strict=True)
         owned[before] = reader.numbers(path)
         text = file.written
         known = language(before, text)
@@ -426,12 +427,6 @@ def _ambiguous(reader: _Reader, marked: Iterable[str], others: Iterable[str]) ->
         before, after = reader.both(token)
         afters.setdefault(before, set()).add(after)
     return {*others, *(before for before, found in afters.items() if len(found) > 1)}
-
-
-def _folders(folders: dict[str, str], before: str, after: str) -> None:
-    for old, new in zip(PurePosixPath(before).parents, PurePosixPath(after).parents, strict=False):
-        if old.name != new.name and old.name:
-            folders[old.as_posix()] = new.as_posix()
 
 
 def _keys(reader: _Reader, path: str, text: str) -> dict[str, str]:

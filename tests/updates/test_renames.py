@@ -420,6 +420,21 @@ def test_imports_of_a_package_that_is_renamed(code):
     assert renaming.text("arm/a.py", code) == code.replace("arm.tools", "leg.tools")
 
 
+def test_folders_take_along_what_the_developer_has_in_them():
+    """The innermost that the model has made says where to."""
+    paths = ("{0}/a.py", "{0}/{1}/b.py", "{0}/{1}/data/c.py", "docs/{0}.md")
+    old, marked = (
+        {path.format(*names): File(b"a = 1\n") for path in paths}
+        for names in (("arm", "reach"), ("zq0x", "zq1x"))
+    )
+    marks = [Mark("arm", "leg", "package"), Mark("reach", "grasp", "component")]
+    renaming = plan(old, marked, marks, old)
+    folders = {"arm": "leg", "arm/reach": "leg/grasp", "arm/reach/data/x": "leg/grasp/data/x"}
+    for before, after in {**folders, "docs": "docs", "army": "army", "reach": "reach"}.items():
+        assert renaming.path(f"{before}/own.py") == f"{after}/own.py"
+    assert renaming.path("own.py") == "own.py"
+
+
 def test_project_of_cmake_that_has_a_version():
     old, marked = (
         {"CMakeLists.txt": File(encode(f"project({name})\n"))} for name in ("arm", "zq0x")
