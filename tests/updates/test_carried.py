@@ -957,6 +957,15 @@ def test_command_with_a_blank_before_its_parenthesis_is_about_a_target(command):
     assert [line in result.tree[path].text for line in own] == [True, False]
 
 
+def test_package_that_the_new_file_finds_already_is_found_once():
+    path, own = "CMakeLists.txt", PACKAGES[1].replace("ros\n", "ros\n  nav_msgs\n")
+    found = "find_package(nav_msgs REQUIRED)"
+    new = {path: f"{PACKAGES[2]}{found}\n"}
+    result = built({path: own}, {path: PACKAGES[1]}, new, 2)
+    assert result.tree[path].text == new[path]
+    assert result.carried[path][1] == {3: (found,)}
+
+
 def test_what_the_developer_deleted_of_cmake_is_said():
     path, other = "CMakeLists.txt", "install(DIRECTORY x DESTINATION include)\n"
     old = PACKAGES[1] + NESTED + "add_executable(reach x.cpp)\ninclude_directories()\n" + other

@@ -559,3 +559,28 @@ def test_which_of_several_the_model_puts_something_around():
     result, doubts = Versions(*trees).merged()
     assert (doubts, result.conflicts, result.removed) == ([], {}, {})
     assert result.tree["CMakeLists.txt"].text == came + around.format(mine) + two
+
+
+def test_what_the_developer_has_between_two_things_is_in_what_the_model_puts_around_both():
+    one, own, other, two = (f'<node name="{name}"/>\n' for name in ("one", "own", "other", "two"))
+    form, path = '<launch>\n  <node name="outside"/>\n{}</launch>\n', "arm.launch"
+    around = form.format('  <group if="x">\n{}  </group>\n')
+    texts = (one + own + other + two, one + two)
+    mine, old = (form.format(textwrap.indent(text, "  ")) for text in texts)
+    wanted, new = (around.format(textwrap.indent(text, "    ")) for text in texts)
+    result, doubts = Versions(*({path: File(encode(text))} for text in (mine, old, new))).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree[path].text == wanted
+
+
+def test_what_the_developer_has_beside_what_the_model_puts_things_into_is_in_none_of_it():
+    one, own, two, last = (f'  <node name="{name}"/>\n' for name in ("one", "own", "two", "last"))
+    first, second = (
+        f'  <group if="{n}">\n  {node}  </group>\n' for n, node in ((1, one), (2, two))
+    )
+    sides = (one + own + two + last, one + two, first + second)
+    trees = [{"arm.launch": File(encode(f"<launch>\n{text}</launch>\n"))} for text in sides]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    wanted = f"<launch>\n{first}{own}{second}{last}</launch>\n"
+    assert result.tree["arm.launch"].text == wanted

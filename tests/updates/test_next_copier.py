@@ -1,5 +1,6 @@
 """What copier-org/copier#2376 does in another way, as the bridge is told of it."""
 
+import copier._main as copier_main
 import pytest
 from jinja2 import Environment, FileSystemLoader
 
@@ -39,3 +40,15 @@ def test_questions_are_asked_in_a_temporary_folder(bridge, arm, tmp_path, monkey
     assert bridge("has_spec", new)
     assert "halt" in str(bridge("read_spec", new, "")["nodes"])
     assert not bridge("has_spec", old, data={"spec": {}})
+
+
+def test_copier_looks_for_no_index_of_git_while_it_renders(monkeypatch):
+    """Where it has no such function any more, it gets none."""
+    monkeypatch.setattr(copier_main, "is_git_available", lambda: True)
+    with spec._without_index():
+        assert not copier_main.is_git_available()
+    assert copier_main.is_git_available()
+    monkeypatch.delattr(copier_main, "is_git_available")
+    with spec._without_index():
+        pass
+    assert not hasattr(copier_main, "is_git_available")
