@@ -213,6 +213,19 @@ def test_change_of_form_alone_never_conflicts():
         assert result.tree[PATH].text == form(changed, 2, "b")
 
 
+def test_arguments_below_an_import_are_no_names_that_it_imports():
+    """The developer has put them below what the new version changes."""
+    head, call, line = (
+        b"if a:\n    from b import c\n",
+        b"    f(\n        c,\n    )\n",
+        b"    d = 1\n",
+    )
+    new = line.replace(b"1", b"2")
+    result = merge(head + line + call, head + call + line, head + call + new)
+    assert not result.conflicts
+    assert result.tree[PATH].data == head + new + call
+
+
 def test_merge_that_could_not_be_read_is_a_conflict():
     """Each side leaves another method of a class; together they leave none."""
     one, other = "    def one(self):\n        return 1\n", "    def other(self):\n        pass\n"
