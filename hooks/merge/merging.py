@@ -280,7 +280,7 @@ class _Merger:
             return self.lines(*(lines.split(block.text) for block in (mine, old, new)))
         head = self.lines(mine.lines, old.lines, new.lines)
         inner = self.sequence(mine.children, old.children, new.children)
-        if mine.key.startswith("from "):
+        if self.language is PYTHON and mine.key.startswith("from "):
             inner = python_blocks.with_imports(inner)
         return [*head, *inner, *self.lines(mine.tail, old.tail, new.tail)]
 

@@ -349,7 +349,7 @@ def plan(
             continue
         renaming.paths[before] = after
         parents = (map(str, PurePosixPath(side).parents) for side in (before, after))
-        renaming.folders |= zip(*parents, strict=True)
+        renaming.folders |= zip(*parents, strict=False)
         owned[before] = reader.numbers(path)
         text = file.written
         known = language(before, text)
