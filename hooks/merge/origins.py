@@ -34,6 +34,8 @@ class Origins:
     """Names that such objects have in any file, as the dictionary says."""
     keywords: set[tuple[int, str]] = field(default_factory=set)
     """The arguments of these classes, each with its line."""
+    from_imports: set[int] = field(default_factory=set)
+    """The lines of imports whose names are members of a module."""
     imports: dict[int, bool] = field(default_factory=dict)
     """By line of an import, the first counted 0, whether it is of the package."""
 
@@ -115,6 +117,7 @@ def _python(
             found.ours |= {*names} if is_ours and "*" in bound else set()
             lines = range(node.lineno - 1, last_line(node))
             found.imports |= dict.fromkeys(lines, is_ours)
+            found.from_imports |= {*lines}
         elif isinstance(node, ast.Import):
             for alias in node.names:
                 parts, line = alias.name.split("."), node.lineno - 1

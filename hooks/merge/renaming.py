@@ -176,7 +176,8 @@ class Renaming:
             if word.text in self.packages and not word.chain and is_ours:
                 is_module = sign == "import" and not lines[word.line].startswith("from ")
                 is_root = word.after == "::" or sign in ("namespace", "from") or is_module
-                is_root = is_root or word.text in origin.modules
+                is_use = word.line not in origin.from_imports
+                is_root = is_root or (is_use and word.text in origin.modules)
                 is_root = is_root or (known is CMAKE and holder.lower() == "project")
                 return self.packages[word.text] if is_root else word.text
             return word.text

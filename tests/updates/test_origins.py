@@ -195,6 +195,10 @@ OF_PACKAGE = {
         "def f():\n    from robot import (\n        arm,\n    )\n"
     ),
     "import arm\nprint arm\n": "import robot\nprint arm\n",
+    "import os, arm\nfrom .a import arm as b\n": "import os, robot\nfrom .a import arm as b\n",
+    "import arm\nfrom .a import (\n    arm as b,\n)\n": (
+        "import robot\nfrom .a import (\n    arm as b,\n)\n"
+    ),
     "arm = 1\n": "arm = 1\n",
     "namespace arm\n{\narm::A arm;\n}\n": "namespace robot\n{\nrobot::A arm;\n}\n",
     "namespace arm {auto f() -> arm::A;}\n": "namespace robot {auto f() -> robot::A;}\n",
