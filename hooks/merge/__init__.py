@@ -19,6 +19,7 @@
     languages    what a file consists of: blocks of Python, C++, XML, YAML, CMake, Markdown
     proof        finds every line of the developer again
     recount      the second proof: counts all lines, without the blocks and their matching
+    uses         finds where the developer's lines use what was renamed, or left
     report       says what became of the files
     tree, git    files in memory; git
 

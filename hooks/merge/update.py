@@ -14,11 +14,12 @@ from ..faults import SpecError, UnrenderedError
 from . import git
 from .branches import Branches, Joined, Joiner, under_way, wrong_merge
 from .package import Result
-from .proof import Proof, places, uses, uses_of_left
+from .proof import Proof, places
 from .render import Renderer, begin, recorded_answers
 from .report import Report, left_behind, removed, report
 from .transaction import Guard, Snapshot, take
 from .tree import SUBMODULE, Tree, read_paths
+from .uses import uses, uses_of_left
 from .versions import Versions
 
 

@@ -28,6 +28,7 @@ HOLDERS = {"passthrough"}  # and `config` and `data`, which are everyday words
 QUESTION = {"type"}  # what a question of Copier has
 # What syntax trees, YAML, C++ and ROS's own files consist of, which the merge reads.
 SYNTAX = {"node", "nodes", "template", "type", "value", "holds", "group", "parameters"}
+SYNTAX |= {"executable"}  # of a Node in a launch file in Python
 
 
 def our_words():

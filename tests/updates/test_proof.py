@@ -13,12 +13,13 @@ from hooks.merge import versions as module
 from hooks.merge.lines import MARKS
 from hooks.merge.merging import by_line, conflict
 from hooks.merge.package import Result, merge_package
-from hooks.merge.proof import places, prove, uses_of_left
+from hooks.merge.proof import places, prove
 from hooks.merge.renaming import Renaming
 from hooks.merge.render import Render
 from hooks.merge.transaction import Snapshot
 from hooks.merge.tree import File, Tree, encode
 from hooks.merge.update import Update
+from hooks.merge.uses import uses_of_left
 from support.arm import MINE, NEW, OLD, PATH
 from support.laboratory.trials import tree_of
 from support.repository import ROOT, commit, git
@@ -316,6 +317,14 @@ OF_A_NODE = {
     ),
     "launch/b.xml": (NODE.format("watch", "left") + NODE.format("b", "watch_2"), "watch"),
     "launch/c.xml": (NODE.replace("arm", "vendor").format("watch", "watch"), ""),
+    "launch/d.launch.py": (
+        "Node(name='watch', executable='watch',\n  package='arm')\nNode(package=a, **b)\n",
+        "watch",
+    ),
+    "a/CMakeLists.txt": ("depend(tool watch)\nset(a watch_2 watch.cpp a/watch)\n", "watch"),
+    "b/CMakeLists.txt": ("link(tool arm_watch)\nlink(arm_reach)\n", "arm_watch"),
+    "launch/e.launch.py": ("Node(package='vendor', executable='watch')\n", ""),
+    "launch/f.launch.py": ("Node(package='arm', executable='reach', name='watch')\n", ""),
 }
 
 
@@ -323,12 +332,16 @@ OF_A_NODE = {
 def test_uses_of_a_node_that_left_in_texts(path, text, word):
     """By the files that it had, and by what the launch file has said of it."""
     launch = NODE.format("reach", "reach")
+    made = "project(arm)\nadd_library(${PROJECT_NAME}_reach a.cpp)\n"
+    left = "add_executable(watch\n  b.cpp)\nadd_library(${PROJECT_NAME}_watch a.cpp)\n"
     old = {
+        "CMakeLists.txt": made + left,
         "arm/watch_ros.py": "",
         "config/watch.yaml": "",
         "l.xml": launch + NODE.format("watch", "watch"),
     }
-    old, new, found = map(tree_of, (old, {"l.xml": launch}, {path: text}))
+    new = {"l.xml": launch, "CMakeLists.txt": made}
+    old, new, found = map(tree_of, (old, new, {path: text}))
     said = [*uses_of_left([("watch", "watch")], old, new, found)]
     assert said == ([f"{path}:1: {word}, which has left"] if word else [])
 

@@ -6,9 +6,9 @@ import re
 import pytest
 
 from hooks.changes import GONE, Mark
-from hooks.merge.proof import uses
 from hooks.merge.renaming import plan
 from hooks.merge.tree import File, encode
+from hooks.merge.uses import uses
 from hooks.merge.versions import Versions
 from support.arm import SPEC
 from support.laboratory.trials import tree_of

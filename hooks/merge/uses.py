@@ -1,0 +1,195 @@
+"""Where the developer's lines still use what an update has renamed, or what has left."""
+
+from __future__ import annotations
+
+import ast
+import contextlib
+import re
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import PurePosixPath
+
+from ..dictionary import WAS
+from ..names import class_name
+from ..package import SUFFIX
+from . import python_blocks, xml_blocks
+from .languages import CMAKE, CPP, PYTHON, XML, Language, language
+from .lines import plain, split
+from .origins import Names, origins
+from .renaming import Renaming
+from .tokens import words
+from .tree import File, Tree
+
+_NAME_BEFORE = re.compile(rf"""\b{WAS}\s*=\s*("[^"]*"|'[^']*')""")
+_MARKUP = re.compile(r"""</?[\w:.-]+|[\w:.-]+(?=\s*=\s*["'])""")
+"""The tags and attributes of XML, which are not the developer's words."""
+
+
+def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> Iterator[str]:
+    """Yield `file:line: word` for each old name that the developer's lines still have.
+
+    Likewise for each identifier that now belongs to another interface. The spec's own `was` is
+    what has said so.
+    """
+    known = set(renaming.words())
+    taken = _uses_of_taken(mine, old, renaming)
+    for path, file in sorted(found.items()):
+        if not (known or taken) or file.text is None:
+            continue
+        generated = set(split(new.get(path, File(b"")).written))
+        for number, line in enumerate(split(plain(file.text)), 1):
+            if line not in generated:
+                said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
+                said = _MARKUP.sub(" ", said) if language(path, "") is XML else said
+                for word in sorted(known & set(re.findall(r"\w+", said))):
+                    yield f"{path}:{number}: {word}"
+                for word in taken.get((path, line), ()):
+                    yield f"{path}:{number}: {word}, which is another's now"
+
+
+def uses_of_left(
+    gone: Iterable[tuple[str, str]], old: Tree, new: Tree, found: Tree, holders: Names = ()
+) -> Iterator[str]:
+    """Yield `file:line: word` for each name of what left that the developer's lines still have.
+
+    `gone` has the names, each after that of its component; `holders` is the dictionary's.
+    """
+    gone = set(gone)
+    if not gone:
+        return
+    names = "|".join(re.escape(name.strip("~/")) for _, name in gone)
+    classes = "|".join(class_name(name) for _, name in gone)
+    form = rf"(?:\w*_)?(?:{names})(?:_\w*)?|(?:\w*[a-z\d_])?(?:{classes})(?:[A-Z_]\w*)?"
+    bare = {name for _, name in gone}
+
+    def lost(owner: str = "") -> set[str]:
+        before, after = (_words(tree, owner) for tree in (old, new))
+        return {word for word in before - after - bare if re.fullmatch(form, word)}
+
+    roots = {part for path in old for part in PurePosixPath(path).parts[:-1]}
+    made = {word for file in old.values() for word in _CLASS.findall(file.written)}
+    texts = _texts_of_left({name for owner, name in gone if owner == name}, old, new)
+    after, left = _words(new), lost()
+    left_of = {owner: lost(owner) - left for owner, _ in gone}
+    for path, file in sorted(found.items()):
+        generated = set(split(new.get(path, File(b"")).written))
+        text = plain(file.written)
+        lines, stem = split(text), PurePosixPath(path).stem
+        near = [
+            left_of[owner]
+            for owner in left_of
+            if owner in stem or re.search(rf"\b{owner}_(?:interface|impl|types)\b", text)
+        ]
+        known = language(path, text)
+        origin = origins(known, text, roots, (), made, holders)
+        seen = set()
+        for word in words(known, text):
+            is_member = bool(word.chain) and word.chain[-1].strip("_") in holders
+            is_member = is_member or origin.is_argument(word)
+            owners = {owner for owner, name in gone if name == word.text and is_member}
+            is_own = bool(owners) and (word.text not in after or any(o in stem for o in owners))
+            is_left = word.text in left or any(word.text in one for one in near)
+            if (is_left or is_own) and lines[word.line] not in generated:
+                seen.add(word.line)
+                yield f"{path}:{word.line + 1}: {word.text}, which has left"
+        for number, said in texts(known, text):
+            if number not in seen and lines[number] not in generated:
+                yield f"{path}:{number + 1}: {said}, which has left"
+
+
+_CLASS = re.compile(r"\b(?:class|struct) (\w+)")
+
+
+def _texts_of_left(
+    components: set[str], old: Tree, new: Tree
+) -> Callable[[Language, str], Iterator[tuple[int, str]]]:
+    """Return what finds files of components that left in texts, in launch files their nodes."""
+    gone = [path for path in old if path not in new]
+    gone = [path for path in gone if any(name in PurePosixPath(path).stem for name in components)]
+    gone += [path.removesuffix(".py").replace("/", ".") for path in gone if path.endswith(".py")]
+    form = re.compile(rf"(?<![\w.])(?:{'|'.join(map(re.escape, gone)) or '(?!)'})(?!\w)")
+    nodes = _attributes(old) - _attributes(new)
+    started = {(tag.rpartition(" of ")[2], name) for tag, _, name in nodes}
+    before, after = (
+        "".join(f.written for path, f in tree.items() if language(path, "") is CMAKE)
+        for tree in (old, new)
+    )
+    package = "".join(_PROJECT.findall(before)[:1])
+    names = {*_targets(before, package)} - {*_targets(after, package)}
+    targets = re.compile(
+        rf"(?<![\w./-])(?:{'|'.join(map(re.escape, names)) or '(?!)'})(?![\w./-])"
+    )
+
+    def find(known: Language, text: str) -> Iterator[tuple[int, str]]:
+        if known not in (PYTHON, CPP, CMAKE, XML) or not gone:
+            return
+        if known is XML:
+            text = xml_blocks.exchange(text, lambda *a: f"{a[2]}\0" if a in nodes else a[2])
+        if known is PYTHON:
+            yield from _started(text, started)
+        if known is CMAKE:
+            text = targets.sub(r"\g<0>\0", text)
+        for number, line in enumerate(split(text)):
+            yield from ((number, word) for word in dict.fromkeys(form.findall(line)))
+            yield from ((number, word) for word in re.findall(r"([\w.-]+)\0", line))
+
+    return find
+
+
+_PROJECT = re.compile(r"\bproject\(\s*(\w+)")
+
+
+def _targets(text: str, package: str) -> list[str]:
+    """Return the targets that a `CMakeLists.txt` makes."""
+    text = text.replace("${PROJECT_NAME}", package)
+    return re.findall(r"\badd_(?:executable|library)\(\s*([\w.-]+)", text)
+
+
+def _started(text: str, nodes: set[tuple[str, str]]) -> Iterator[tuple[int, str]]:
+    """Yield where a launch file in Python starts some nodes, and their programs.
+
+    `nodes` are packages, each with a program.
+    """
+    with contextlib.suppress(ValueError):
+        for call in python_blocks.nodes(text):
+            if isinstance(call, ast.Call):
+                values = ((each.arg, each.value) for each in call.keywords)
+                given = {name: item for name, item in values if isinstance(item, ast.Constant)}
+                package, program = given.get("package"), given.get("executable")
+                if package and program and (package.value, program.value) in nodes:
+                    yield program.lineno - 1, str(program.value)
+
+
+def _attributes(tree: Tree) -> set[tuple[str, str, str]]:
+    """Return the attributes of the elements of a package in files of XML."""
+    found: set[tuple[str, str, str]] = set()
+
+    def keep(element: str, name: str, value: str) -> str:
+        if " of " in element and name in ("exec", "type"):
+            found.add((element, name, value))
+        return value
+
+    for path, file in tree.items():
+        if language(path, file.written) is XML:
+            xml_blocks.exchange(file.written, keep)
+    return found
+
+
+def _words(tree: Tree, owner: str = "") -> set[str]:
+    """Return the words of files, of those alone that have the name of a component in theirs."""
+    files = (file for path, file in tree.items() if owner in PurePosixPath(path).stem)
+    return {word for file in files for word in re.findall(r"\w+", file.written)}
+
+
+def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str, str], list[str]]:
+    """Return the identifiers of what left in the developer's lines, as those are afterwards."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for path, file in mine.items() if renaming.taken else ():
+        text = plain(file.written)
+        generated = set(split(old.get(path, File(b"")).written))
+        known, taken = language(path, text), renaming.taken.get(path, set())
+        after = split(renaming.text(path, text))
+        for number, line in enumerate(split(text) if taken else ()):
+            if line not in generated:
+                for word in taken & {word.text for word in words(known, line)}:
+                    found.setdefault((renaming.path(path), after[number]), []).append(word)
+    return found
