@@ -368,8 +368,10 @@ def plan(
         renaming.heads[before] = _heads(known, renaming.generated[before])
         if known in (CPP, PYTHON):
             first, *rest = PurePosixPath(before).parts
-            root = [first, *rest][:-1] if known is PYTHON else rest[:-1] * (first == "include")
-            renaming.roots |= {*root[:1]}
+            is_module = f"{first}/__init__.py" in old
+            renaming.roots |= (
+                {first} if is_module else {*rest[:-1][:1]} if first == "include" else set()
+            )
         renaming.keys[before] = _keys(reader, before, text)
         if known is YAML:
             made = _key_nodes(old[before].written)

@@ -31,6 +31,8 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
     what has said so.
     """
     known = set(renaming.words())
+    package = "".join(_PROJECT.findall(_cmake(old))[:1])
+    known |= {f"{package}{word}" for word in known if word.startswith("_")}
     taken = _uses_of_taken(mine, old, renaming)
     for path, file in sorted(found.items()):
         if not (known or taken) or file.text is None:
@@ -109,10 +111,7 @@ def _texts_of_left(
     form = re.compile(rf"(?<![\w.])(?:{'|'.join(map(re.escape, gone)) or '(?!)'})(?!\w)")
     nodes = _attributes(old) - _attributes(new)
     started = {(tag.rpartition(" of ")[2], name) for tag, _, name in nodes}
-    before, after = (
-        "".join(f.written for path, f in tree.items() if language(path, "") is CMAKE)
-        for tree in (old, new)
-    )
+    before, after = map(_cmake, (old, new))
     package = "".join(_PROJECT.findall(before)[:1])
     names = {*_targets(before, package)} - {*_targets(after, package)}
     targets = re.compile(
@@ -136,6 +135,10 @@ def _texts_of_left(
 
 
 _PROJECT = re.compile(r"\bproject\(\s*(\w+)")
+
+
+def _cmake(tree: Tree) -> str:
+    return "".join(f.written for path, f in tree.items() if language(path, "") is CMAKE)
 
 
 def _targets(text: str, package: str) -> list[str]:

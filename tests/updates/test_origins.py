@@ -8,6 +8,7 @@ from hooks.merge import languages
 from hooks.merge.languages import CMAKE, MARKDOWN, PYTHON
 from hooks.merge.renaming import Renaming, _as_made, _heads
 from hooks.merge.tokens import words
+from hooks.merge.uses import uses
 from hooks.merge.versions import Versions
 from support.arm import SPEC
 from support.laboratory.trials import tree_of
@@ -106,6 +107,7 @@ OURS = {
 }
 CPP_FOREIGN = [
     "#include <vendor/reach_interface.hpp>\nvendor::ReachConfig a;\nReachConfig b;\n",
+    "#include <vendor/a.hpp>\nnamespace test\n{\nReachConfig a;\n}\n",
     "#include <ros/ros.h>\nReachConfig a;\nint b = ros::use(a.in_goal);\n",
     '#include "vendor/lab/reach_interface.hpp"\n',
     '#include "lab/mine.hpp"\nvendor::SayMessage a;\nint b = a.in_goal;\n',
@@ -395,3 +397,15 @@ def test_bracket_argument_of_cmake_hides_no_names():
     """A quote in it begins no text."""
     found = [*words(CMAKE, 'set(mine [[")]])\nadd_executable(reach a.cpp)\nset(a "b")\n')]
     assert [word.text for word in found] == "set mine add_executable reach a cpp set a".split()
+
+
+def test_target_that_is_named_in_full_is_listed(pairs):
+    """The model writes ${PROJECT_NAME}_reach, which is exchanged."""
+    pair = pairs["cpp_model"]
+    text = "link(cli vendor_reach)\nlink(cli lab_reach)\nlink(cli ${PROJECT_NAME}_reach)\n"
+    mine = {**pair.old, "own.cmake": text}
+    made = Versions(*map(tree_of, (mine, pair.old, pair.new)), pair.renaming, pair.is_kept)
+    result, doubts = made.merged()
+    said = [*uses(made.mine, made.old, made.new, result.tree, pair.renaming)]
+    assert doubts == []
+    assert [use for use in said if "cmake" in use] == ["own.cmake:2: lab_reach"]
