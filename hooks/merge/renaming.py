@@ -366,12 +366,11 @@ def plan(
         renaming.vocabulary[before] = {reader.both(word)[0] for word in plain}
         renaming.generated[before] = reader.lines(text)
         renaming.heads[before] = _heads(known, renaming.generated[before])
-        if known in (CPP, PYTHON):
-            first, *rest = PurePosixPath(before).parts
-            is_module = f"{first}/__init__.py" in old
-            renaming.roots |= (
-                {first} if is_module else {*rest[:-1][:1]} if first == "include" else set()
-            )
+        first, *rest = PurePosixPath(before).parts
+        if known is PYTHON and f"{first}/__init__.py" in old:
+            renaming.roots.add(first)
+        elif known is CPP and first == "include":
+            renaming.roots.add(rest[0])
         renaming.keys[before] = _keys(reader, before, text)
         if known is YAML:
             made = _key_nodes(old[before].written)
