@@ -76,7 +76,7 @@ class Peer:
         if name not in self.clients:
             qos = QoSProfile(depth=10, reliability=ReliabilityPolicy[reliability.upper()])
             client = self._node.create_client(service_type, name, qos_profile=qos)
-            assert client.wait_for_service(TIMEOUT), f'{name} is not served'
+            assert eventually(client.service_is_ready), f'{name} is not served'
             self._be_known(node)
             self.clients[name] = client
         return self.clients[name].call_async(request)
@@ -194,7 +194,7 @@ class Peer:
         if name not in self.clients:
             # In the executor, as rclpy 9.1.2 adds the client to the node before it is complete.
             created = self._executor.create_task(ActionClient, self._node, action_type, name)
-            assert eventually(created.done) and created.result().wait_for_server(TIMEOUT), name
+            assert eventually(created.done) and eventually(created.result().server_is_ready), name
             self._be_known(node)
             self.clients[name] = created.result()
         feedback = []
