@@ -225,7 +225,9 @@ def test_words_that_nodl_does_not_have(tmp_path):
     functions = MODELS["python_model"].hook.functions
     file = tmp_path / "driver.nodl.yaml"
     file.write_text(functions["nodl"](package, "driver"))
-    read, notes = functions["spec_from_yaml"]([str(file)], lambda name: load_located(Path(name)))
+    read, notes = functions["spec_from_yaml"](
+        [str(file)], lambda name: load_located(Path(name), name)
+    )
     assert plain_tree(read) == plain_tree(package)
     assert notes == []
 
