@@ -31,7 +31,7 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
     what has said so.
     """
     known = set(renaming.words())
-    package = "".join(_PROJECT.findall(_cmake(old))[:1])
+    package = _project(_cmake(old))
     known |= {f"{package}{word}" for word in known if word.startswith("_")}
     taken = _uses_of_taken(mine, old, renaming)
     for path, file in sorted(found.items()):
@@ -112,7 +112,7 @@ def _texts_of_left(
     nodes = _attributes(old) - _attributes(new)
     started = {(tag.rpartition(" of ")[2], name) for tag, _, name in nodes}
     before, after = map(_cmake, (old, new))
-    package = "".join(_PROJECT.findall(before)[:1])
+    package = _project(before)
     names = {*_targets(before, package)} - {*_targets(after, package)}
     targets = re.compile(
         rf"(?<![\w./-])(?:{'|'.join(map(re.escape, names)) or '(?!)'})(?![\w./-])"
@@ -134,7 +134,9 @@ def _texts_of_left(
     return find
 
 
-_PROJECT = re.compile(r"\bproject\(\s*(\w+)")
+def _project(text: str) -> str:
+    """Return the name that a `CMakeLists.txt` gives its project; nothing where it gives none."""
+    return "".join(re.findall(r"\bproject\(\s*(\w+)", text)[:1])
 
 
 def _cmake(tree: Tree) -> str:
