@@ -25,7 +25,7 @@ _TYPES = ("bool", "int", "double", "string")
 _PARAMETER = {"name": "", "type": "int", "value": 0, "min": 0, "max": 0, "choices": [0]}
 _REQUIRED = {**_PARAMETER, "name": "a.b", "type": "int[]", "value": None}
 _HEARD = {"topic_parameter": None, "for_each": None, "deadline": 1.0}
-_SERVICE = {"reliability": None, "depth": 1}
+_SERVICE = {"reliability": "best_effort", "depth": 1}
 _NODE = {
     "frequency": 1.0,
     "diagnostics": True,
@@ -33,9 +33,9 @@ _NODE = {
     "reconfigure": True,
     "parameters": [*({**_PARAMETER, "type": each} for each in _TYPES), _REQUIRED],
     "dynParameters": [_PARAMETER],
-    "publishers": [{"topic_parameter": "topic"}],
+    "publishers": [{"topic_parameter": "topic", "lifespan": 1.0}],
     "subscribers": [_HEARD],
-    "directPublishers": [],
+    "directPublishers": [{"topic_parameter": None, "for_each": "topics"}],
     "directSubscribers": [
         _HEARD | {"for_each": None},
         _HEARD | {"for_each": "topics", "deadline": None},
@@ -48,16 +48,15 @@ _NODE = {
 
 
 def parts(spec: dict[str, Any], language: str, ros_distro: str) -> list[dict[str, Any]]:
-    """Return the spec of a node with every interface, if the runtime is for its language."""
-    if spec["language"] not in (language, "both"):
+    """Return the spec of a node with every interface, for a language of the runtime or "any"."""
+    own = _MODELS if spec["language"] == "both" else [spec["language"]]
+    languages = [each for each in own if language in (each, "any")]
+    if not languages:
         return []
-    functions = _MODELS[language]
-    depends = {
-        *functions["dependencies_from_template"](ros_distro),
-        *_COMMON["dependencies_from_component"]("node", _NODE, ros_distro),
-    }
-    for kind in _KINDS:
-        depends.update(functions["dependencies_from_interface"](kind, _PARAMETER, ros_distro))
+    depends = set(_COMMON["dependencies_from_component"]("node", _NODE, ros_distro))
+    for functions in map(_MODELS.__getitem__, languages):
+        depends.update(functions["dependencies_from_template"](ros_distro))
+        for kind in _KINDS:
+            depends.update(functions["dependencies_from_interface"](kind, _PARAMETER, ros_distro))
     unused = {"launch_ros", "launch_xml", "roslaunch", "rclcpp_components", *spec["depends"]}
-    own = {"nodes": [_NODE], "kinds": _KINDS, "depends": sorted(depends - unused)}
-    return [{**spec, **own}]
+    return [{**spec, "nodes": [_NODE], "kinds": _KINDS, "depends": sorted(depends - unused)}]

@@ -33,29 +33,32 @@ class Renderer:
         self.paths = [str(path.relative_to(self.folder)) for path in found]
         self.made = {}
 
-    def render(self, spec, distro):
+    def render(self, spec, distro, runtime="inside"):
         """Return the text of each file by its path, without Copier's own and the spec.
 
         Raises:
             AssertionError: a file is made twice.
 
         """
-        key = f"{distro} {spec}"
+        key = f"{distro} {runtime} {spec}"
         if key not in self.made:
             if len(self.made) == 8:  # two developers, before and after, and what they become
                 self.made.pop(next(iter(self.made)))
-            self.made[key] = self._rendered(spec, distro)
+            self.made[key] = self._rendered(spec, distro, runtime)
         return dict(self.made[key])
 
-    def _rendered(self, spec, distro):
+    def _rendered(self, spec, distro, runtime):
+        inside = runtime == "inside"
+        package = spec["name"] if inside else runtime
         values = {
             "model": self.model,
             "ros_distro": distro,
             "ci": "none",
             "agents": "AGENTS.md",
-            "runtime": "inside",
-            "runtime_package": spec["name"],
-            "runtime_headers": "" if "nodes" in spec else f"{spec['name']}/",
+            "runtime": runtime,
+            "runtime_package": package,
+            "runtime_headers": "" if inside and "nodes" in spec else f"{package}/",
+            "test_support": "support" if inside and "nodes" in spec else f"{package}.testing",
             "runtime_version": "0.1.0",
             "ros1": "." if spec["ros"] == 1 else "",
             "ros2": "." if spec["ros"] == 2 else "",

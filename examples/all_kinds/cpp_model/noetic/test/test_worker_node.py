@@ -2,7 +2,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Tests of the node worker: what it is in ROS; support/node_tests.py has the tests."""
+"""Tests of the node worker: what it is in ROS; support.node_tests has the tests."""
 
 import unittest
 

@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Tests of the node worker: what it is in ROS; support/node_tests.py has the tests."""
+"""Tests of the node worker: what it is in ROS; support.node_tests has the tests."""
 
 import os
 import sys
@@ -26,8 +26,9 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     recorder = [
         sys.executable,
         os.path.join(os.path.dirname(__file__), 'support', 'recorder.py'),
-        'worker',
+        'all_kinds.worker_ros',
         'WorkerImpl',
+        'read',  # its threads
     ]
     can_refuse = ('serve_',)  # a callback that returns no response has failed
     frequency = 20  # Hz

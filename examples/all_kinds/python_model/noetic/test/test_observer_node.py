@@ -1,7 +1,7 @@
 # Copyright 2026 Ada Lovelace
 # SPDX-License-Identifier: Apache-2.0
 
-"""Tests of the node observer: what it is in ROS; support/node_tests.py has the tests."""
+"""Tests of the node observer: what it is in ROS; support.node_tests has the tests."""
 
 import os
 import sys
@@ -23,8 +23,9 @@ class TestObserverNode(NodeTests, unittest.TestCase):
     recorder = [
         sys.executable,
         os.path.join(os.path.dirname(__file__), 'support', 'recorder.py'),
-        'observer',
+        'all_kinds.observer_ros',
         'ObserverImpl',
+        '',  # its threads
     ]
     frequency = 12.5  # Hz
     interfaces = {

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 
 """
-Runs a node with a logic that obeys the test: recorder.py NODE CLASS_OF_THE_LOGIC ARGUMENTS.
+Runs a node with a logic that obeys the test: recorder MODULE CLASS THREADS ARGUMENTS.
+
+The node is in MODULE, CLASS is its logic; THREADS are the names of its threads, as in a,b.
 
 A line of stdin, METHOD STEP=VALUE STEP..., says what to do when a method is called next; `now`, at
 once. Calls and the results of steps are reported to stdout: name and value, in JSON. Messages are
@@ -26,7 +28,6 @@ from rclpy.serialization import deserialize_message, serialize_message
 LINES = open(0)  # not sys.stdin, which Python closes at its end while a thread reads it
 ORDERS = defaultdict(deque)
 TURNS = defaultdict(lambda: (0, 0.0, 0.0))  # how often; wall and ROS time of the last
-THREADS = ('read',)
 
 
 def report(name, value=None):
@@ -138,7 +139,7 @@ class _Recorder:
         self._count(method)
         if ORDERS[method]:
             self._called(method)
-        if method in THREADS:
+        if method in self.threads:
             self.passthrough.sleep(0.01)
 
     def _call_back(self, method, item, *response):
@@ -255,6 +256,7 @@ class _Recorder:
 
 
 if __name__ == '__main__':
-    node = import_module('all_kinds.' + sys.argv.pop(1) + '_ros')
+    node = import_module(sys.argv.pop(1))
     setattr(node, sys.argv.pop(1), _Recorder)
+    _Recorder.threads = sys.argv.pop(1).split(',')
     sys.exit(node.main())

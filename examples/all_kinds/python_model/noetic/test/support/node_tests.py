@@ -9,10 +9,8 @@ from signal import SIGINT as INT, SIGTERM as TERM
 from time import monotonic, sleep
 
 from diagnostic_msgs.msg import DiagnosticStatus
-from geometry_msgs.msg import TransformStamped
 from support.peer import decode, encode, parts, Peer, sample, stamped
 from support.running import eventually, LIFE, RunningNode, TIMEOUT
-from tf2_msgs.msg import TFMessage
 
 OK, WARN, ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.ERROR
 TOPICS = ('out_', 'pub_', 'in_', 'receive_', 'input_')
@@ -159,6 +157,8 @@ class NodeTests:
 
     def sends_transforms(self, member, topic, *qos):
         """See that transforms are sent; static ones together, also to those who come later."""
+        from tf2_msgs.msg import TFMessage  # only for nodes with transforms
+
         step = 'static_' + member if topic == '/tf_static' else member
         children = ['a', 'b'] if topic == '/tf_static' else ['a']
         for child in children:
@@ -184,6 +184,9 @@ class NodeTests:
 
     def finds_transforms(self, member, topic, *qos):
         """See that a lookup finds a transform, waits for one, and no longer than it may."""
+        from geometry_msgs.msg import TransformStamped
+        from tf2_msgs.msg import TFMessage
+
         frame = topic.strip('/')
         publisher = self.peer.publisher(TFMessage, topic, *qos)
         self.assertIn('does not exist', self.node.order('now', f'{member}=map,{frame},0.1'))
