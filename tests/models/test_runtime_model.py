@@ -101,6 +101,18 @@ def test_a_package_that_shares_it_is_small(renderers, distro, model, most):
     assert 300 < sum(len(text.splitlines()) for text in package.values()) < most
 
 
+@pytest.mark.parametrize("runtime", ["inside", NAME])
+@pytest.mark.parametrize("model", ["python_model", "cpp_model"])
+@pytest.mark.parametrize("distro", DISTROS)
+def test_each_file_that_is_marked_as_generated_is_there(renderers, distro, model, runtime):
+    package = renderers[model].render(context(model, WORKER, distro), distro, runtime=runtime)
+    marked = [line.split()[0] for line in package[".gitattributes"].splitlines()[1:]]
+    missing = [
+        path for path in marked if not any(name.startswith(path.strip("/*")) for name in package)
+    ]
+    assert missing == ["/.copier-answers.yml"]  # Copier's own
+
+
 @pytest.mark.parametrize("distro", DISTROS)
 def test_cpp_names_what_it_uses_of_the_support(renderers, distro):
     """In the tests of a package that shares it, with `using`."""
