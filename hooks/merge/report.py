@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
-from . import git
+from . import git, xml_blocks
 from .blocks import Block, every
-from .languages import CPP, PYTHON, Language, language
+from .languages import CPP, PYTHON, XML, Language, language
 from .merging import block_name
 from .package import Result
 from .proof import Proof
@@ -162,6 +162,10 @@ def _missing(after: Tree, result: Result) -> Iterator[tuple[str, str]]:
     bases: dict[str, set[str]] = {}
     has: set[tuple[str, str]] = set()
     for path, file in after.items() if found else ():
+        if language(path, "") is XML:
+            with contextlib.suppress(IndexError):
+                has |= {(path, key) for key in xml_blocks.keys(file.written)}
+                bases[path] = {path}
         for block in _code(language(path, ""), file):
             owner, _, name = block_name(block.key).rpartition("::")
             has.add((owner, name))

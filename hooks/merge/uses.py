@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import contextlib
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from pathlib import PurePosixPath
 
 from ..dictionary import WAS
@@ -16,6 +16,7 @@ from .languages import CMAKE, CPP, PYTHON, XML, Language, language
 from .lines import plain, split
 from .origins import Names, origins
 from .renaming import Renaming
+from .settings import EVERY, Setting, settings
 from .tokens import words
 from .tree import File, Tree
 
@@ -93,12 +94,26 @@ def uses_of_left(
             if (is_left or is_own) and lines[word.line] not in generated:
                 seen.add(word.line)
                 yield f"{path}:{word.line + 1}: {word.text}, which has left"
-        for number, said in texts(known, text):
+        given = [*_given(settings(known, text, roots), gone, stem, after)]
+        for number, said in dict.fromkeys([*texts(known, text), *given]):
             if number not in seen and lines[number] not in generated:
                 yield f"{path}:{number + 1}: {said}, which has left"
 
 
 _CLASS = re.compile(r"\b(?:class|struct) (\w+)")
+
+
+def _given(
+    found: Iterable[Setting], gone: Collection[tuple[str, str]], stem: str, after: set[str]
+) -> Iterator[tuple[int, str]]:
+    """Yield where a file, of this stem, gives a value to what left; `after` are all words now."""
+    names = [(owner, name.strip("~/").replace("/", ".")) for owner, name in gone]
+    for line, node, name, written in found:
+        owners = {owner for owner, other in names if other == name}
+        is_lost = not after.issuperset(re.findall(r"\w+", name))
+        is_near = node is None and any(owner in stem for owner in owners)
+        if node in owners or is_near or (owners and node == EVERY and is_lost):
+            yield line, written
 
 
 def _texts_of_left(

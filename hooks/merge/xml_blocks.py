@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from xml.parsers import expat
 
 from .blocks import Block, Span, arrange, collapsed, one_sort, squeezed
@@ -86,6 +86,17 @@ def exchange(text: str, by: Callable[[str, str, str], str]) -> str:
 
 def _attributes(text: str) -> dict[str, str]:
     return {name: one or other for name, one, other in _ATTRIBUTE.findall(text)}
+
+
+def keys(text: str) -> set[str]:
+    """Return what names the elements of a document, of several on a line, too."""
+    return {key for span in _spans(text) for key in _keys(span)}
+
+
+def _keys(span: Span) -> Iterator[str]:
+    yield span.key
+    for each in span.items:
+        yield from _keys(each)
 
 
 def _spans(text: str) -> list[Span]:

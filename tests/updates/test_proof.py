@@ -360,3 +360,41 @@ def test_parameter_that_left_is_said_where_it_is_given_a_value(path, code):
     old = tree_of({"arm/reach_interface.py": "class ReachConfig:\n    k: int = 1\n"})
     said = [*uses_of_left([("reach", "k")], old, {}, tree_of({path: code}), ["config"])]
     assert said == [f"{path}:4: k, which has left"]
+
+
+IN_NODE = """<launch>
+  <node pkg="{}" exec="reach">
+    <{}/>
+  </node>
+</launch>
+"""
+IN_PYTHON = "Node(\n    {}, executable='reach',\n    {},\n)\n"
+PARAMETERS = "parameters=[{'k': 2.0, 'x': 'k'}, 'k']"
+GIVEN = {
+    "config/a.yaml": ("/lab/reach:\n  ros__parameters:\n    k: 2\n", ["3: k"]),
+    "config/b.yaml": ("/lab/watch:\n  ros__parameters:\n    k: 2\n    x: reach\n", []),
+    "config/c.yaml": ("/**:\n  ros__parameters:\n    k: 2\n    old: 1\n", ["4: old"]),
+    "config/d.yaml": ("reach:\n  k: 2\n  a: {k: 1}\n", ["2: k"]),  # ROS 1
+    "config/reach_lab.yaml": ("k: 2\nserial: {baud: 1}\n", ["1: k", "2: baud"]),
+    "config/e.yaml": ("k: 2\nold: 1\n", []),
+    "config/f.yaml": ("reach:\n  ros__parameters: {serial.baud: 1}\n", ["2: serial.baud"]),
+    "config/g.yaml": ("reach: {\n", []),
+    "launch/a.xml": (IN_NODE.format("arm", 'param name="k" value="2"'), ["3: k"]),
+    "launch/b.xml": (IN_NODE.format("arm", 'remap from="~/t" to="u"'), ["3: ~/t"]),
+    "launch/c.xml": (IN_NODE.format("vendor", 'param name="k"'), []),
+    "launch/d.xml": (IN_NODE.format("arm", 'param name="x" value="k"'), []),
+    "launch/e.launch.py": (IN_PYTHON.format("package='arm'", PARAMETERS), ["3: k"]),
+    "launch/f.launch.py": (IN_PYTHON.format("package='arm'", "remappings=[('t', 'k')]"), ["3: t"]),
+    "launch/g.launch.py": (IN_PYTHON.format("package='vendor'", PARAMETERS), []),
+}
+
+
+@pytest.mark.parametrize(("path", "text", "uses"), [(p, *case) for p, case in GIVEN.items()])
+def test_parameter_or_topic_that_left_is_said_where_a_file_gives_it_a_value(path, text, uses):
+    """Of its node alone, where another one may have the name, too."""
+    launch = NODE.format("reach", "reach") + NODE.format("watch", "watch")
+    common = {"l.launch.xml": launch, "arm/watch_interface.py": "class WatchConfig:\n    k = 1\n"}
+    old = tree_of({**common, "config/reach.yaml": "k: 1\nold: 1\nserial.baud: 1\n"})
+    gone = [("reach", each) for each in ("k", "t", "old", "serial.baud")]
+    said = uses_of_left(gone, old, tree_of(common), tree_of({path: text}), ["config"])
+    assert [*said] == [f"{path}:{use}, which has left" for use in uses]

@@ -72,6 +72,16 @@ def test_member_that_a_base_has_or_a_header_defines_is_not_missing(package):
     ]
 
 
+def test_element_that_shares_its_line_is_not_missing(package):
+    line = "<depend>a</depend> <depend>b</depend><!-- <depend>d</depend> -->"
+    text = f"<package>\n  {line}\n</package>\n"
+    missing = {"package.xml": ["depend b", "depend c", "depend d"]}
+    assert said(package, {"package.xml": text}, missing=missing)[1:] == [
+        "missing   package.xml: depend c",
+        "missing   package.xml: depend d",
+    ]
+
+
 def test_what_became_of_files(package):
     """Of one that is in conflict, that alone."""
     head = git(package, "rev-parse", "--short", "HEAD")

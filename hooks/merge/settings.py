@@ -1,0 +1,101 @@
+"""What files of parameters and launch files give nodes: parameters, other names of topics."""
+
+from __future__ import annotations
+
+import ast
+import contextlib
+from collections.abc import Collection, Iterator
+from typing import NamedTuple
+from xml.parsers import expat
+
+import yaml
+
+from . import python_blocks
+from .depth import compose
+from .languages import PYTHON, XML, YAML, Language
+
+_OF_ROS2 = "ros__parameters"
+EVERY = "**"
+"""The name of all nodes."""
+
+
+class Setting(NamedTuple):
+    """A parameter or a topic of a node, where a file names it."""
+
+    line: int
+    """From 0."""
+    node: str | None
+    """The name of the node, or of its program; EVERY; None where the file names no node."""
+    name: str
+    """Groups of parameters with dots."""
+    written: str
+
+
+def settings(known: Language, text: str, packages: Collection[str]) -> Iterator[Setting]:
+    """Yield what a file gives nodes; in launch files those of some packages."""
+    with contextlib.suppress(ValueError, RecursionError, expat.ExpatError):
+        if known is YAML:
+            yield from _of_yaml(compose(text), ())
+        elif known is XML:
+            yield from _of_xml(text, packages)
+        elif known is PYTHON:
+            calls = (each for each in python_blocks.nodes(text) if isinstance(each, ast.Call))
+            for call in calls:
+                yield from _of_call(call, packages)
+
+
+def _of_yaml(node: yaml.Node | None, above: tuple[str, ...]) -> Iterator[Setting]:
+    for key, value in node.value if isinstance(node, yaml.MappingNode) else ():
+        name = str(key.value)
+        is_below = _OF_ROS2 in above
+        at = above.index(_OF_ROS2) if is_below else min(len(above), 1)
+        nodes = above[:at] or (None,)
+        dotted = ".".join([*above[at + is_below :], name]).replace("/", ".")
+        yield Setting(key.start_mark.line, _last(nodes[-1]), dotted, name)
+        inside = [*_of_yaml(value, (*above, name))]
+        yield from inside
+        if not above:  # the first key names a node, or a group of the one that loads the file
+            for each in inside:
+                yield each._replace(node=None, name=f"{name}.{each.name}")
+
+
+def _last(name: str | None) -> str | None:
+    return name and name.rpartition("/")[2]
+
+
+def _of_xml(text: str, packages: Collection[str]) -> Iterator[Setting]:
+    found: list[Setting] = []
+    nodes: list[dict[str, str]] = []
+    parser = expat.ParserCreate()
+
+    def start(tag: str, given: dict[str, str]) -> None:
+        if tag == "node":
+            nodes.append(given)
+        name = given.get("from" if tag == "remap" else "name", "")
+        if nodes and tag in ("param", "remap") and nodes[-1].get("pkg") in packages:
+            dotted = name.strip("~/").replace("/", ".")
+            for node in {nodes[-1].get(each, "") for each in ("exec", "type", "name")}:
+                found.append(Setting(parser.CurrentLineNumber - 1, node, dotted, name))
+
+    def end(tag: str) -> None:
+        if tag == "node":
+            nodes.pop()
+
+    parser.StartElementHandler, parser.EndElementHandler = start, end
+    parser.Parse(text.encode(errors="surrogateescape"), True)
+    yield from found
+
+
+def _of_call(call: ast.Call, packages: Collection[str]) -> Iterator[Setting]:
+    """Yield what `Node(package=..., executable=..., parameters=[], remappings=[])` gives."""
+    given = {each.arg: each.value for each in call.keywords}
+    package, node = (getattr(given.get(each), "value", None) for each in ("package", "executable"))
+    if package not in packages or not isinstance(node, str):
+        return
+    for list_, type_ in (("parameters", ast.Dict), ("remappings", ast.Tuple)):
+        for item in ast.walk(given[list_]) if list_ in given else ():
+            if isinstance(item, type_):
+                keys = item.keys if isinstance(item, ast.Dict) else item.elts[:1]
+                for key in keys:
+                    if isinstance(key, ast.Constant) and isinstance(key.value, str):
+                        yield Setting(key.lineno - 1, node, key.value.strip("~/"), key.value)
