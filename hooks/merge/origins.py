@@ -62,7 +62,7 @@ class Origins:
             return self.imports[word.line]
         if self.is_argument(word):
             return True
-        if word.before[1] == "->" and word.chain in BEFORE_TYPE and word.text in self.types:
+        if word.before[1] == "->" and word.chain[-1:] in BEFORE_TYPE and word.text in self.types:
             word = word._replace(chain=())
         if (word.chain or (word.text,))[0] in self.foreign:
             return False
@@ -72,6 +72,8 @@ class Origins:
         if not word.chain:
             return word.text in self.ours or word.text in known
         holder = word.chain[-1]
+        if holder == ")":
+            return self._has_returned(word.chain)
         if holder in SELF:
             return word.text in known
         if all(part in known or part in self.ours for part in word.chain):
@@ -80,6 +82,14 @@ class Origins:
         is_own = not others or (len(others) == 1 and (first in SELF or self.is_holder(first)))
         is_logic = first in self.holders and others == ["impl"]  # of a harness of tests
         return is_logic or (is_own and self.is_holder(holder))
+
+    def _has_returned(self, chain: tuple[str, ...]) -> bool:
+        """Say whether calls, one of what another has returned, give a harness of tests or data."""
+        first, *calls = chain
+        if chain == (_CYCLE, ")"):
+            return first not in self.foreign
+        is_each = all(re.fullmatch(rf"{_CYCLE}|in_\w+", name) for name in calls[::2])
+        return first in self.holders and {*calls[1::2]} == {")"} and is_each
 
 
 def origins(
@@ -135,7 +145,8 @@ def _python(
     found.others = _others(own, classes)
     for target, value in _bindings(tree):
         if {*_words(value)} & {*classes} - found.foreign or (
-            isinstance(value, ast.Name | ast.Attribute) and found.is_holder(_last(value))
+            isinstance(value, ast.Name | ast.Attribute)
+            and (found.is_holder(_last(value)) or _last(value) == _CYCLE)
         ):
             found.holders.add(target)
     found.keywords = _keywords(found, tree, {*classes} - found.foreign)
@@ -163,7 +174,9 @@ def _keywords(found: Origins, tree: Iterable[ast.AST], classes: set[str]) -> set
     return ours - others
 
 
-_OF_FIELDS = ("replace", "run_cycle")
+_CYCLE = "run_cycle"
+"""What runs a cycle in tests, and returns its data."""
+_OF_FIELDS = ("replace", _CYCLE)
 """Functions whose keywords are fields of their first argument: of dataclasses, in tests."""
 
 
@@ -251,6 +264,8 @@ def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Names) 
     declared = rf"{ours}[\s&*>)]*(?:const\b)?[\s&*]*\b(\w+)\b(?!\s*::)"
     made = rf"\bauto\b[\s&*]*(\w+)\s*=[^;=]*?{ours}"
     found.holders |= {*re.findall(declared, text), *re.findall(made, text)}
+    for name, other in re.findall(r"\bauto\b[\s&*]*(\w+)\s*=[\s&*]*(\w+)\s*;", text):
+        found.holders |= {name} if found.is_holder(other) else set()
     for match in re.finditer(rf"{ours}\s*\w*\s*\{{[^{{}}]*\}}", text):
         for name in re.finditer(r"[{,]\s*\.(\w+)\s*=", match[0]):
             line = text.count("\n", 0, match.start() + name.start(1))

@@ -47,7 +47,7 @@ class Word(NamedTuple):
     before: tuple[str, str]
     after: str
     chain: tuple[str, ...] = ()
-    """The names before it, joined to it by signs: `a` and `b` of `a.b->word`."""
+    """The names before it, joined by signs: `a`, `b` of `a.b->word`, `a`, `)` of `a().word`."""
     line: int = 0
     """Counted from 0."""
 
@@ -73,13 +73,14 @@ def exchange(
     at = 0
     signs = ("", "")
     chain: tuple[str, ...] = ()
+    called: list[tuple[str, ...]] = []
     for match in pattern.finditer(text):
         kind, found = match.lastgroup, match[0]
         line += text.count("\n", at, match.start())
         if kind == "word":
             after = text[match.end() : match.end() + 80].lstrip()
             after = after[:2] if after[:2] in ("::", "==") else after[:1]
-            is_type = signs[1] == "->" and after == "::" and chain in BEFORE_TYPE
+            is_type = signs[1] == "->" and after == "::" and chain[-1:] in BEFORE_TYPE
             chain = chain if signs[1] in _JOINTS and not is_type else ()
             if among is None or found in among:
                 found = by(Word(found, signs, after, chain, line))
@@ -91,8 +92,10 @@ def exchange(
             pieces[1::2] = [exchange(known, part, by, among, line) for part in pieces[1::2]]
             found = "".join(pieces)
         parts += [text[at : match.start()], found]
+        if match[0] == "(":
+            called.append(chain)
         if match[0] in (")", "]"):
-            chain = (match[0],)
+            chain = (*(called.pop() if called and match[0] == ")" else ()), match[0])
         elif kind not in ("word", "comment") and match[0] not in _JOINTS:
             chain = ()
         line += match[0].count("\n")

@@ -103,6 +103,9 @@ OURS = {
     "def f(a: 'ReachImpl'):\n    run_cycle(a, in_goal=low)\n": (
         "def f(a: 'ReachImpl'):\n    run_cycle(a, in_target=low)\n"
     ),
+    "def f(a):\n    b = run_cycle(a)\n    b.in_goal + run_cycle(a, None).in_goal\n": (
+        "def f(a):\n    b = run_cycle(a)\n    b.in_target + run_cycle(a, None).in_target\n"
+    ),
     "low = replace(config, gain=config.gain)\n": ("low = replace(config, factor=config.factor)\n"),
 }
 CPP_FOREIGN = [
@@ -159,6 +162,15 @@ CPP_OURS = {
     "lab::reach_types::InGoal a;\n": "lab::grasp_types::InTarget a;\n",
     "lab::ReachHarness h;\nh.data.in_goal = h.config.gain;\nh.impl.receive_say(1);\n": (
         "lab::GraspHarness h;\nh.data.in_target = h.config.factor;\nh.impl.receive_speak(1);\n"
+    ),
+    "lab::ReachHarness h;\nh.in_a(f(m)).in_goal(m).run_cycle().in_goal;\n": (
+        "lab::GraspHarness h;\nh.in_a(f(m)).in_target(m).run_cycle().in_target;\n"
+    ),
+    "lab::ReachHarness h;\nh.mine().in_goal + g.run_cycle().in_goal + (h).in_goal;\n": (
+        "lab::GraspHarness h;\nh.mine().in_goal + g.run_cycle().in_goal + (h).in_goal;\n"
+    ),
+    "lab::ReachHarness h;\nauto & g = h;\ng.data.in_goal;\n": (
+        "lab::GraspHarness h;\nauto & g = h;\ng.data.in_target;\n"
     ),
     "lab::ReachConfig a{.gain = 1};\n": "lab::GraspConfig a{.factor = 1};\n",
     "void f() {data_  // mine\n  .in_goal;}\n": "void f() {data_  // mine\n  .in_target;}\n",
