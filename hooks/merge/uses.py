@@ -77,11 +77,11 @@ def uses_of_left(
         generated = set(split(new.get(path, File(b"")).written))
         text = plain(file.written)
         lines, stem = split(text), PurePosixPath(path).stem
-        near = [
-            left_of[owner]
+        near = {
+            owner
             for owner in left_of
             if owner in stem or re.search(rf"\b{owner}_(?:interface|impl|types)\b", text)
-        ]
+        }
         known = language(path, text)
         origin = origins(known, text, roots, (), made, holders)
         seen = set()
@@ -89,8 +89,8 @@ def uses_of_left(
             is_member = bool(word.chain) and word.chain[-1].strip("_") in holders
             is_member = is_member or origin.is_argument(word)
             owners = {owner for owner, name in gone if name == word.text and is_member}
-            is_own = bool(owners) and (word.text not in after or any(o in stem for o in owners))
-            is_left = word.text in left or any(word.text in one for one in near)
+            is_own = bool(owners) and (word.text not in after or bool(owners & near))
+            is_left = word.text in left or any(word.text in left_of[owner] for owner in near)
             if (is_left or is_own) and lines[word.line] not in generated:
                 seen.add(word.line)
                 yield f"{path}:{word.line + 1}: {word.text}, which has left"

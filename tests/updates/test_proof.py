@@ -305,6 +305,23 @@ def test_uses_of_what_left(path):
     assert said == [f"{use}, which has left" for use in left]
 
 
+@pytest.mark.parametrize(
+    ("code", "is_said"),
+    [
+        ('#include "arm/reach_interface.hpp"\nint a = config.k;\n', True),
+        ("from .reach_interface import ReachConfig\na = config.k\n", True),
+        ("from .watch_interface import WatchConfig\na = config.k\n", False),
+    ],
+)
+def test_parameter_of_one_node_that_left_is_said_in_files_of_that_node(code, is_said):
+    """Another node has one of the same name still."""
+    path = "src/a.cpp" if "include" in code else "arm/a.py"
+    watch = {"arm/watch_interface.py": "k = 1\n"}
+    old = tree_of({**watch, "arm/reach_interface.py": "k = 1\n"})
+    said = uses_of_left([("reach", "k")], old, tree_of(watch), tree_of({path: code}), ["config"])
+    assert [*said] == ([f"{path}:2: k, which has left"] if is_said else [])
+
+
 NODE = '<node pkg="arm" exec="{}"\n  name="{}"/>\n'
 OF_A_NODE = {
     "setup.py": (
