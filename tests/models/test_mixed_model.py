@@ -134,6 +134,14 @@ def test_what_python_alone_needs_is_not_built_with(render, distro):
     assert {e.tag for e in tree if e.text == "tf2_msgs"} == {"test_depend"}
 
 
+def test_package_of_python_alone_asks_catkin_for_no_component(renderers):
+    spec = DRIVING.replace('language="cpp"', 'language="python"')
+    files = renderers["mixed_model"].render(context(spec, "noetic")[1], "noetic")
+    cmake = files["CMakeLists.txt"]
+    assert "find_package(catkin REQUIRED)\n" in cmake and "catkin_package()\n" in cmake
+    assert "DEPENDS" not in cmake
+
+
 @pytest.mark.parametrize("distro", ["noetic", "kilted"])
 @pytest.mark.parametrize("model", ["cpp_model", "mixed_model"])
 def test_what_starts_nodes_is_for_running_alone(render, model, distro):
