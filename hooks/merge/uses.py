@@ -23,6 +23,8 @@ from .tree import File, Tree
 _NAME_BEFORE = re.compile(rf"""\b{WAS}\s*=\s*("[^"]*"|'[^']*')""")
 _MARKUP = re.compile(r"""</?[\w:.-]+|[\w:.-]+(?=\s*=\s*["'])""")
 """The tags and attributes of XML, which are not the developer's words."""
+_PATTERN = re.compile(r"_(?=\*)|(?<=\*)_")
+"""What ends a name in `reach_*.cpp`, a pattern of files."""
 
 
 def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> Iterator[str]:
@@ -43,6 +45,7 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
             if line not in generated:
                 said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
                 said = _MARKUP.sub(" ", said) if language(path, "") is XML else said
+                said = _PATTERN.sub(" ", said)
                 for word in sorted(known & set(re.findall(r"\w+", said))):
                     yield f"{path}:{number}: {word}"
                 for word in taken.get((path, line), ()):

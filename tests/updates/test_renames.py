@@ -394,6 +394,22 @@ def test_identifiers_that_are_anothers_now():
     ]
 
 
+@pytest.mark.parametrize(
+    ("line", "is_said"),
+    [
+        ("file(GLOB SOURCES src/reach_*.cpp)", True),
+        ("cp out/*_reach .", True),
+        ("file(GLOB SOURCES src/overreach_*.cpp)", False),
+    ],
+)
+def test_pattern_of_files_with_the_name_is_listed(line, is_said):
+    marks = [Mark("reach", "grasp", "component")]
+    old, marked = ({f"src/{name}_ros.cpp": File(b"int a;\n")} for name in ("reach", "zq0x"))
+    mine = {**old, "cmake/own.cmake": File(encode(line + "\n"))}
+    said = [*uses(mine, old, {}, mine, plan(old, marked, marks, mine))]
+    assert said == (["cmake/own.cmake:1: reach"] if is_said else [])
+
+
 @pytest.mark.parametrize("top", ["reach", "/**", "mine"])
 def test_keys_are_renamed_below_the_name_that_the_developer_has_given_the_node(top):
     form = "{}:\n  ros__parameters:\n    {}: 1\n"
