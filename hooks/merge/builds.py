@@ -116,6 +116,8 @@ class _Carrier:
         """What the developer had deleted."""
         self.own: set[str] = set()
         """The functions and macros of the developer's, which stay behind."""
+        self.made: set[str] = set()
+        """The comments of the model's, which are about its own commands."""
 
     def texts(self) -> dict[str, str]:
         return {_CMAKE: "".join(b.text for b in self.new), _SETUP: "".join(self.setup)}
@@ -133,6 +135,7 @@ class _Carrier:
             has = set(keys(CMAKE.blocks(self.texts()[_CMAKE])))
             self.back = sorted(key for key in gone & has if " " in key)
             self.own = {name.lower() for name in _OWN.findall(mine)}
+            self.made = {line.strip() for line in split(old) if line.lstrip().startswith("#")}
             self._commands(blocks, base, self.new, 1, is_top=True)
         return self.lines
 
@@ -161,7 +164,8 @@ class _Carrier:
 
     def _command(self, block: Block, number: int) -> None:
         """Put a command of the developer's where all that it uses stands above."""
-        text = self._translated(block.text)
+        lines = split(block.text)
+        text = self._translated("".join(each for each in lines if each.strip() not in self.made))
         code = re.sub(r"(?m)^\s*#.*\n?", "", text).strip()
         name = re.match(r"\w*", code)[0].lower()  # type: ignore[index]
         installed = _INSTALL.fullmatch(code)
@@ -180,7 +184,7 @@ class _Carrier:
                 at -= 1
             key = f"find_package own {number}" if is_first else f"own {number}"
             self.new.insert(at, Block(key, split(text.removesuffix("\n") + "\n")))
-            for i, line in enumerate(split(block.text)):
+            for i, line in enumerate(lines):
                 self._note(number + i, line, self._translated(line).strip())
 
     def _is_list(self, key: str) -> bool:

@@ -974,6 +974,15 @@ def test_what_the_developer_deleted_of_cmake_is_said():
     assert result.back == {path: ["add_executable reach"]}
 
 
+def test_generated_comment_above_an_own_command_stays_behind():
+    """It was about the command below it, which the other ROS does not have."""
+    path, comment, own = "CMakeLists.txt", "# NoDL of the nodes\n", "# Mine\nset(a b)\n"
+    base = CMAKE_2 + f"\n{comment}install(FILES nodl DESTINATION x)\n"
+    result = built({path: base.replace(comment, comment + own)}, {path: base}, {path: CMAKE_1}, 1)
+    assert own in result.tree[path].text
+    assert comment not in result.tree[path].text
+
+
 def test_cmake_of_which_one_parenthesis_would_come_is_left_to_the_merge():
     path, mine = "CMakeLists.txt", PROPERTIES.replace("x\n", "x\n  Y (a\n    catkin b)\n")
     old, new = {path: PACKAGES[1] + PROPERTIES}, {path: PACKAGES[2] + PROPERTIES}
