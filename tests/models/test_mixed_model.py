@@ -138,7 +138,8 @@ def test_package_of_python_alone_asks_catkin_for_no_component(renderers):
     spec = DRIVING.replace('language="cpp"', 'language="python"')
     files = renderers["mixed_model"].render(context(spec, "noetic")[1], "noetic")
     cmake = files["CMakeLists.txt"]
-    assert "find_package(catkin REQUIRED)\n" in cmake and "catkin_package()\n" in cmake
+    assert "find_package(catkin REQUIRED)\n" in cmake
+    assert "catkin_package()\n" in cmake
     assert "DEPENDS" not in cmake
 
 
