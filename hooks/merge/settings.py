@@ -15,6 +15,8 @@ from .depth import compose
 from .languages import PYTHON, XML, YAML, Language
 
 _OF_ROS2 = "ros__parameters"
+_NAMING = {"param": "name", "remap": "from", "rosparam": "param"}
+"""What has the name in an element of a launch file."""
 EVERY = "**"
 """The name of all nodes."""
 
@@ -66,22 +68,36 @@ def _last(name: str | None) -> str | None:
 def _of_xml(text: str, packages: Collection[str]) -> Iterator[Setting]:
     found: list[Setting] = []
     nodes: list[dict[str, str]] = []
+    inside = ""
     parser = expat.ParserCreate()
 
+    def give(line: int, name: str, written: str) -> None:
+        if nodes and nodes[-1].get("pkg") in packages:
+            for node in {nodes[-1].get(each, "") for each in ("exec", "type", "name")}:
+                found.append(Setting(line, node, name.strip("~/").replace("/", "."), written))
+
     def start(tag: str, given: dict[str, str]) -> None:
+        nonlocal inside
+        inside = ""
         if tag == "node":
             nodes.append(given)
-        name = given.get("from" if tag == "remap" else "name", "")
-        if nodes and tag in ("param", "remap") and nodes[-1].get("pkg") in packages:
-            dotted = name.strip("~/").replace("/", ".")
-            for node in {nodes[-1].get(each, "") for each in ("exec", "type", "name")}:
-                found.append(Setting(parser.CurrentLineNumber - 1, node, dotted, name))
+        if name := given.get(_NAMING.get(tag, ""), ""):
+            give(parser.CurrentLineNumber - 1, name, name)
 
     def end(tag: str) -> None:
         if tag == "node":
             nodes.pop()
+        elif tag == "rosparam":  # it has a text in YAML
+            first = parser.CurrentLineNumber - 1 - inside.count("\n")
+            for each in _of_yaml(compose(inside), ()):
+                give(first + each.line, each.name, each.written)
+
+    def keep(text: str) -> None:
+        nonlocal inside
+        inside += text
 
     parser.StartElementHandler, parser.EndElementHandler = start, end
+    parser.CharacterDataHandler = keep
     parser.Parse(text.encode(errors="surrogateescape"), True)
     yield from found
 

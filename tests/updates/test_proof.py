@@ -381,7 +381,7 @@ def test_parameter_that_left_is_said_where_it_is_given_a_value(path, code):
 
 IN_NODE = """<launch>
   <node pkg="{}" exec="reach">
-    <{}/>
+    <{}>
   </node>
 </launch>
 """
@@ -396,10 +396,14 @@ GIVEN = {
     "config/e.yaml": ("k: 2\nold: 1\n", []),
     "config/f.yaml": ("reach:\n  ros__parameters: {serial.baud: 1}\n", ["2: serial.baud"]),
     "config/g.yaml": ("reach: {\n", []),
-    "launch/a.xml": (IN_NODE.format("arm", 'param name="k" value="2"'), ["3: k"]),
-    "launch/b.xml": (IN_NODE.format("arm", 'remap from="~/t" to="u"'), ["3: ~/t"]),
-    "launch/c.xml": (IN_NODE.format("vendor", 'param name="k"'), []),
-    "launch/d.xml": (IN_NODE.format("arm", 'param name="x" value="k"'), []),
+    "launch/a.xml": (IN_NODE.format("arm", 'param name="k" value="2"/'), ["3: k"]),
+    "launch/b.xml": (IN_NODE.format("arm", 'remap from="~/t" to="u"/'), ["3: ~/t"]),
+    "launch/c.xml": (IN_NODE.format("vendor", 'param name="k"/'), []),
+    "launch/d.xml": (IN_NODE.format("arm", 'param name="x" value="k"/'), []),
+    "launch/e.launch": (IN_NODE.format("arm", "rosparam>\n  x: k\n  k: 2\n</rosparam"), ["5: k"]),
+    "launch/f.launch": (IN_NODE.format("arm", 'rosparam param="k">[2, 3]</rosparam'), ["3: k"]),
+    "launch/g.launch": (IN_NODE.format("vendor", "rosparam>k: 2</rosparam"), []),
+    "launch/h.launch": (IN_NODE.format("arm", "rosparam>k: [</rosparam"), []),
     "launch/e.launch.py": (IN_PYTHON.format("package='arm'", PARAMETERS), ["3: k"]),
     "launch/f.launch.py": (IN_PYTHON.format("package='arm'", "remappings=[('t', 'k')]"), ["3: t"]),
     "launch/g.launch.py": (IN_PYTHON.format("package='vendor'", PARAMETERS), []),
