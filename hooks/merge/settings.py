@@ -29,7 +29,7 @@ class Setting(NamedTuple):
     node: str | None
     """The name of the node, or of its program; EVERY; None where the file names no node."""
     name: str
-    """Groups of parameters with dots."""
+    """Groups of parameters with dots; empty where it is the node alone."""
     written: str
 
 
@@ -53,7 +53,11 @@ def _of_yaml(node: yaml.Node | None, above: tuple[str, ...]) -> Iterator[Setting
         at = above.index(_OF_ROS2) if is_below else min(len(above), 1)
         nodes = above[:at] or (None,)
         dotted = ".".join([*above[at + is_below :], name]).replace("/", ".")
-        yield Setting(key.start_mark.line, _last(nodes[-1]), dotted, name)
+        line = key.start_mark.line
+        yield Setting(line, _last(nodes[-1]), dotted, name)
+        inner = value.value if isinstance(value, yaml.MappingNode) else []
+        if any(not above or each.value == _OF_ROS2 for each, _ in inner):
+            yield Setting(line, _last(name), "", name)
         inside = [*_of_yaml(value, (*above, name))]
         yield from inside
         if not above:  # the first key names a node, or a group of the one that loads the file

@@ -112,7 +112,8 @@ def _given(
     """Yield where a file, of this stem, gives a value to what left; `after` are all words now."""
     names = [(owner, name.strip("~/").replace("/", ".")) for owner, name in gone]
     for line, node, name, written in found:
-        owners = {owner for owner, other in names if other == name}
+        owners = {owner for owner, other in names if other == (name or owner)}
+        owners -= {name}  # a node that left is no parameter
         is_lost = not after.issuperset(re.findall(r"\w+", name))
         is_near = node is None and any(owner in stem for owner in owners)
         if node in owners or is_near or (owners and node == EVERY and is_lost):

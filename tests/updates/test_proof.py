@@ -342,6 +342,9 @@ OF_A_NODE = {
     "b/CMakeLists.txt": ("link(tool arm_watch)\nlink(arm_reach)\n", "arm_watch"),
     "launch/e.launch.py": ("Node(package='vendor', executable='watch')\n", ""),
     "launch/f.launch.py": ("Node(package='arm', executable='reach', name='watch')\n", ""),
+    "config/a.yaml": ("/lab/watch:\n  ros__parameters:\n    watch: 1\n", "/lab/watch"),
+    "config/b.yaml": ("watch: {a: 1}\n", "watch"),
+    "config/c.yaml": ("watch: 1\na: {watch: 1}\nreach:\n  watch: {a: 1}\n", ""),
 }
 
 
