@@ -11,7 +11,7 @@ import re
 import textwrap
 import tokenize
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import cast
 
 from .blocks import THEN, Block, Span, arrange, squeezed, unicode
@@ -46,6 +46,18 @@ _ENDS = ("", " pass\n", "\nclass _: pass\n")
 def nodes(text: str) -> tuple[ast.AST, ...]:
     """Return the nodes of a module, itself the first; ValueError if that is no Python."""
     return (*ast.walk(parse(text)),)
+
+
+def imports(text: str, folder: Sequence[str]) -> Iterator[tuple[int, str]]:
+    """Yield the modules that a file in a folder may import, each with its line, from 0."""
+    for node in nodes(text):
+        if isinstance(node, ast.Import):
+            yield from ((node.lineno - 1, alias.name) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            above = folder[: len(folder) + 1 - node.level] if node.level else ()
+            module = ".".join([*above, *filter(None, [node.module])])
+            yield node.lineno - 1, module
+            yield from ((node.lineno - 1, f"{module}.{alias.name}") for alias in node.names)
 
 
 def parse(text: str) -> ast.Module:

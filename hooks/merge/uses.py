@@ -60,6 +60,8 @@ def uses_of_left(
     `gone` has the names, each after that of its component; `holders` is the dictionary's.
     """
     gone = set(gone)
+    components = {name for owner, name in gone if owner == name}
+    yield from _imports_of_left(components, old, new, found)
     if not gone:
         return
     names = "|".join(re.escape(name.strip("~/")) for _, name in gone)
@@ -73,7 +75,7 @@ def uses_of_left(
 
     roots = {part for path in old for part in PurePosixPath(path).parts[:-1]}
     made = {word for file in old.values() for word in _CLASS.findall(file.written)}
-    texts = _texts_of_left({name for owner, name in gone if owner == name}, old, new)
+    texts = _texts_of_left(components, old, new)
     after, left = _words(new), lost()
     left_of = {owner: lost(owner) - left for owner, _ in gone}
     for path, file in sorted(found.items()):
@@ -103,6 +105,42 @@ def uses_of_left(
                 yield f"{path}:{number + 1}: {said}, which has left"
 
 
+def _imports_of_left(components: set[str], old: Tree, new: Tree, found: Tree) -> Iterator[str]:
+    """Yield where files import or include what is no component's, as the runtime, and left."""
+    gone = [path for path in old.keys() - new.keys() if not _of(components, path)]
+    for path, file in sorted(found.items()) if gone else ():
+        generated = set(split(new.get(path, File(b"")).written))
+        lines = split(file.written)
+        for number, said in dict.fromkeys(_imports(path, file, gone)):
+            if lines[number] not in generated:
+                yield f"{path}:{number + 1}: {said}, which has left"
+
+
+def _of(components: Iterable[str], path: str) -> bool:
+    return any(name in PurePosixPath(path).stem for name in components)
+
+
+def _imports(path: str, file: File, gone: Collection[str]) -> Iterator[tuple[int, str]]:
+    """Yield where a file imports or includes one that left, each by two names of it at least."""
+    ends = {
+        "/".join(parts[at:])
+        for parts in (PurePosixPath(each).parts for each in gone)
+        for at in range(len(parts) - 1)
+    }
+    known = language(path, file.written)
+    if known is CPP:
+        for match in re.finditer(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"]([^">\n]+)', file.written):
+            if match[1] in ends:
+                yield file.written.count("\n", 0, match.start(1)), match[1]
+    elif known is PYTHON:
+        with contextlib.suppress(ValueError):
+            for line, module in python_blocks.imports(
+                file.written, PurePosixPath(path).parent.parts
+            ):
+                if module.replace(".", "/") + ".py" in ends:
+                    yield line, module
+
+
 _CLASS = re.compile(r"\b(?:class|struct) (\w+)")
 
 
@@ -124,8 +162,7 @@ def _texts_of_left(
     components: set[str], old: Tree, new: Tree
 ) -> Callable[[Language, str], Iterator[tuple[int, str]]]:
     """Return what finds files of components that left in texts, in launch files their nodes."""
-    gone = [path for path in old if path not in new]
-    gone = [path for path in gone if any(name in PurePosixPath(path).stem for name in components)]
+    gone = [path for path in old if path not in new and _of(components, path)]
     gone += [path.removesuffix(".py").replace("/", ".") for path in gone if path.endswith(".py")]
     form = re.compile(rf"(?<![\w.])(?:{'|'.join(map(re.escape, gone)) or '(?!)'})(?!\w)")
     nodes = _attributes(old) - _attributes(new)

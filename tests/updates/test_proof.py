@@ -318,7 +318,8 @@ def test_parameter_of_one_node_that_left_is_said_in_files_of_that_node(code, is_
     path = "src/a.cpp" if "include" in code else "arm/a.py"
     watch = {"arm/watch_interface.py": "k = 1\n"}
     old = tree_of({**watch, "arm/reach_interface.py": "k = 1\n"})
-    said = uses_of_left([("reach", "k")], old, tree_of(watch), tree_of({path: code}), ["config"])
+    new, found = tree_of({**watch, "arm/reach_interface.py": ""}), tree_of({path: code})
+    said = uses_of_left([("reach", "k")], old, new, found, ["config"])
     assert [*said] == ([f"{path}:2: k, which has left"] if is_said else [])
 
 
@@ -378,8 +379,45 @@ def test_uses_of_a_node_that_left_in_texts(path, text, word):
 )
 def test_parameter_that_left_is_said_where_it_is_given_a_value(path, code):
     old = tree_of({"arm/reach_interface.py": "class ReachConfig:\n    k: int = 1\n"})
-    said = [*uses_of_left([("reach", "k")], old, {}, tree_of({path: code}), ["config"])]
+    new = dict.fromkeys(old, File(b""))
+    said = [*uses_of_left([("reach", "k")], old, new, tree_of({path: code}), ["config"])]
     assert said == [f"{path}:4: k, which has left"]
+
+
+IMPORTS = {
+    "test/test_mine.py": (
+        "from support.harness import (\n    fake)\nimport a, support.peer\n",
+        ["1: support.harness", "3: support.peer"],
+    ),
+    "test/support/mine.py": (
+        "from . import harness as h\nfrom .peer import Peer\n",
+        [
+            "1: test.support.harness",
+            "2: test.support.peer",
+        ],
+    ),
+    "arm/tools.py": (
+        "from arm.ros.stop import Stop\nfrom .ros import stop, mine\nimport arm.ros.mine\n",
+        ["1: arm.ros.stop", "2: arm.ros.stop"],
+    ),
+    "arm/other.py": ("from vendor.ros.stop import a\nfrom .stop import b\nimport peer\n", []),
+    "src/a.cpp": (
+        '#include "ros/stop.hpp"\n#include "arm/ros/time.hpp"\n#include "vendor/ros/time.hpp"\n',
+        ["1: ros/stop.hpp", "2: arm/ros/time.hpp"],
+    ),
+    "src/b.cpp": ('#include "stop.hpp"\n#include <vector>\n// "ros/stop.hpp"\n', []),
+}
+
+
+@pytest.mark.parametrize(("path", "text", "uses"), [(p, *case) for p, case in IMPORTS.items()])
+def test_imports_of_files_that_left(path, text, uses):
+    """As those of the runtime do when another package has them."""
+    gone = ("test/support/harness.py", "test/support/peer.py", "arm/ros/stop.py")
+    gone += ("src/ros/stop.hpp", "include/arm/ros/time.hpp")
+    old = tree_of({**dict.fromkeys(gone, ""), "arm/__init__.py": "", "arm/ros/mine.py": ""})
+    new = tree_of({"arm/__init__.py": "", "arm/ros/mine.py": ""})
+    said = uses_of_left([], old, new, tree_of({path: text}), [])
+    assert [*said] == [f"{path}:{use}, which has left" for use in uses]
 
 
 IN_NODE = """<launch>
