@@ -13,6 +13,7 @@ from itertools import chain, count, islice, takewhile
 
 from .blocks import THEN, Block, every, is_condition, walk
 from .lines import depth, margin, split
+from .python_blocks import is_same_import
 
 Blocks = Sequence[Block]
 _NUMBER = re.compile(r" #\d+$")
@@ -250,10 +251,14 @@ def _match(blocks: Blocks, free: dict[str, Block], known: Mapping[str, Blocks]) 
 def _match_changed(block: Block, free: dict[str, Block], known: Mapping[str, Blocks]) -> None:
     """Match a condition that reads otherwise now, but most of what it holds is what it held.
 
-    An import may be relative now.
+    An import may be relative now, or its module elsewhere.
     """
     if block.key.startswith("from ."):
         ways = [key for key in free if key.endswith(f".{block.key[5:].lstrip('.')}")]
+        if len(ways) == 1:
+            _take_key(block, free[ways[0]], free)
+    if block.key.startswith("from ") and block.key not in known:
+        ways = [key for key, other in free.items() if is_same_import(block.text, other.text)]
         if len(ways) == 1:
             _take_key(block, free[ways[0]], free)
     if is_condition(block) and _name(block.key) not in map(_name, known):

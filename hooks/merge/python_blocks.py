@@ -149,16 +149,31 @@ def joined_import(mine: str, old: str, new: str) -> str | None:
     sides = [_imported(text) for text in (mine, old, new)]
     if None in sides:
         return None
-    (head, ours, own), (_, base, was), (_, theirs, now) = filter(None, sides)
+    (mine_head, ours, own), (old_head, base, was), (new_head, theirs, now) = filter(None, sides)
+    head = new_head if mine_head == old_head else mine_head
     comment = now if own == was else own
     gone = {*base} - {*theirs}
     names = [name for name in ours if name.split()[0] not in gone]
     names += [name for name in theirs if name not in base and name not in ours]
-    if names == ours and comment == own:
+    if names == ours and comment == own and head == mine_head:
         return mine
     if ours == sorted(ours, key=str.lower):
         names.sort(key=str.lower)
     return _laid_out(head, names, comment, is_line=mine.count("\n") == 1)
+
+
+def is_same_import(one: str, other: str) -> bool:
+    """Say whether two imports are of a module that has another place, and of the same names.
+
+    Not of messages: those of one name are others in each package.
+    """
+    sides = [_imported(text) for text in (one, other)]
+    if None in sides:
+        return False
+    (head, ours, _), (before, theirs, _) = filter(None, sides)
+    modules = [text.split()[1].rpartition(".")[2] for text in (head, before)]
+    is_module = modules[0] == modules[1] and modules[0] not in ("msg", "srv", "action")
+    return is_module and ({*ours} >= {*theirs} or {*ours} <= {*theirs})
 
 
 def import_of_new(old: str, new: str) -> str:

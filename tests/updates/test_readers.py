@@ -449,6 +449,27 @@ def test_import_gets_names_whatever_the_developer_made_of_it(edit, change):
     assert all(line in found for line in mine.splitlines() if re.match(r"    \w+,$|\w+ =", line))
 
 
+@pytest.mark.parametrize("edit", ["Load, Reach", "Load, Reach, zoom"])
+def test_import_of_a_module_that_is_elsewhere_now_keeps_the_names_of_the_developer(edit):
+    form = "from {}.harness import {}\n\nuse({})\n"
+    old, new = (form.format(of, "Load, Reach", "Load, Reach") for of in ("support", "a.testing"))
+    mine = form.format("support", edit, edit.strip("()"))
+    trees = [{"test/test_reach.py": File(encode(text))} for text in (mine, old, new)]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree["test/test_reach.py"].text == mine.replace("support", "a.testing")
+
+
+def test_message_of_another_package_takes_along_no_name():
+    """A topic has another type of the same name."""
+    form = "from {}.msg import {}\n\nuse(Load)\n"
+    old, new = (form.format(of, "Load") for of in ("std_msgs", "arm_msgs"))
+    mine = form.format("std_msgs", "Load, String") + "use(String)\n"
+    trees = [{"arm/reach.py": File(encode(text))} for text in (mine, old, new)]
+    result, _ = Versions(*trees).merged()
+    assert "from arm_msgs.msg import Load, String" not in result.tree["arm/reach.py"].text
+
+
 @pytest.mark.parametrize("gone", ["Load", "Reach", "Zoom"])
 @pytest.mark.parametrize("first", ["Load", "Reach, Load", "Load, Zoom"])
 @pytest.mark.parametrize("condition", ["", "if TYPE_CHECKING:\n    "])
