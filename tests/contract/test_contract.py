@@ -336,6 +336,14 @@ def test_stop_of_what_blocks(stage, where):
     node.ended_well = False
 
 
+def test_stop_where_the_middleware_hangs(stage):
+    """As Fast DDS 3.2 may when another participant leaves: the process ends all the same."""
+    only_rclcpp(stage, "rclpy destroys a node with the interpreter locked")
+    node = stage.active("once leave: block 60")
+    node.send_signal()
+    assert node.exit(SOON) == 0, node.story()
+
+
 def _told(node, method):
     """Return whether a method has begun and not ended."""
     events = node.events(method)

@@ -3,9 +3,12 @@
 
 #if __has_include("rclcpp_lifecycle/lifecycle_node.hpp")
 
+#include <dlfcn.h>
+
 #include <cstdint>
 #include <string>
 
+#include "rcl/node.h"
 #include "rcl_lifecycle/rcl_lifecycle.h"
 #include "rclcpp_lifecycle/lifecycle_node.hpp"
 
@@ -33,6 +36,14 @@ rcl_ret_t rcl_lifecycle_trigger_transition_by_id(
   const auto * transition = rcl_lifecycle_get_transition_by_id(machine->current_state, id);
   const auto * label = transition ? transition->label : "";
   return rcl_lifecycle_trigger_transition_by_label(machine, label, is_published);
+}
+
+/// `leave`: the node is about to leave the graph.
+rcl_ret_t rcl_node_fini(rcl_node_t * node)
+{
+  contract::pass("leave");
+  using Function = rcl_ret_t (*)(rcl_node_t *);
+  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, "rcl_node_fini"))(node);
 }
 
 namespace rclcpp_lifecycle

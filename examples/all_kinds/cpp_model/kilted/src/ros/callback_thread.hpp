@@ -104,6 +104,20 @@ private:
   std::thread thread_;
 };
 
+/// Return a pointer whose last copy wakes the executor of its thread.
+///
+/// While it waits, that of rclcpp 29.3 keeps what is destroyed alive: others would see it for ever.
+template<typename Type>
+std::shared_ptr<Type> waking(
+  std::shared_ptr<Type> entity, const rclcpp::CallbackGroup::SharedPtr & group)
+{
+  const auto plain = entity.get();
+  return {plain, [entity = std::move(entity), group](auto) mutable {
+      entity.reset();
+      group->trigger_notify_guard_condition();
+    }};
+}
+
 }  // namespace all_kinds
 
 #endif  // ROS__CALLBACK_THREAD_HPP_

@@ -739,6 +739,13 @@ int run_node(int argc, char ** argv)
       std::_Exit(EXIT_FAILURE);
     }
     const int code = node->has_failed() ? EXIT_FAILURE : EXIT_SUCCESS;
+    std::thread(
+      [code] {
+        // Fast DDS 3.2 may wait for itself when another participant leaves at the same time.
+        std::this_thread::sleep_for(timeouts::END);
+        std::fflush(nullptr);
+        std::_Exit(code);
+      }).detach();
     node.reset();
     rclcpp::shutdown();
     return code;

@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "rclcpp/create_timer.hpp"
 #include "rclcpp_action/rclcpp_action.hpp"
@@ -48,7 +49,9 @@ public:
   {
     // Not by rclcpp_action::create_client, whose deleter (29.3) locks the callback group: when an
     // executor is the last to hold the client, it has locked the group and waits for itself.
-    node.get_node_waitables_interface()->add_waitable(client_, node.callback_group("action", name));
+    const auto group = node.callback_group("action", name);
+    node.get_node_waitables_interface()->add_waitable(client_, group);
+    client_ = waking(std::move(client_), group);
   }
 
   bool is_ready() override {return is_ready(client_);}

@@ -33,9 +33,11 @@ public:
     ManagedNode & node, const std::string & name, const rclcpp::QoS & qos = rclcpp::ServicesQoS())
   : stop_(node.stop()),
     client_(
-      node.create_client<Service>(
-        name,
-        qos,
+      waking(
+        node.create_client<Service>(
+          name,
+          qos,
+          node.callback_group("service", name)),
         node.callback_group("service", name)))
   {
   }

@@ -67,13 +67,13 @@ private:
   using Message = tf2_msgs::msg::TFMessage;
 
   /// Store the transforms of a topic in the buffer.
-  rclcpp::Subscription<Message>::SharedPtr subscribe(
+  std::shared_ptr<void> subscribe(
     ManagedNode & node, const std::string & topic, const rclcpp::QoS & qos, bool is_static) const
   {
     rclcpp::SubscriptionOptions options;
     options.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies();
     options.callback_group = node.callback_group("tf", "tf");
-    return node.create_subscription<Message>(
+    const auto subscription = node.create_subscription<Message>(
       topic,
       qos,
       [buffer = buffer_, logger = node.get_logger(), is_static](const Message & message) {
@@ -86,6 +86,7 @@ private:
         }
       },
       options);
+    return waking(subscription, options.callback_group);
   }
 
   std::shared_ptr<Stop> stop_;

@@ -29,6 +29,7 @@ constexpr milliseconds RETURN{100};  // for a method to return, once its waits h
 constexpr milliseconds RECONFIGURE{2000};  // for reconfigure to return: the executor waits for it
 // For others to receive what was sent last; Fast DDS 3.2 may take 3 s to acknowledge it.
 constexpr milliseconds RECEIVE{500};
+constexpr milliseconds END{5000};  // for the middleware to leave the graph
 constexpr milliseconds SETTLE{1};  // between checks whether a transition or a callback has ended
 constexpr milliseconds CALLBACK{1000};  // for a thread of callbacks to end
 constexpr milliseconds QUIET{10000};  // between two warnings of the same kind
