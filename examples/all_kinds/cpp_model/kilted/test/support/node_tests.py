@@ -263,6 +263,9 @@ class NodeTests:
                 for message in first, messages[-1]:
                     publisher.publish(message)
                 self.assertTrue(eventually(lambda: messages[-1] in got()), topic)
+                messages.append(messages[-1])  # the same again is new, too
+                publisher.publish(messages[-1])
+                self.assertTrue(eventually(lambda: got()[-2:] == messages[-2:]), topic)
             is_kept = qos[1] != 'volatile'
             if member.startswith('in_') and not is_kept:  # none is new after an activation
                 self.node.order('update', 'sleep=1000')

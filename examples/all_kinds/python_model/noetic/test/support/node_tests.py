@@ -236,6 +236,9 @@ class NodeTests:
                 for message in first, messages[-1]:
                     publisher.publish(message)
                 self.assertTrue(eventually(lambda: messages[-1] in got()), topic)
+                messages.append(messages[-1])  # the same again is new, too
+                publisher.publish(messages[-1])
+                self.assertTrue(eventually(lambda: got()[-2:] == messages[-2:]), topic)
             self.turns(more=3)
             self.assertEqual(
                 *([each for each in all_ if each != first] for all_ in (got(), messages))
