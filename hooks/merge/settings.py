@@ -46,15 +46,20 @@ def settings(known: Language, text: str, packages: Collection[str]) -> Iterator[
                 yield from _of_call(call, packages)
 
 
+def dotted(name: str) -> str:
+    """Return the name of a parameter or a topic with dots between its groups, in whichever ROS."""
+    return name.strip("~/").replace("/", ".")
+
+
 def _of_yaml(node: yaml.Node | None, above: tuple[str, ...]) -> Iterator[Setting]:
     for key, value in node.value if isinstance(node, yaml.MappingNode) else ():
         name = str(key.value)
         is_below = _OF_ROS2 in above
         at = above.index(_OF_ROS2) if is_below else min(len(above), 1)
         nodes = above[:at] or (None,)
-        dotted = ".".join([*above[at + is_below :], name]).replace("/", ".")
         line = key.start_mark.line
-        yield Setting(line, _last(nodes[-1]), dotted, name)
+        grouped = ".".join([*above[at + is_below :], name])
+        yield Setting(line, _last(nodes[-1]), dotted(grouped), name)
         inner = value.value if isinstance(value, yaml.MappingNode) else []
         if any(not above or each.value == _OF_ROS2 for each, _ in inner):
             yield Setting(line, _last(name), "", name)
@@ -78,7 +83,7 @@ def _of_xml(text: str, packages: Collection[str]) -> Iterator[Setting]:
     def give(line: int, name: str, written: str) -> None:
         if nodes and nodes[-1].get("pkg") in packages:
             for node in {nodes[-1].get(each, "") for each in ("exec", "type", "name")}:
-                found.append(Setting(line, node, name.strip("~/").replace("/", "."), written))
+                found.append(Setting(line, node, dotted(name), written))
 
     def start(tag: str, given: dict[str, str]) -> None:
         nonlocal inside
@@ -118,4 +123,4 @@ def _of_call(call: ast.Call, packages: Collection[str]) -> Iterator[Setting]:
                 keys = item.keys if isinstance(item, ast.Dict) else item.elts[:1]
                 for key in keys:
                     if isinstance(key, ast.Constant) and isinstance(key.value, str):
-                        yield Setting(key.lineno - 1, node, key.value.strip("~/"), key.value)
+                        yield Setting(key.lineno - 1, node, dotted(key.value), key.value)

@@ -16,7 +16,7 @@ from .languages import CMAKE, CPP, PYTHON, XML, Language, language
 from .lines import plain, split
 from .origins import Names, origins
 from .renaming import Renaming
-from .settings import EVERY, Setting, settings
+from .settings import EVERY, Setting, dotted, settings
 from .tokens import words
 from .tree import File, Tree
 
@@ -108,10 +108,13 @@ def uses_of_left(
 def _imports_of_left(components: set[str], old: Tree, new: Tree, found: Tree) -> Iterator[str]:
     """Yield where files import or include what is no component's, as the runtime, and left."""
     gone = [path for path in old.keys() - new.keys() if not _of(components, path)]
+    parts = (PurePosixPath(path).parts for path in gone)
+    ends = {"/".join(each[at:]) for each in parts for at in range(len(each) - 1)}  # of two names
     for path, file in sorted(found.items()) if gone else ():
         generated = set(split(new.get(path, File(b"")).written))
-        lines = split(file.written)
-        for number, said in dict.fromkeys(_imports(path, file, gone)):
+        text = plain(file.written)
+        lines = split(text)
+        for number, said in dict.fromkeys(_imports(path, text, ends)):
             if lines[number] not in generated:
                 yield f"{path}:{number + 1}: {said}, which has left"
 
@@ -120,23 +123,16 @@ def _of(components: Iterable[str], path: str) -> bool:
     return any(name in PurePosixPath(path).stem for name in components)
 
 
-def _imports(path: str, file: File, gone: Collection[str]) -> Iterator[tuple[int, str]]:
-    """Yield where a file imports or includes one that left, each by two names of it at least."""
-    ends = {
-        "/".join(parts[at:])
-        for parts in (PurePosixPath(each).parts for each in gone)
-        for at in range(len(parts) - 1)
-    }
-    known = language(path, file.written)
+def _imports(path: str, text: str, ends: Collection[str]) -> Iterator[tuple[int, str]]:
+    """Yield where a file imports or includes one whose path has one of some ends."""
+    known = language(path, text)
     if known is CPP:
-        for match in re.finditer(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"]([^">\n]+)', file.written):
+        for match in re.finditer(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"]([^">\n]+)', text):
             if match[1] in ends:
-                yield file.written.count("\n", 0, match.start(1)), match[1]
+                yield text.count("\n", 0, match.start(1)), match[1]
     elif known is PYTHON:
         with contextlib.suppress(ValueError):
-            for line, module in python_blocks.imports(
-                file.written, PurePosixPath(path).parent.parts
-            ):
+            for line, module in python_blocks.imports(text, PurePosixPath(path).parent.parts):
                 if module.replace(".", "/") + ".py" in ends:
                     yield line, module
 
@@ -148,7 +144,7 @@ def _given(
     found: Iterable[Setting], gone: Collection[tuple[str, str]], stem: str, after: set[str]
 ) -> Iterator[tuple[int, str]]:
     """Yield where a file, of this stem, gives a value to what left; `after` are all words now."""
-    names = [(owner, name.strip("~/").replace("/", ".")) for owner, name in gone]
+    names = [(owner, dotted(name)) for owner, name in gone]
     for line, node, name, written in found:
         owners = {owner for owner, other in names if other == (name or owner)}
         owners -= {name}  # a node that left is no parameter

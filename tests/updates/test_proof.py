@@ -447,6 +447,10 @@ GIVEN = {
     "launch/h.launch": (IN_NODE.format("arm", "rosparam>k: [</rosparam"), []),
     "launch/e.launch.py": (IN_PYTHON.format("package='arm'", PARAMETERS), ["3: k"]),
     "launch/f.launch.py": (IN_PYTHON.format("package='arm'", "remappings=[('t', 'k')]"), ["3: t"]),
+    "launch/h.launch.py": (
+        IN_PYTHON.format("package='arm'", "parameters=[{'serial/baud': 1}]"),
+        ["3: serial/baud"],
+    ),
     "launch/g.launch.py": (IN_PYTHON.format("package='vendor'", PARAMETERS), []),
 }
 
