@@ -163,6 +163,18 @@ def test_moved_files_of_a_version(tmp_path, text, moved):
     assert moved_files(spec, known) == moved
 
 
+def test_moved_files_of_an_included_dictionary(tmp_path):
+    """Whichever of the folders has any."""
+    (tmp_path / "own").mkdir()
+    (tmp_path / "own/dictionary.yaml").write_text("include: dictionary.yaml\n")
+    (tmp_path / "dictionary.yaml").write_text("node_interface: {topic: [name]}\n")
+    known = model.Model(tmp_path / "own", tmp_path)
+    for folder in known.folders:
+        (folder / FILE).write_text("'{package}/a.py': 'a.py'")
+        assert moved_files({"name": "arm"}, known) == {"a.py": "arm/a.py"}
+        (folder / FILE).unlink()
+
+
 @pytest.mark.parametrize(
     "text",
     ["- a", "'{arm}/{node': b", "a: '{leg}'", "a: [", "'{': a", "a: [b]", "1: b", "a: '{}'"],

@@ -872,7 +872,6 @@ class NodeTests:
             ('cleanup', 'unconfigured'),
             ('configure', 'inactive'),
             ('activate', 'active'),
-            ('deactivate', 'inactive'),
         ):
             calls.append(transition)
             is_obeyed = calls not in (['configure'], ['configure', 'configure', 'activate'])
@@ -887,16 +886,14 @@ class NodeTests:
                     self.assertTrue(self.peer.set_parameter(node, name, value), (name, value))
                     wanted[name] = value
         self.assertEqual(len(node.got('made')), calls.count('configure'))  # each has its own logic
-        topics = [each[1:4] for each in self.each('out_', 'pub_', node=node.name)]
-        for topic, type_, kind in topics:
-            self.assertTrue(eventually(lambda: self.peer.has(node, kind, topic, type_)), topic)
+        names = {name for _, name, *_ in self.each(*TOPICS, 'serve_', 'client_', node=node.name)}
+        self.assertTrue(eventually(lambda: names <= self.peer.names(node)), names)
+        self.assertTrue(self.peer.change(node, 'deactivate'))
         self.assertTrue(self.peer.change(node, 'shutdown'))
         self.assertEqual(self.peer.state(node), 'finalized')
-        for topic, type_, kind in topics:
-            self.assertTrue(eventually(lambda: not self.peer.has(node, kind, topic, type_)), topic)
-        for _, name, *_ in self.each('client_', node=node.name):
-            self.assertTrue(eventually(lambda: name not in self.peer.called(node)), name)
-        calls.append('cleanup')
+        names |= {'/tf', '/tf_static'}
+        self.assertTrue(eventually(lambda: not names & self.peer.names(node)), names)
+        calls += ['deactivate', 'cleanup']
         self.assertTrue(eventually(lambda: node.life() == calls), (node.life(), calls))
         self.assertTrue(eventually(lambda: self.peer.state(late) == 'active'), late.log)
         self.assertTrue(self.peer.change(late, 'deactivate'))

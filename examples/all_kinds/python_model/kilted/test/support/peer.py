@@ -129,10 +129,12 @@ class Peer:
         time = Time(sec=int(whole), nanosec=int(fraction * 1e9))
         self._clock.publish(Clock(clock=time))
 
-    def called(self, node):
-        """Return the names of the services that a node has clients of."""
+    def names(self, node):
+        """Return the names of the topics and services of a node, and of what it is a client of."""
         space, _, name = node.name.rpartition('/')
-        return dict(self._node.get_client_names_and_types_by_node(name, space))
+        kinds = 'publisher', 'subscriber', 'service', 'client'
+        find = [getattr(self._node, f'get_{kind}_names_and_types_by_node') for kind in kinds]
+        return {found for each in find for found, _ in each(name, space)}
 
     def has(self, node, kind, topic, type_, *policies):
         """Return whether a node has a publisher or subscription of a type and QoS."""
