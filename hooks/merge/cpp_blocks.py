@@ -253,7 +253,7 @@ def _macro(tokens: Tokens, at: int) -> int:
         return end
     after = tokens[end]
     is_word = after.kind == "word" and after.text not in _AFTER_HEAD
-    return end if after.line > tokens[end - 1].last and (is_word or after.text in "~[::") else 0
+    return end if is_word and after.line > tokens[end - 1].last else 0
 
 
 def _item(tokens: Tokens, start: int) -> tuple[Span, int]:

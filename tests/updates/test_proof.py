@@ -445,6 +445,12 @@ GIVEN = {
     "launch/f.launch": (IN_NODE.format("arm", 'rosparam param="k">[2, 3]</rosparam'), ["3: k"]),
     "launch/g.launch": (IN_NODE.format("vendor", "rosparam>k: 2</rosparam"), []),
     "launch/h.launch": (IN_NODE.format("arm", "rosparam>k: [</rosparam"), []),
+    "launch/i.xml": (IN_NODE.format("arm", 'param name="k" value="\udce9"/'), []),  # no UTF-8
+    "launch/j.xml": (
+        '<?xml version="1.0" encoding="latin-1"?>\n'
+        + IN_NODE.format("arm", 'param name="k" value="\udce9"/'),
+        ["4: k"],
+    ),
     "launch/e.launch.py": (IN_PYTHON.format("package='arm'", PARAMETERS), ["3: k"]),
     "launch/f.launch.py": (IN_PYTHON.format("package='arm'", "remappings=[('t', 'k')]"), ["3: t"]),
     "launch/h.launch.py": (
