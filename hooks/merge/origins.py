@@ -11,9 +11,10 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
-from .cpp_blocks import tokenize
+from .cpp_blocks import Tokens, tokenize
 from .languages import CPP, PYTHON, Language
 from .python_blocks import last_line, nodes
+from .receivers import Lent, last_word, lent_in_cpp, lent_in_python, type_words
 from .tokens import BEFORE_TYPE, Word
 
 SELF = ("self", "cls", "this")
@@ -32,6 +33,8 @@ class Origins:
     """Names of objects whose classes are of the package."""
     known_holders: Names = ()
     """Names that such objects have in any file, as the dictionary says."""
+    lent: Lent = field(default_factory=lambda: Lent(()))
+    """Where these are of another class, as the code says."""
     keywords: set[tuple[int, str]] = field(default_factory=set)
     """The arguments of these classes, each with its line."""
     from_imports: set[int] = field(default_factory=set)
@@ -44,9 +47,10 @@ class Origins:
     others: set[int] = field(default_factory=set)
     """Lines of such classes, whose members are their own."""
 
-    def is_holder(self, name: str) -> bool:
-        """Say whether an object is of a class of the package."""
-        return name in self.holders or name.strip("_") in self.known_holders
+    def is_holder(self, name: str, line: int) -> bool:
+        """Say whether an object is of a class of the package, in a line."""
+        is_known = name in self.holders or name.strip("_") in self.known_holders
+        return is_known and line not in self.lent.get(name, ())
 
     def is_argument(self, word: Word) -> bool:
         """Say whether a word names a field where an object of these classes is made."""
@@ -73,23 +77,26 @@ class Origins:
             return word.text in self.ours or word.text in known
         holder = word.chain[-1]
         if holder == ")":
-            return self._has_returned(word.chain)
+            return self._has_returned(word.chain, word.line)
         if holder in SELF:
             return word.text in known
         if all(part in known or part in self.ours for part in word.chain):
             return True
         first, *others = word.chain
-        is_own = not others or (len(others) == 1 and (first in SELF or self.is_holder(first)))
+        is_own = not others or (
+            len(others) == 1 and (first in SELF or self.is_holder(first, word.line))
+        )
         is_logic = first in self.holders and others == ["impl"]  # of a harness of tests
-        return is_logic or (is_own and self.is_holder(holder))
+        return is_logic or (is_own and self.is_holder(holder, word.line))
 
-    def _has_returned(self, chain: tuple[str, ...]) -> bool:
+    def _has_returned(self, chain: tuple[str, ...], line: int) -> bool:
         """Say whether calls, one of what another has returned, give a harness of tests or data."""
         first, *calls = chain
         if chain == (_CYCLE, ")"):
             return first not in self.foreign
         is_each = all(re.fullmatch(rf"{_CYCLE}|in_\w+", name) for name in calls[::2])
-        return first in self.holders and {*calls[1::2]} == {")"} and is_each
+        is_harness = first in self.holders and line not in self.lent.get(first, ())
+        return is_harness and {*calls[1::2]} == {")"} and is_each
 
 
 def origins(
@@ -137,16 +144,19 @@ def _python(
                 found.modules |= bound if is_ours else set()
                 found.imports[line] = is_ours or found.imports.get(line, False)
         elif isinstance(node, ast.ClassDef):
-            bases = {word for base in node.bases for word in _words(base)}
+            bases = {word for base in node.bases for word in type_words(base)}
             lines = range(node.lineno - 1, last_line(node))
             own.append((node.name, bases, lines))
     found.foreign -= found.ours
     found.types = found.ours
-    found.others = _others(own, classes)
+    kin = _kin(own, classes)
+    found.others = _others(own, kin)
+    aliases = {name for name, value in _bindings(tree) if last_word(value) in kin}
+    found.lent = lent_in_python(tree, (kin - found.foreign) | aliases, found.foreign)
     for target, value in _bindings(tree):
-        if {*_words(value)} & {*classes} - found.foreign or (
+        if {*type_words(value)} & {*classes} - found.foreign or (
             isinstance(value, ast.Name | ast.Attribute)
-            and (found.is_holder(_last(value)) or _last(value) == _CYCLE)
+            and (found.is_holder(last_word(value), value.lineno - 1) or last_word(value) == _CYCLE)
         ):
             found.holders.add(target)
     found.keywords = _keywords(found, tree, {*classes} - found.foreign)
@@ -165,10 +175,11 @@ def _keywords(found: Origins, tree: Iterable[ast.AST], classes: set[str]) -> set
             names = [(p.lineno, n) for p, n in zip(node.kwd_patterns, node.kwd_attrs, strict=True)]
         else:
             continue
-        is_changed = _last(function) in _OF_FIELDS and (
-            found.is_holder(_last(first)) or bool({*_words(first)} & classes)
+        is_changed = last_word(function) in _OF_FIELDS and (
+            found.is_holder(last_word(first), first.lineno - 1)
+            or bool({*type_words(first)} & classes)
         )
-        is_made = _last(function) in classes and not {*_words(function)} & found.foreign
+        is_made = last_word(function) in classes and not {*type_words(function)} & found.foreign
         keywords = ours if is_made or is_changed else others
         keywords |= {(line - 1, name) for line, name in names}
     return ours - others
@@ -184,18 +195,34 @@ _Class = tuple[str, set[str], range]
 """A class: its name, what it derives from, its lines."""
 
 
-def _others(found: Iterable[_Class], classes: Names) -> set[int]:
-    """Return the lines of classes that are none of these, nor derive from one or the other way."""
+def _kin(found: Iterable[_Class], classes: Names) -> set[str]:
+    """Return these classes, and those that derive from one, or the other way."""
     known = [*found]
     kin = {*classes}
     kin |= {name for name, bases, _ in known if bases & kin}
     for _ in known:
         kin |= {base for name, bases, _ in known if name in kin for base in bases}
-    return {line for name, _, lines in known if name not in kin for line in lines}
+    return kin
+
+
+def _others(found: Iterable[_Class], kin: Names) -> set[int]:
+    """Return the lines of the other classes."""
+    return {line for name, _, lines in found if name not in kin for line in lines}
+
+
+_AFTER_HEAD = {"const", "noexcept", "&", "try", "{"}
 
 
 def _cpp_classes(text: str) -> Iterator[_Class]:
+    """Yield the classes of a file, and what it defines of them out of their bodies."""
     tokens = [one for one in tokenize(text) if one.kind in ("word", "sign")]
+    for at, token in enumerate(tokens[:-3]):
+        if [tokens[at + 1].text, tokens[at + 3].text] == ["::", "("] and token.kind == "word":
+            close = _closed(tokens, at + 3)
+            body = next((i for i in range(close, len(tokens)) if tokens[i].text in "{;"), close)
+            after = {one.text for one in tokens[close + 1 : body + 1]}
+            if tokens[body].text == "{" and after <= _AFTER_HEAD:
+                yield token.text, set(), range(token.line, tokens[_closed(tokens, body)].line + 1)
     for start, token in enumerate(tokens):
         if token.text not in ("class", "struct"):
             continue
@@ -204,13 +231,19 @@ def _cpp_classes(text: str) -> Iterator[_Class]:
             continue
         head = [one.text for one in tokens[start + 1 : end]]
         at = head.index(":") if ":" in head else len(head)
-        depth, close = 0, end
-        for close in range(end, len(tokens)):
-            depth += {"{": 1, "}": -1}.get(tokens[close].text, 0)
-            if not depth:
-                break
         names = [word for word in head[:at] if word != "final"]
-        yield "".join(names[-1:]), {*head[at:]}, range(token.line, tokens[close].line + 1)
+        lines = range(token.line, tokens[_closed(tokens, end)].line + 1)
+        yield "".join(names[-1:]), {*head[at:]}, lines
+
+
+def _closed(tokens: Tokens, at: int) -> int:
+    """Return where the bracket closes that opens at a token; the end where none does."""
+    depth, close = 0, at
+    for close in range(at, len(tokens)):
+        depth += {"{": 1, "(": 1, "}": -1, ")": -1}.get(tokens[close].text, 0)
+        if not depth:
+            break
+    return close
 
 
 def _bindings(tree: Iterable[ast.AST]) -> Iterator[tuple[str, ast.expr]]:
@@ -219,26 +252,12 @@ def _bindings(tree: Iterable[ast.AST]) -> Iterator[tuple[str, ast.expr]]:
         if isinstance(node, ast.arg) and node.annotation:
             yield node.arg, node.annotation
         elif isinstance(node, ast.AnnAssign):
-            yield _last(node.target), node.annotation
+            yield last_word(node.target), node.annotation
         elif isinstance(node, ast.Assign):
             is_made = isinstance(node.value, ast.Call)
             value = node.value.func if isinstance(node.value, ast.Call) else node.value
             if is_made or isinstance(value, ast.Name | ast.Attribute):
-                yield from ((_last(target), value) for target in node.targets)
-
-
-def _last(node: ast.AST) -> str:
-    """Return the last word of a name with dots."""
-    return str(getattr(node, "attr", getattr(node, "id", "")))
-
-
-def _words(node: ast.expr) -> Iterator[str]:
-    """Yield the words of a type, those in quotes too."""
-    for inner in ast.walk(node):
-        if isinstance(inner, ast.Constant):
-            yield from re.findall(r"\w+", str(inner.value))
-        elif name := _last(inner):
-            yield name
+                yield from ((last_word(target), value) for target in node.targets)
 
 
 _INCLUDE = re.compile(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"](\w+|\.\.?)/')
@@ -258,14 +277,18 @@ def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Names) 
     if is_user:
         found.ours |= {*names} | {*re.findall(rf"\bnamespace\s+(\w+)\s*=\s*(?:{spaces})::", text)}
     found.types = {*classes} | {*roots}
-    found.others = _others(_cpp_classes(text), classes)
+    own = [*_cpp_classes(text)]
+    kin = _kin(own, classes)
+    found.others = _others(own, kin)
     types = "|".join(map(re.escape, {*classes} - found.foreign)) or "(?!)"
     ours = rf"(?<![\w:])(?:(?:::)?(?:{spaces})::){'?' * is_user}(?:{types})\b"
     declared = rf"{ours}[\s&*>)]*(?:const\b)?[\s&*]*\b(\w+)\b(?!\s*::)"
     made = rf"\bauto\b[\s&*]*(\w+)\s*=[^;=]*?{ours}"
     found.holders |= {*re.findall(declared, text), *re.findall(made, text)}
     for name, other in re.findall(r"\bauto\b[\s&*]*(\w+)\s*=[\s&*]*(\w+)\s*;", text):
-        found.holders |= {name} if found.is_holder(other) else set()
+        found.holders |= {name} if found.is_holder(other, -1) else set()
+    objects = {*found.known_holders, *found.holders}
+    found.lent = lent_in_cpp(text, objects, kin - found.foreign, {*roots})
     for match in re.finditer(rf"{ours}\s*\w*\s*\{{[^{{}}]*\}}", text):
         for name in re.finditer(r"[{,]\s*\.(\w+)\s*=", match[0]):
             line = text.count("\n", 0, match.start() + name.start(1))

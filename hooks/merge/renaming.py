@@ -377,8 +377,20 @@ def plan(
             renaming.key_holders[before] = {holder for holder, _ in made}
         if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
             renaming.attributes[before] = reader.attributes(text)
-    _exchanges(renaming, reader, owned, tokens, {*old, *mine})
+    mine = {*mine}
+    _follow_moved(renaming, mine - old.keys(), mine)
+    _exchanges(renaming, reader, owned, tokens, old.keys() | mine)
     return renaming
+
+
+def _follow_moved(renaming: Renaming, own: Collection[str], mine: Collection[str]) -> None:
+    """Rename a generated file that the developer has moved to another folder, too."""
+    for before, after in [*renaming.paths.items()]:
+        name, new = (PurePosixPath(path).name for path in (before, after))
+        if name != new and before not in mine:
+            moved = [path for path in own if PurePosixPath(path).name == name]
+            for path in moved if len(moved) == 1 else ():
+                renaming.paths[path] = str(PurePosixPath(renaming.path(path)).with_name(new))
 
 
 def _exchanges(

@@ -91,7 +91,8 @@ def uses_of_left(
         origin = origins(known, text, roots, (), made, holders)
         seen = set()
         for word in words(known, text):
-            is_member = bool(word.chain) and word.chain[-1].strip("_") in holders
+            holder = word.chain[-1] if word.chain else ""
+            is_member = holder.strip("_") in holders and origin.is_holder(holder, word.line)
             is_member = is_member or origin.is_argument(word)
             owners = {owner for owner, name in gone if name == word.text and is_member}
             is_own = bool(owners) and (word.text not in after or bool(owners & near))

@@ -56,6 +56,15 @@ FOREIGN = [
     "move(in_goal=3)\n",
     "from vendor import A\n\nA(gain=1)\nmove(\n    data, gain=ReachConfig(gain=2))\n",
     "def f(data):\n    return f'{{data.in_goal}} {{{1}}}'\n",
+    "from lab.pid import PidConfig\n\n\ndef f(config: PidConfig):\n    return config.gain\n",
+    "def f(x: int, *, data: 'vendor.Data | None' = None):\n    return data.in_goal\n",
+    "from lab.pid import PidConfig\n\nconfig = PidConfig(gain=3)\nprint(config.gain)\n",
+    "import yaml\n\ndata = yaml.safe_load(open('x'))\nprint(data.in_goal)\n",
+    "def f():\n    config: Pid = make()\n    return [config.gain for _ in x]\n",
+    "class A:\n    def __init__(self):\n        self._config = Pid()\n\n    def f(self):\n"
+    "        return self._config.gain\n",
+    "@dataclass\nclass A:\n    config: Pid\n\n    def f(self):\n        return self.config.gain\n",
+    "if config := Pid(1):\n    config.gain\n",
 ]
 OURS = {
     "from lab.reach_interface import ReachConfig\n\nReachConfig(gain=1)\n": (
@@ -107,6 +116,27 @@ OURS = {
         "def f(a):\n    b = run_cycle(a)\n    b.in_target + run_cycle(a, None).in_target\n"
     ),
     "low = replace(config, gain=config.gain)\n": ("low = replace(config, factor=config.factor)\n"),
+    "def f(config: Pid):\n    config.gain\n\n\ndef g(config):\n    config.gain\n": (
+        "def f(config: Pid):\n    config.gain\n\n\ndef g(config):\n    config.factor\n"
+    ),
+    "config = Pid()\n\n\ndef f(config):\n    config.gain\n": (
+        "config = Pid()\n\n\ndef f(config):\n    config.factor\n"
+    ),
+    "def f(config: Optional[Any], data: T):\n    config.gain, data.in_goal\n": (
+        "def f(config: Optional[Any], data: T):\n    config.factor, data.in_target\n"
+    ),
+    "def f(config):\n    a = config.gain\n    config = Pid(config)\n    config.gain\n": (
+        "def f(config):\n    a = config.factor\n    config = Pid(config)\n    config.gain\n"
+    ),
+    "from .reach_interface import ReachConfig as C\n\n\ndef f(config: C):\n    config.gain\n": (
+        "from .grasp_interface import GraspConfig as C\n\n\ndef f(config: C):\n    config.factor\n"
+    ),
+    "from .reach_interface import ReachConfig\n\n\nclass A(ReachConfig):\n    pass\n\n\n"
+    "def f(config: A):\n    config.gain\n": (
+        "from .grasp_interface import GraspConfig\n\n\nclass A(GraspConfig):\n    pass\n\n\n"
+        "def f(config: A):\n    config.factor\n"
+    ),
+    "config = fetch(config)\nconfig.gain\n": "config = fetch(config)\nconfig.factor\n",
 }
 CPP_FOREIGN = [
     "#include <vendor/reach_interface.hpp>\nvendor::ReachConfig a;\nReachConfig b;\n",
@@ -122,6 +152,15 @@ CPP_FOREIGN = [
     "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nstruct B : A\n{\n};\n",
     "#include <lab/mine.hpp>\nint a = f() -> in_goal;\n",
     "namespace vendor {ReachData a;}\nnamespace b = vendor;\nb::ReachData c;\n",
+    "namespace lab\n{\nint f(const PidConfig & config)\n{\n  return config.gain;\n}\n}\n",
+    "namespace lab {\nvoid f() {PidConfig config; config.gain = 2;}\n}\n",
+    "namespace lab {\nvoid f() {\n  auto data = Data{};\n  data.in_goal;\n}\n}\n",
+    "void f(vendor::data_t * data) {data->in_goal;}\n",
+    "void f(std::shared_ptr<const vendor::Data> data) {data->in_goal;}\n",
+    '#include "lab/loader.hpp"\nnamespace lab\n{\nvoid Loader::serve_load() {}\n'
+    "void Loader::all() const\n{\n  serve_load();\n}\n}\n",
+    "class A\n{\n  int f() {return config_.gain;}\n\n  Pid config_;\n};\n",
+    "void f() {\n  vendor::Pid config(1.0);\n  config.gain;\n}\n",
 ]
 CPP_OURS = {
     '#include "lab/reach_interface.hpp"\nint f(const lab::ReachData & d) {d.in_goal;}\n': (
@@ -174,6 +213,21 @@ CPP_OURS = {
     ),
     "lab::ReachConfig a{.gain = 1};\n": "lab::GraspConfig a{.factor = 1};\n",
     "void f() {data_  // mine\n  .in_goal;}\n": "void f() {data_  // mine\n  .in_target;}\n",
+    "namespace lab {\nvoid f(Pid & config) {config.gain;}\nvoid g() {config.gain;}\n}\n": (
+        "namespace lab {\nvoid f(Pid & config) {config.gain;}\nvoid g() {config.factor;}\n}\n"
+    ),
+    "template<class Any>\nvoid f(Any & config, T data) {config.gain, data.in_goal;}\n": (
+        "template<class Any>\nvoid f(Any & config, T data) {config.factor, data.in_target;}\n"
+    ),
+    "void f() {return config; g(a * config, x & data); config.gain;}\n": (
+        "void f() {return config; g(a * config, x & data); config.factor;}\n"
+    ),
+    "namespace lab\n{\nvoid ReachImpl::mine() {receive_say(1);}\n}\n": (
+        "namespace lab\n{\nvoid GraspImpl::mine() {receive_speak(1);}\n}\n"
+    ),
+    "using C = lab::ReachConfig;\nvoid f(const C & config) {config.gain;}\n": (
+        "using C = lab::GraspConfig;\nvoid f(const C & config) {config.factor;}\n"
+    ),
     "void f() {data_.in_goal = this->config_.gain + config->gain;}\n": (
         "void f() {data_.in_target = this->config_.factor + config->factor;}\n"
     ),

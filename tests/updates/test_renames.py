@@ -117,6 +117,25 @@ def test_words_that_only_look_alike_stay(merge):
     assert f"arm/reach_impl.py:{number + 1}: map" in said
 
 
+@pytest.mark.parametrize("model", ["python_model", "cpp_model"])
+def test_file_that_the_developer_has_moved_is_renamed_too(render, update, model):
+    """What imports, includes or compiles it says the new name."""
+    package = render(SPEC, model=model, name="arm")
+    source = {"python_model": "arm/reach_impl.py", "cpp_model": "src/reach_impl.cpp"}[model]
+    moved = source.replace("reach", "logic/reach")
+    (package / moved).parent.mkdir()
+    git(package, "mv", source, moved)
+    for file in ("arm/reach_ros.py", "test/test_reach_impl.py", "CMakeLists.txt"):
+        if (path := package / file).exists():
+            text = path.read_text().replace("arm.reach_impl", "arm.logic.reach_impl")
+            path.write_text(text.replace(source, moved))
+    update(package, ('<node name="reach"', '<node name="grasp" was="reach"'))
+    assert (package / moved.replace("reach", "grasp")).exists()
+    assert not (package / moved).exists()
+    files = [path for path in package.rglob("*.*") if path.suffix in (".py", ".txt")]
+    assert not any("reach_impl" in path.read_text() for path in files)
+
+
 def test_swapped_names_swap_their_code(arm, update):
     text = (arm / "arm/reach_impl.py").read_text()
     assert text.index("serve_load") < text.index("'loaded'") < text.index("serve_store")
