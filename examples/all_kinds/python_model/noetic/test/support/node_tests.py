@@ -248,6 +248,15 @@ class NodeTests:
         """Every message is published as the logic says, and where it says so."""
         for member, topic, type_, _, *qos, depth in self.each('out_', 'pub_'):
             method = 'update' if member.startswith('out_') else 'now'
+            count = 'subscribers_' + member
+
+            def heard():
+                answers = len(self.node.got(count))
+                self.node.order(method, count)
+                self.assertTrue(eventually(lambda: self.node.got(count)[answers:]), topic)
+                return self.node.got(count)[-1]
+
+            before = heard()
             got = self.peer.subscribe(type_, topic, *qos)
 
             def publish(number):
@@ -256,15 +265,7 @@ class NodeTests:
                 return eventually(lambda: message in got, 0.5 if number == 1 else TIMEOUT)
 
             self.assertTrue(eventually(lambda: publish(1)), topic)
-            count = 'subscribers_' + member
-
-            def is_heard():
-                answers = len(self.node.got(count))
-                self.node.order(method, count)
-                eventually(lambda: self.node.got(count)[answers:])
-                return any(self.node.got(count))
-
-            self.assertTrue(eventually(is_heard), topic)
+            self.assertTrue(eventually(lambda: heard() == before + 1), topic)
             for number in (2, 3):
                 self.assertTrue(publish(number), topic)
                 self.turns(more=2)
@@ -444,11 +445,15 @@ class NodeTests:
             self.assertEqual(goal.end(), ('canceled', result))
             goal = send('block', *['await'] * (policy == 'replace'), 'end=succeed')
             self.node.order(member, 'end=succeed')
-            waiting = policy == 'replace' and self.peer.goal(self.node, type_, name, request)
+            waiting = policy in ('replace', 'queue') and self.peer.goal(
+                self.node, type_, name, request
+            )
             other = self.peer.goal(self.node, type_, name, request)
+            if policy == 'queue':
+                waiting.cancel()
             self.release()
             self.assertEqual(goal.end(), ('succeeded', result))
-            if waiting:  # replaced before its turn
+            if waiting:  # replaced or canceled before its turn
                 self.assertEqual(waiting.end()[0], 'canceled')
             self.assertEqual(other is None, policy == 'reject')
             other = other or self.peer.goal(self.node, type_, name, request)
@@ -462,11 +467,12 @@ class NodeTests:
         members = [member for member, *_ in self.each('execute_')]
         if not members:
             return
-        node = self.active(*(f'{member} block' for member in members), stop_timeout=0.1)
+        node = self.active(*(f'{member} block' for member in members * 2), stop_timeout=0.1)
         goals = []
-        for member, name, type_, *_ in self.each('execute_', node=node.name):
-            goals.append(self.peer.goal(node, type_, name, parts(type_)[0]()))
-            self.assertTrue(eventually(lambda: node.got(member)), name)
+        for member, name, type_, policy, *_ in self.each('execute_', node=node.name):
+            for count in (1, 2) if policy == 'parallel' else (1,):
+                goals.append(self.peer.goal(node, type_, name, parts(type_)[0]()))
+                self.assertTrue(eventually(lambda: len(node.got(member)) == count), name)
         node.signal(INT)
         for goal in goals:
             self.assertEqual(goal.end()[0], 'aborted')  # by the node: its logic does not return
@@ -721,6 +727,7 @@ class NodeTests:
         node = self.start(**dict([case]))
         self.assertEqual((node.exit_code(), node.life()), (1, []), (case, node.log))
         self.assertIn(case[0], node.log)
+        self.assertNotIn('Traceback', node.log)
 
     def refuses(self, node, name, *values):
         """See that a parameter refuses some values."""
@@ -866,12 +873,16 @@ class NodeTests:
         self.assertEqual(ended if code is not None else None, code, (order, node.log))
         self.assertEqual(node.life(), calls, (order, node.log))
         self.assertIn(text, node.log, order)
+        self.assertTrue(calls or 'Traceback' not in node.log, node.log)
 
     def test_failure(self):
         """The logic writes to the log; one that fails ends the node in order, with exit code 1."""
         node = self.active()
         node.order('now', 'log=words')
         self.assertTrue(eventually(lambda: 'words' in node.log), node.log)
+        begin = monotonic()
+        self.assertTrue(node.order('now', 'sleep=0.5'))
+        self.assertGreaterEqual(monotonic() - begin, 0.5)
         node.order('now', 'fail=lost')
         self.assertEqual((node.exit_code(), node.life()), (1, LIFE), node.log)
         self.assertIn('The logic failed: lost', node.log)
