@@ -138,6 +138,7 @@ class Joiner:
         old, new = self.renderer.recorded(answers), self.renderer.fresh(self.answers)
         about = (self.dictionary, old.tree, mine, self.renderer)
         renaming = plan_renames(answers, contexts, *about)
+        renaming.know(mine)
         renaming.follow(self.moved, old.tree, new.tree)
         renaming.move(old.tree, new.tree)
         ros = [context.get("ros") for context in contexts]

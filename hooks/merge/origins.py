@@ -8,8 +8,9 @@ from __future__ import annotations
 import ast
 import contextlib
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from types import MappingProxyType
 
 from .cpp_blocks import Tokens, tokenize
 from .languages import CPP, PYTHON, Language
@@ -100,7 +101,13 @@ class Origins:
 
 
 def origins(
-    known: Language, text: str, roots: Names, names: Names, classes: Names, holders: Names = ()
+    known: Language,
+    text: str,
+    roots: Names,
+    names: Names,
+    classes: Names,
+    holders: Names = (),
+    own: Mapping[str, Names] = MappingProxyType({}),
 ) -> Origins:
     """Read where the names of a file come from.
 
@@ -111,24 +118,33 @@ def origins(
         names: what is looked for.
         classes: the classes of the package.
         holders: what the dictionary says that objects of these classes are called.
+        own: the developer's own modules of Python, as an import in the file may name them, each
+            with the names that it defines.
 
     """
     found = Origins(known_holders=holders)
     if known is PYTHON:
         with contextlib.suppress(ValueError):
-            _python(found, nodes(text), roots, names, classes)
+            _python(found, nodes(text), roots, names, classes, own)
     elif known is CPP:
         _cpp(found, text, roots, names, classes)
     return found
 
 
 def _python(
-    found: Origins, tree: Sequence[ast.AST], roots: Names, names: Names, classes: Names
+    found: Origins,
+    tree: Sequence[ast.AST],
+    roots: Names,
+    names: Names,
+    classes: Names,
+    own: Mapping[str, Names],
 ) -> None:
-    own: list[_Class] = []
+    defined: list[_Class] = []
     for node in tree:
         if isinstance(node, ast.ImportFrom):
             is_ours = bool(node.level) or (node.module or "").split(".")[0] in roots
+            theirs = {*own.get("." * node.level + (node.module or ""), ())} & {*names}
+            is_ours = is_ours and theirs.isdisjoint(each.name for each in node.names)
             bound = {alias.asname or alias.name for alias in node.names}
             (found.ours if is_ours else found.foreign).update(bound)
             found.ours |= {*names} if is_ours and "*" in bound else set()
@@ -146,11 +162,11 @@ def _python(
         elif isinstance(node, ast.ClassDef):
             bases = {word for base in node.bases for word in type_words(base)}
             lines = range(node.lineno - 1, last_line(node))
-            own.append((node.name, bases, lines))
+            defined.append((node.name, bases, lines))
     found.foreign -= found.ours
     found.types = found.ours
-    kin = _kin(own, classes)
-    found.others = _others(own, kin)
+    kin = _kin(defined, classes)
+    found.others = _others(defined, kin)
     aliases = {name for name, value in _bindings(tree) if last_word(value) in kin}
     found.lent = lent_in_python(tree, (kin - found.foreign) | aliases, found.foreign)
     for target, value in _bindings(tree):

@@ -48,6 +48,20 @@ def nodes(text: str) -> tuple[ast.AST, ...]:
     return (*ast.walk(parse(text)),)
 
 
+def definitions(text: str) -> Iterator[str]:
+    """Yield the names of the classes, functions and variables of a module; none of no Python."""
+    try:
+        body = parse(text).body
+    except ValueError:
+        return
+    for node in body:
+        if isinstance(node, ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
+            yield node.name
+        for target in node.targets if isinstance(node, ast.Assign) else ():
+            if isinstance(target, ast.Name):
+                yield target.id
+
+
 def imports(text: str, folder: Sequence[str]) -> Iterator[tuple[int, str]]:
     """Yield the modules that a file in a folder may import, each with its line, from 0."""
     for node in nodes(text):

@@ -24,6 +24,7 @@ from .depth import Shift, compose, shifts
 from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
 from .lines import split
 from .origins import SELF, Names, origins
+from .python_blocks import definitions
 from .render import Renderer
 from .tokens import Word, exchange, words
 from .tree import File, Tree
@@ -74,12 +75,31 @@ class Renaming:
     """What imports and includes call the package."""
     holders: Names = ()
     """What the logic calls objects of these classes."""
+    own: dict[str, set[str]] = field(default_factory=dict)
+    """The developer's own modules of Python, each with the names that it defines."""
     names: list[tuple[str, str]] = field(default_factory=list)
     moved: dict[str, str] = field(default_factory=dict)
     """What the new version of the model renames."""
     shifts: dict[str, Shift] = field(default_factory=dict)
     """What gives a file the depth that its keys have in the new version."""
     _texts: dict[tuple[str, str], str] = field(default_factory=dict, repr=False, compare=False)
+
+    def know(self, mine: Tree) -> None:
+        """Read what the developer's own modules define."""
+        for path, file in mine.items() if self.names else ():
+            if language(path, "") is PYTHON and path not in self.paths:
+                module = path.removesuffix(".py").replace("/", ".")
+                self.own[module] = {*definitions(file.written)}
+
+    def _own_near(self, path: str) -> dict[str, set[str]]:
+        """Return what own modules define, by each name that a file may import them by."""
+        found = dict(self.own)
+        above = PurePosixPath(path).parent.parts
+        for level in range(1, len(above) + 1):
+            start = ".".join(above[: len(above) + 1 - level]) + "."
+            near = (module for module in self.own if module.startswith(start))
+            found |= {"." * level + module[len(start) :]: self.own[module] for module in near}
+        return found
 
     def follow(self, moved: Mapping[str, str], old: Iterable[str], new: Collection[str]) -> None:
         """Take files along that the new version of the model renames; `moved` says how."""
@@ -154,7 +174,9 @@ class Renaming:
             return text
 
         roots = self.roots | self.packages.keys()
-        origin = origins(known, text, roots, exact.keys(), self.classes, self.holders)
+        origin = origins(
+            known, text, roots, exact.keys(), self.classes, self.holders, self._own_near(path)
+        )
         is_made = [line in generated for line in lines]
         vocabulary = (self.vocabulary.get(path, set()) & exact.keys()) | roots
 

@@ -132,6 +132,8 @@ def _key(start: re.Match[str], content: str, has_children: bool) -> str:
 
 
 def _named(tag: str, attributes: Mapping[str, str]) -> str:
+    if tag == "license":  # whose `file` may be told or not
+        return tag
     found = (f"{tag} {attributes[name]}" for name in _NAMING if name in attributes)
     return next(found, tag)
 

@@ -1,6 +1,7 @@
 """A rename exchanges the package's own names; where a name comes from decides, not its look."""
 
 import re
+from dataclasses import replace
 
 import pytest
 
@@ -253,6 +254,31 @@ CASES += [
 def test_names_in_own_files(pairs, path, text, wanted):
     model = "python_model" if path.endswith(".py") else "cpp_model"
     assert pairs[model].renaming.text(path, text) == wanted
+
+
+OF_OWN_MODULES = {
+    "from lab.kin import ReachConfig\n\nReachConfig(gain=1)\n": "",
+    "from .kin import ReachConfig as Kin\n\n\ndef f(config: Kin):\n    config.gain\n": "",
+    "from lab.vendor.reach_interface import ReachData\n": "",
+    "from lab.more import ReachData, x\n\nReachData()\n": (
+        "from lab.more import GraspData, x\n\nGraspData()\n"
+    ),
+    "from .reach_interface import ReachData\n": "from .grasp_interface import GraspData\n",
+}
+
+
+@pytest.mark.parametrize(("text", "wanted"), OF_OWN_MODULES.items())
+def test_names_that_own_modules_define(pairs, text, wanted):
+    """Of what they only import, the model's name is still that."""
+    renaming = replace(pairs["python_model"].renaming, _texts={}, own={})
+    own = {
+        "lab/kin.py": "class ReachConfig:\n    pass\n",
+        "lab/vendor/reach_interface.py": "ReachData = 1\n",
+        "lab/more.py": "from .reach_interface import ReachData\n\n\ndef x():\n    pass\n",
+        "lab/bad.py": "class\n",
+    }
+    renaming.know(tree_of({**own, **pairs["python_model"].old}))
+    assert renaming.text("lab/tools.py", text) == (wanted or text)
 
 
 OF_PACKAGE = {

@@ -16,6 +16,7 @@ from hooks.merge.recount import recount
 from hooks.merge.renaming import Renaming
 from hooks.merge.tree import File, encode
 from hooks.merge.versions import Versions
+from support.laboratory.trials import tree_of
 
 
 def merge(path, mine, old, new):
@@ -995,6 +996,17 @@ def test_elements_of_xml_that_an_entity_stands_for_are_no_blocks():
     text = '<!DOCTYPE a [\n  <!ENTITY e "<b>1</b>">\n]>\n<a>\n  <c/>\n</a>\n'
     (block,) = language("a.xml", text).blocks(text)
     assert (block.key, [inner.key for inner in block.children]) == ("a", ["c"])
+
+
+def test_licence_with_a_file_is_the_licence():
+    """Format 3 of package.xml has that attribute (REP 149)."""
+    old = "<package>\n  <license>MIT</license>\n</package>\n"
+    mine = old.replace("<license>", '<license file="LICENSE">')
+    new = old.replace("</package>", "  <depend>rclpy</depend>\n</package>")
+    files = [tree_of({"package.xml": text}) for text in (mine, old, new)]
+    result, doubts = Versions(*files).merged()
+    assert (doubts, result.missing) == ([], {})
+    assert result.tree["package.xml"].text == new.replace("<license>", '<license file="LICENSE">')
 
 
 def test_blocks_are_the_whole_text():
