@@ -1927,6 +1927,14 @@ def test_served_goals_end_with_a_result(stage, way):
     assert [event["value"] for event in node.events("line", "begin")] == [500]
 
 
+def test_goal_whose_method_raises_is_aborted(stage):
+    """Also where it has succeeded before."""
+    node = stage.active()
+    assert stage.result(stage.goal("work", 66))[0] == "aborted"
+    assert node.exit() == 1, node.story()
+    node.expect("Traceback", "[ERROR]", "Exception")
+
+
 def test_goal_is_cancelled_by_its_client(stage):
     node = stage.active()
     goal = stage.goal("work", 700)

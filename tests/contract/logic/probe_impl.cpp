@@ -288,6 +288,9 @@ void ProbeImpl::execute(const std::string & name, Goal & goal)
   } else if (order > 0) {
     goal.succeed();
   }
+  if (order == 66) {
+    throw std::runtime_error("told to raise");
+  }
 }
 
 void ProbeImpl::deactivate()

@@ -161,7 +161,10 @@ class ProbeImpl:
         return self.run("accept", request.order)
 
     def execute(self, name, goal):
-        """Succeed at once, or, if the order is above 100, when a cancel is asked for."""
+        """Succeed at once, or, if the order is above 100, when a cancel is asked for.
+
+        Of order 66, raise then.
+        """
         order = goal.request.order
         goal.feedback.sequence = [order]
         goal.publish_feedback()
@@ -174,6 +177,8 @@ class ProbeImpl:
             goal.canceled()
         elif order > 0:
             goal.succeed()
+        if order == 66:
+            raise RuntimeError("told to raise")
 
     def deactivate(self):
         self.run("deactivate")

@@ -85,7 +85,9 @@ class Goal:
         if not self.cancel_requested:
             self._outcome = 'none'  # until the logic sets one
             await thread.run(self, until=self._given_up)
-            if self._outcome == 'none' and not self.cancel_requested:
+            if thread.has_failed:
+                self.abort()
+            elif self._outcome == 'none' and not self.cancel_requested:
                 thread.warn('returned without an outcome: the goal is aborted.')
         if self._outcome == 'succeeded' and not self._given_up.done():
             self._handle.succeed()

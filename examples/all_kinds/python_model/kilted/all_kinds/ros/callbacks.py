@@ -67,10 +67,14 @@ class CallbackThread:
             self._node.fail(TypeError(f'{self._method} returned no response'))
         raise NoResponse(self._method)
 
+    @property
+    def has_failed(self) -> bool:
+        """Whether the logic has failed."""
+        return self._node.has_error
+
     def warn(self, text: str) -> None:
-        """Warn of what the callback did, unless it failed."""
-        if not self._node.has_error:
-            self._node.get_logger().warning(f'{self._method} {text}')
+        """Warn of what the callback did."""
+        self._node.get_logger().warning(f'{self._method} {text}')
 
     def under_way(self) -> dict[Future[Any], str]:
         """Return the calls that have not returned or are not yet answered, with their name."""

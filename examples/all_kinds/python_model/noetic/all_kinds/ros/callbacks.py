@@ -56,7 +56,9 @@ class CallbackThread:
         def execute() -> None:
             if goal.start():
                 self._call(goal)
-                if goal.lacks_outcome() and not self._node.has_error:
+                if self._node.has_error:
+                    goal.abort()
+                elif goal.lacks_outcome():
                     rospy.logwarn(
                         f'{self._method} returned without an outcome: the goal is aborted.'
                     )
