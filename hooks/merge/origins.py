@@ -12,10 +12,9 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from .cpp_blocks import Tokens, tokenize
 from .languages import CPP, PYTHON, Language
 from .python_blocks import last_line, nodes
-from .receivers import Lent, last_word, lent_in_cpp, lent_in_python, type_words
+from .receivers import Code, Lent, code, last_word, lent_in_cpp, lent_in_python, type_words
 from .tokens import BEFORE_TYPE, Word
 
 SELF = ("self", "cls", "this")
@@ -51,7 +50,10 @@ class Origins:
     def is_holder(self, name: str, line: int) -> bool:
         """Say whether an object is of a class of the package, in a line."""
         is_known = name in self.holders or name.strip("_") in self.known_holders
-        return is_known and line not in self.lent.get(name, ())
+        return is_known and not self._is_lent(name, line)
+
+    def _is_lent(self, name: str, line: int) -> bool:
+        return line in self.lent.get(name, ())
 
     def is_argument(self, word: Word) -> bool:
         """Say whether a word names a field where an object of these classes is made."""
@@ -96,7 +98,7 @@ class Origins:
         if chain == (_CYCLE, ")"):
             return first not in self.foreign
         is_each = all(re.fullmatch(rf"{_CYCLE}|in_\w+", name) for name in calls[::2])
-        is_harness = first in self.holders and line not in self.lent.get(first, ())
+        is_harness = first in self.holders and not self._is_lent(first, line)
         return is_harness and {*calls[1::2]} == {")"} and is_each
 
 
@@ -167,9 +169,10 @@ def _python(
     found.types = found.ours
     kin = _kin(defined, classes)
     found.others = _others(defined, kin)
-    aliases = {name for name, value in _bindings(tree) if last_word(value) in kin}
+    bindings = [*_bindings(tree)]
+    aliases = {name for name, value in bindings if last_word(value) in kin}
     found.lent = lent_in_python(tree, (kin - found.foreign) | aliases, found.foreign)
-    for target, value in _bindings(tree):
+    for target, value in bindings:
         if {*type_words(value)} & {*classes} - found.foreign or (
             isinstance(value, ast.Name | ast.Attribute)
             and (found.is_holder(last_word(value), value.lineno - 1) or last_word(value) == _CYCLE)
@@ -229,37 +232,26 @@ def _others(found: Iterable[_Class], kin: Names) -> set[int]:
 _AFTER_HEAD = {"const", "noexcept", "&", "try", "{"}
 
 
-def _cpp_classes(text: str) -> Iterator[_Class]:
+def _cpp_classes(read: Code) -> Iterator[_Class]:
     """Yield the classes of a file, and what it defines of them out of their bodies."""
-    tokens = [one for one in tokenize(text) if one.kind in ("word", "sign")]
-    for at, token in enumerate(tokens[:-3]):
-        if [tokens[at + 1].text, tokens[at + 3].text] == ["::", "("] and token.kind == "word":
-            close = _closed(tokens, at + 3)
-            body = next((i for i in range(close, len(tokens)) if tokens[i].text in "{;"), close)
-            after = {one.text for one in tokens[close + 1 : body + 1]}
-            if tokens[body].text == "{" and after <= _AFTER_HEAD:
-                yield token.text, set(), range(token.line, tokens[_closed(tokens, body)].line + 1)
-    for start, token in enumerate(tokens):
-        if token.text not in ("class", "struct"):
+    signs, lines, closed, _ = read
+    for at, sign in enumerate(signs[:-3]):
+        if [signs[at + 1], signs[at + 3]] == ["::", "("] and re.fullmatch(r"\w+", sign):
+            close = closed[at + 3]
+            body = next((i for i in range(close, len(signs)) if signs[i] in "{;"), close)
+            if signs[body] == "{" and {*signs[close + 1 : body + 1]} <= _AFTER_HEAD:
+                yield sign, set(), range(lines[at], lines[closed[body]] + 1)
+    for start, sign in enumerate(signs):
+        if sign not in ("class", "struct"):
             continue
-        end = next((i for i in range(start, len(tokens)) if tokens[i].text in "{;()=>"), start)
-        if tokens[end].text != "{":
+        end = next((i for i in range(start, len(signs)) if signs[i] in "{;()=>"), start)
+        if signs[end] != "{":
             continue
-        head = [one.text for one in tokens[start + 1 : end]]
+        head = signs[start + 1 : end]
         at = head.index(":") if ":" in head else len(head)
         names = [word for word in head[:at] if word != "final"]
-        lines = range(token.line, tokens[_closed(tokens, end)].line + 1)
-        yield "".join(names[-1:]), {*head[at:]}, lines
-
-
-def _closed(tokens: Tokens, at: int) -> int:
-    """Return where the bracket closes that opens at a token; the end where none does."""
-    depth, close = 0, at
-    for close in range(at, len(tokens)):
-        depth += {"{": 1, "(": 1, "}": -1, ")": -1}.get(tokens[close].text, 0)
-        if not depth:
-            break
-    return close
+        inside = range(lines[start], lines[closed[end]] + 1)
+        yield "".join(names[-1:]), {*head[at:]}, inside
 
 
 def _bindings(tree: Iterable[ast.AST]) -> Iterator[tuple[str, ast.expr]]:
@@ -293,7 +285,8 @@ def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Names) 
     if is_user:
         found.ours |= {*names} | {*re.findall(rf"\bnamespace\s+(\w+)\s*=\s*(?:{spaces})::", text)}
     found.types = {*classes} | {*roots}
-    own = [*_cpp_classes(text)]
+    read = code(text)
+    own = [*_cpp_classes(read)]
     kin = _kin(own, classes)
     found.others = _others(own, kin)
     types = "|".join(map(re.escape, {*classes} - found.foreign)) or "(?!)"
@@ -304,7 +297,7 @@ def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Names) 
     for name, other in re.findall(r"\bauto\b[\s&*]*(\w+)\s*=[\s&*]*(\w+)\s*;", text):
         found.holders |= {name} if found.is_holder(other, -1) else set()
     objects = {*found.known_holders, *found.holders}
-    found.lent = lent_in_cpp(text, objects, kin - found.foreign, {*roots})
+    found.lent = lent_in_cpp(text, read, objects, kin - found.foreign, {*roots})
     for match in re.finditer(rf"{ours}\s*\w*\s*\{{[^{{}}]*\}}", text):
         for name in re.finditer(r"[{,]\s*\.(\w+)\s*=", match[0]):
             line = text.count("\n", 0, match.start() + name.start(1))

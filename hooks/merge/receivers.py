@@ -13,7 +13,7 @@ from typing import NamedTuple
 from .cpp_blocks import tokenize
 from .python_blocks import last_line
 
-NO_CLASS = {"Any", "Optional", "Union", "None", "Final", "ClassVar", "Annotated"}
+_NO_CLASS = {"Any", "Optional", "Union", "None", "Final", "ClassVar", "Annotated"}
 """Words of types in Python that are none of a class."""
 _NO_TYPE = {"return", "new", "delete", "throw", "case", "goto", "operator", "class", "struct"}
 _ENDLESS = 1 << 20
@@ -81,7 +81,7 @@ def _is_type(annotation: ast.expr, ours: set[str]) -> bool | None:
     found = {*type_words(annotation)}
     if found & ours:
         return True
-    return False if any(map(_is_class, found - NO_CLASS)) else None
+    return False if any(map(_is_class, found - _NO_CLASS)) else None
 
 
 def _is_made(value: ast.expr, ours: set[str], foreign: set[str]) -> bool | None:
@@ -115,19 +115,21 @@ def type_words(node: ast.expr) -> Iterator[str]:
             yield name
 
 
-def lent_in_cpp(text: str, names: set[str], ours: set[str], spaces: set[str]) -> Lent:
-    """Read a file of C++.
+class Code(NamedTuple):
+    """The words and signs of C++, by their numbers."""
 
-    Args:
-        text: all of it.
-        names: those of objects that are looked for, without the `_` of members.
-        ours: classes of the package.
-        spaces: its namespaces.
+    signs: list[str]
+    lines: list[int]
+    closed: dict[int, int]
+    """Where each bracket closes; the last one where none does."""
+    around: dict[int, int | None]
+    """The bracket that each is in."""
 
-    """
+
+def code(text: str) -> Code:
+    """Read a file of C++, but for brackets of arrays."""
     tokens = [one for one in tokenize(text) if one.kind in ("word", "sign")]
     signs = [one.text for one in tokens]
-    lines = [one.line for one in tokens]
     open_: list[int] = []
     closed = dict.fromkeys(range(len(tokens)), len(tokens) - 1)
     around: dict[int, int | None] = {}
@@ -137,6 +139,21 @@ def lent_in_cpp(text: str, names: set[str], ours: set[str], spaces: set[str]) ->
         around[at] = open_[-1] if open_ else None
         if sign in ("{", "("):
             open_.append(at)
+    return Code(signs, [one.line for one in tokens], closed, around)
+
+
+def lent_in_cpp(text: str, read: Code, names: set[str], ours: set[str], spaces: set[str]) -> Lent:
+    """Read a file of C++.
+
+    Args:
+        text: all of it.
+        read: its words and signs.
+        names: those of objects that are looked for, without the `_` of members.
+        ours: classes of the package.
+        spaces: its namespaces.
+
+    """
+    signs, lines, closed, around = read
     generic = {*re.findall(r"\b(?:typename|class)(?:\s*\.\.\.)?\s+(\w+)\s*[,>=]", text)}
     types = "|".join(map(re.escape, ours)) or "(?!)"
     ours = ours | {*re.findall(rf"\busing\s+(\w+)\s*=[^;]*\b(?:{types})\b", text)}
@@ -144,7 +161,7 @@ def lent_in_cpp(text: str, names: set[str], ours: set[str], spaces: set[str]) ->
     def bindings() -> Iterator[tuple[bool, _Binding]]:
         for at, sign in enumerate(signs[:-1]):
             if sign.strip("_") in names and signs[at + 1] in (",", ")", ";", "=", "{", "("):
-                type_ = [*_type_before(signs, at)]
+                type_ = _type_before(signs, at)
                 if not type_:
                     continue
                 if type_[-1] == "auto":
@@ -160,7 +177,7 @@ def lent_in_cpp(text: str, names: set[str], ours: set[str], spaces: set[str]) ->
 
     def scope(at: int, is_member: bool) -> range:
         opener = around[at]
-        end = len(tokens) - 1 if opener is None else closed[opener]
+        end = len(signs) - 1 if opener is None else closed[opener]
         if opener is not None and signs[opener] == "(":
             body = next((i for i in range(end, len(signs)) if signs[i] in "{;"), end)
             end = closed[body] if signs[body] == "{" else end
@@ -176,7 +193,7 @@ def lent_in_cpp(text: str, names: set[str], ours: set[str], spaces: set[str]) ->
     return Lent(binding for _, binding in sorted(bindings(), key=lambda each: each[0]))
 
 
-def _type_before(signs: Sequence[str], at: int) -> Iterator[str]:
+def _type_before(signs: Sequence[str], at: int) -> list[str]:
     """Return the words of the type before a name, if there is one: its arguments, then its own."""
     at -= 1
     while at > 0 and signs[at] in ("&", "*", "const"):
@@ -196,7 +213,7 @@ def _type_before(signs: Sequence[str], at: int) -> Iterator[str]:
         if at < 1 or signs[at - 1] != "::":
             break
         at -= 2
-    return iter([] if not words or words[-1] in _NO_TYPE else [*inner, *words])
+    return [] if not words or words[-1] in _NO_TYPE else [*inner, *words]
 
 
 def _made(signs: Sequence[str]) -> Iterator[str]:
