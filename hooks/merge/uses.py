@@ -107,35 +107,49 @@ def uses_of_left(
 
 
 def _imports_of_left(components: set[str], old: Tree, new: Tree, found: Tree) -> Iterator[str]:
-    """Yield where files import or include what is no component's, as the runtime, and left."""
+    """Yield where files use what is no component's and left: the runtime, or another package."""
     gone = [path for path in old.keys() - new.keys() if not _of(components, path)]
     parts = (PurePosixPath(path).parts for path in gone)
     ends = {"/".join(each[at:]) for each in parts for at in range(len(each) - 1)}  # of two names
-    for path, file in sorted(found.items()) if gone else ():
+    packages = _dependencies(old) - _dependencies(found)
+    for path, file in sorted(found.items()) if gone or packages else ():
         generated = set(split(new.get(path, File(b"")).written))
         text = plain(file.written)
         lines = split(text)
-        for number, said in dict.fromkeys(_imports(path, text, ends)):
+        for number, said in dict.fromkeys(_imports(path, text, ends, packages)):
             if lines[number] not in generated:
                 yield f"{path}:{number + 1}: {said}, which has left"
+
+
+def _dependencies(tree: Tree) -> set[str]:
+    """Return the packages that a package declares in its `package.xml`."""
+    return set(re.findall(r"depend\b[^>]*>\s*([\w-]+)", tree.get("package.xml", File(b"")).written))
 
 
 def _of(components: Iterable[str], path: str) -> bool:
     return any(name in PurePosixPath(path).stem for name in components)
 
 
-def _imports(path: str, text: str, ends: Collection[str]) -> Iterator[tuple[int, str]]:
-    """Yield where a file imports or includes one whose path has one of some ends."""
+def _imports(
+    path: str, text: str, ends: Collection[str], packages: Collection[str]
+) -> Iterator[tuple[int, str]]:
+    """Yield where a file uses one whose path has one of some ends, or one of some packages."""
     known = language(path, text)
     if known is CPP:
         for match in re.finditer(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"]([^">\n]+)', text):
-            if match[1] in ends:
-                yield text.count("\n", 0, match.start(1)), match[1]
+            package, line = match[1].partition("/")[0], text.count("\n", 0, match.start(1))
+            if match[1] in ends or package in packages:
+                yield line, package if package in packages else match[1]
     elif known is PYTHON:
         with contextlib.suppress(ValueError):
             for line, module in python_blocks.imports(text, PurePosixPath(path).parent.parts):
-                if module.replace(".", "/") + ".py" in ends:
-                    yield line, module
+                package = module.partition(".")[0]
+                if module.replace(".", "/") + ".py" in ends or package in packages:
+                    yield line, package if package in packages else module
+    elif known is CMAKE:
+        for line, said in enumerate(split(text)):
+            for word in re.findall(r"\w+", said.partition("#")[0]):
+                yield from ((line, each) for each in packages if f"{word}_".startswith(f"{each}_"))
 
 
 _CLASS = re.compile(r"\b(?:class|struct) (\w+)")

@@ -323,6 +323,32 @@ def test_parameter_of_one_node_that_left_is_said_in_files_of_that_node(code, is_
     assert [*said] == ([f"{path}:2: k, which has left"] if is_said else [])
 
 
+@pytest.mark.parametrize(
+    ("path", "code", "is_used"),
+    [
+        ("arm/a.py", "import geometry_msgs.msg as msgs\n", True),
+        ("arm/a.py", "try:\n  from geometry_msgs.msg import Twist\n", False),
+        ("arm/a.py", "if a: from geometry_msgs.msg import Twist\n", True),
+        ("arm/a.py", "from std_msgs.msg import Empty\nfrom arm.geometry_msgs import a\n", False),
+        ("src/a.cpp", "#  include <geometry_msgs/Twist.h>\n", True),
+        ("src/a.cpp", '#include "arm/geometry_msgs.hpp"\n', False),
+        ("CMakeLists.txt", "link(a ${geometry_msgs_TARGETS})\n", True),
+        ("CMakeLists.txt", "link(a geometry_msgs::all)\n# my_geometry_msgs\n", True),
+        ("launch/a.xml", '<arg name="a" default="geometry_msgs"/>\n', False),
+    ],
+)
+@pytest.mark.parametrize("is_declared", [False, True])
+def test_uses_of_a_package_that_left(path, code, is_used, is_declared):
+    """Its last interface has left, and the dependency with it, which the developer may keep."""
+    kept = "<depend>std_msgs</depend>\n"
+    gone = "<exec_depend condition='1'>geometry_msgs</exec_depend>\n"
+    old, new = ({"package.xml": File(text.encode())} for text in (kept + gone, kept))
+    found = {path: File(code.encode()), **(old if is_declared else new)}
+    said = [*uses_of_left([("reach", "pose")], old, new, found)]
+    is_said = is_used and not is_declared
+    assert said == ([f"{path}:1: geometry_msgs, which has left"] if is_said else [])
+
+
 NODE = '<node pkg="arm" exec="{}"\n  name="{}"/>\n'
 OF_A_NODE = {
     "setup.py": (
