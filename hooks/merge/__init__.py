@@ -7,6 +7,7 @@
     renaming     which identifiers, paths and keys a rename exchanges; tokens, the words of code;
                  origins, where these come from
     depth        the keys of YAML that another ROS puts below others
+    indentation  the model's versions, indented as the developer's
     launch       what the developer wrote into a launch file, carried into that of another ROS
     builds       the same for CMakeLists.txt and setup.py
     branches     two branches, each brought to the merged spec, become one

@@ -17,6 +17,7 @@ from ..dictionary import Dictionary
 from ..faults import SpecError
 from ..package import SUFFIX
 from . import git
+from .indentation import indented
 from .lines import plain, split
 from .package import ALIKE, Result, likeness
 from .proof import Proof
@@ -140,10 +141,11 @@ class Joiner:
         renaming = plan_renames(answers, contexts, *about)
         renaming.know(mine)
         renaming.follow(self.moved, old.tree, new.tree)
-        renaming.move(old.tree, new.tree)
+        before, after = indented(mine, old.tree, new.tree, renaming.path)
+        renaming.move(before, after)
         ros = [context.get("ros") for context in contexts]
         to_ros = int(ros[1] or 0) if ros[0] != ros[1] else None
-        return Versions(mine, old.tree, new.tree, renaming, new.is_kept, to_ros)
+        return Versions(mine, before, after, renaming, new.is_kept, to_ros)
 
     def check(self, branches: Branches, given: Iterable[str]) -> None:
         """Insist that the answers are those of both sides; `given` are the ones that `-d` gives.

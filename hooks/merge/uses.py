@@ -123,7 +123,8 @@ def _imports_of_left(components: set[str], old: Tree, new: Tree, found: Tree) ->
 
 def _dependencies(tree: Tree) -> set[str]:
     """Return the packages that a package declares in its `package.xml`."""
-    return set(re.findall(r"depend\b[^>]*>\s*([\w-]+)", tree.get("package.xml", File(b"")).written))
+    text = tree.get("package.xml", File(b"")).written
+    return set(re.findall(r"depend\b[^>]*>\s*([\w-]+)", text))
 
 
 def _of(components: Iterable[str], path: str) -> bool:

@@ -76,7 +76,7 @@ class Peer:
         if name not in self.clients:
             qos = QoSProfile(depth=10, reliability=ReliabilityPolicy[reliability.upper()])
             client = self._node.create_client(service_type, name, qos_profile=qos)
-            assert eventually(client.service_is_ready), f'{name} is not served'
+            assert eventually(client.service_is_ready), f'{name} is not served:\n{node.log}'
             self._be_known(node)
             self.clients[name] = client
         return self.clients[name].call_async(request)
@@ -90,7 +90,7 @@ class Peer:
             newest.call_async(GetState.Request()).add_done_callback(answers.append)
             return eventually(lambda: answers, 0.5)
 
-        assert eventually(ask), f'{node.name} does not answer'
+        assert eventually(ask), f'{node.name} does not answer:\n{node.log}'
 
     def state(self, node):
         """Return the name of a node's lifecycle state."""
