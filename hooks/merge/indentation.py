@@ -1,4 +1,4 @@
-"""The developer's indentation, which the model's versions of a file take on before a merge."""
+"""The model's versions of a file, indented as the developer's before a merge (decision 152)."""
 
 from __future__ import annotations
 
