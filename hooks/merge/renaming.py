@@ -26,7 +26,7 @@ from .lines import split
 from .origins import SELF, Names, origins
 from .python_blocks import definitions
 from .render import Renderer
-from .tokens import Word, exchange, words
+from .tokens import Word, exchange, quoted, words
 from .tree import File, Tree
 
 _MARK = re.compile(r"zq(\d+)x", re.IGNORECASE)
@@ -204,8 +204,13 @@ class Renaming:
                 return self.packages[word.text] if is_root else word.text
             return word.text
 
+        sign = _COMMENT.get(known.name, "\n")
+        told = {n for n in quoted(known, text) if lines[n].startswith(sign)}
         pairs = zip(split(text), split(exchange(known, text, by, names)), strict=True)
-        return "".join(_as_made(known, *pair, generated, heads) for pair in pairs)
+        return "".join(
+            pair[0] if n in told else _as_made(known, *pair, generated, heads)
+            for n, pair in enumerate(pairs)
+        )
 
     def blocks(self, known: Language, path: str, text: str) -> list[Block]:
         """Return the blocks of a file, with the names and lines that they have after the update.

@@ -105,6 +105,17 @@ def exchange(
     return "".join(parts) + text[at:]
 
 
+def quoted(known: Language, text: str) -> set[int]:
+    """Return the lines, from 0, that begin inside of a text in quotes."""
+    found: set[int] = set()
+    pattern = _PATTERNS.get(known.name)
+    for match in pattern.finditer(text) if pattern else ():
+        if match.lastgroup in ("string", "plain") and "\n" in match[0]:
+            first = text.count("\n", 0, match.start())
+            found |= {*range(first + 1, first + match[0].count("\n") + 1)}
+    return found
+
+
 def _path(include: str, by: By, line: int) -> str:
     """Exchange the words of an included file's path; the first part is that of a package."""
     head, quote, path = re.match(r"(.*?)([\"<])(.*)", include, re.DOTALL).groups()  # type: ignore[union-attr]

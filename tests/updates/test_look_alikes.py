@@ -108,6 +108,27 @@ def test_member_of_another_class_keeps_its_name(change, own):
     assert own in (package / "include/arm/reach_impl.hpp").read_text()
 
 
+@pytest.mark.parametrize(
+    ("model", "path", "anchor", "form"),
+    [
+        ("python_model", "arm/reach_impl.py", "class ReachImpl:\n", 'HELP = """\n{}\n"""\n\n\n'),
+        (
+            "cpp_model",
+            "src/reach_impl.cpp",
+            "namespace arm\n{\n",
+            'const char kHelp[] = R"(\n{}\n)";\n',
+        ),
+    ],
+)
+def test_generated_comment_in_a_text_stays(change, model, path, anchor, form):
+    said = "{} Service load".format("#" if model == "python_model" else "//")
+    edits = {path: (anchor, form.format(said) + anchor)}
+    package, _ = change(edits, SPEC, LOAD, '<serviceServer name="fill" was="load"', model=model)
+    text = (package / path).read_text()
+    assert form.format(said) in text
+    assert text.count(said) == 1
+
+
 def test_command_is_not_carried_without_the_function_that_defines_it(change):
     own = (
         "function(add_tool name)\n  add_executable(${name} a.cpp)\nendfunction()\nadd_tool(b)\n\n"
