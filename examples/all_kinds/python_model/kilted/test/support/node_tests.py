@@ -319,6 +319,21 @@ class NodeTests:
                 rest += more
             self.assertEqual(*([each for each in all_ if each != first] for all_ in (got, rest)))
 
+    def test_last_words(self):
+        """What the logic publishes last leaves the node."""
+        node = self.active()
+        heard, steps = [], []
+        for member, topic, type_, _, *qos, _ in self.each('pub_', node=node.name):
+            got = self.peer.subscribe(type_, topic, *qos)
+            first, last = (f'{member}={encode(sample(type_, number))}' for number in (1, 2))
+            self.assertTrue(eventually(lambda: node.order('now', first) or got), topic)
+            heard.append((got, sample(type_, 2)))
+            steps.append(last)
+        node.order('cleanup', *steps)
+        node.signal(INT)
+        for got, last in heard:
+            self.assertTrue(eventually(lambda: last in got), last)
+
     def sender(self, node, name):
         """Return a function that publishes messages for a synchronizer."""
         inputs = [each for each in self.interfaces if each.startswith(f'input_{name}.')]
@@ -443,6 +458,8 @@ class NodeTests:
             self.assertTrue(self.peer.change(self.node, 'deactivate'))
             self.assertTrue(eventually(lambda: not self.peer.clients[name].service_is_ready()))
             self.assertTrue(self.peer.change(self.node, 'activate'))
+            del self.peer.clients[name]
+            self.assertIsNotNone(self.peer.call(*call))
 
     def test_service_clients(self):
         """Every client warns of a missing server, gives up in time, and gets its responses."""
@@ -450,7 +467,7 @@ class NodeTests:
             request, response = sample(type_.Request), sample(type_.Response, 5)
             self.assertTrue(eventually(lambda: 'service ' in self.node.log), name)
             begin = monotonic()
-            self.assertIsNone(self.node.order('now', f'{member}={encode(request)}'))
+            self.assertIsNone(self.given.order('now', f'{member}={encode(request)}'))
             self.assertGreaterEqual(monotonic() - begin, 0.9)  # in which a server may still come
             requests = self.peer.serve(type_, name, response)
             order = f'{member}={encode(request)},0.5'  # the first response comes later
@@ -609,8 +626,10 @@ class NodeTests:
             self.peer.change(node, 'activate')
             node.order('now', send)
             comes('active', feedback, None)
+            begin = monotonic()
             server.close()
             comes('lost', feedback, None)
+            self.assertGreaterEqual(monotonic() - begin, 1.0)  # in which it may come back
             for transition in 'deactivate', 'cleanup', 'configure', 'activate':
                 self.assertTrue(self.peer.change(node, transition))
             comes('idle', None, None)
@@ -675,10 +694,24 @@ class NodeTests:
             last = self.turns(method, node=self.given)
             self.turns(method, more=3)
             self.assertEqual(self.turns(method, node=self.given), last)
-        for late, *_ in self.lates():  # and so do deadlines
-            self.assertTrue(
-                eventually(lambda: self.peer.set_time(10 * monotonic()) or self.given.got(late))
+        for late, member, deadline in self.lates():  # and so do deadlines
+            _, topic, type_, _, *qos, _ = next(self.each(member, node=self.given.name, given=True))
+            publisher, message = self.peer.publisher(type_, topic, *map(OTHER.get, qos)), sample(
+                type_, 1
             )
+
+            def is_late_in_time():
+                nonlocal time
+                heard, told = len(self.given.got(member)), len(self.given.got(late))
+                eventually(
+                    lambda: publisher.publish(message) or self.given.got(member)[heard:], 1.0
+                )
+                time += 1.5 * deadline
+                return eventually(
+                    lambda: self.peer.set_time(time) or self.given.got(late)[told:], 1.0
+                )
+
+            self.assertTrue(eventually(is_late_in_time), late)
 
     def turns(self, method='update', more=0, node=None):
         """Wait for `more` calls of a method; return their number, and both times of the last."""
@@ -844,10 +877,10 @@ class NodeTests:
         for transition in 'deactivate', 'cleanup':
             self.assertTrue(self.peer.change(node, transition))
         self.assertTrue(eventually(lambda: says(OK, 'unconfigured', None)), last())
-        node.order('configure', 'refuse')
-        self.assertFalse(self.peer.change(node, 'configure'))
-        self.assertTrue(eventually(lambda: says(ERROR, 'configure', None)), last())
         for transition in 'configure', 'activate':
+            node.order(transition, 'refuse')
+            self.assertFalse(self.peer.change(node, transition))
+            self.assertTrue(eventually(lambda: says(ERROR, transition, None)), last())
             self.assertTrue(self.peer.change(node, transition))
         self.assertTrue(eventually(is_active), last())
         node.order('now', 'diagnose=warning,warning')
@@ -918,8 +951,10 @@ class NodeTests:
         self.assertTrue(eventually(lambda: self.peer.state(late) == 'active'), late.log)
         self.assertTrue(self.peer.change(late, 'deactivate'))
         self.assertFalse(self.peer.change(late, 'activate'))  # while it has not returned
+        self.assertTrue(self.peer.change(late, 'cleanup'))
+        self.assertFalse(self.peer.change(late, 'configure'))
         late.order('now', 'release')
-        self.assertTrue(eventually(lambda: self.peer.change(late, 'activate')))
+        self.assertTrue(eventually(lambda: self.peer.change(late, 'configure')))
         node = self.active()
         self.assertTrue(self.peer.change(node, 'shutdown'))
         self.assertTrue(eventually(lambda: node.life() == LIFE), node.life())
@@ -956,12 +991,12 @@ class NodeTests:
             ends.append((f'{member} block', 0.1, [TERM], 1, LIFE, 'Still running'))
         for member, *_ in self.each(*self.can_refuse):
             ends.append((f'{member} refuse', 20.0, [], 1, LIFE, 'no response'))
-        for member in self.transforms if self.frequency else ():
+        for member in self.transforms:
             if member.startswith('listener_'):
-                order = f'update {member}=map,nowhere,1000'
+                order = f'activate {member}=map,nowhere,1000'
                 ends.append((order, 20.0, [INT], 0, LIFE, f'["{member}", "'))
-        for member, _, type_ in self.each('client_') if self.frequency else ():
-            order = f'update {member}={encode(type_.Request())},1000'
+        for member, _, type_ in self.each('client_'):
+            order = f'activate {member}={encode(type_.Request())},1000'
             ends.append((order, 20.0, [INT], 0, LIFE, f'["{member}", null]'))
         beside = [*self.threads, *self.timers, *(late for late, *_ in self.lates())]
         for method in beside:
@@ -994,7 +1029,9 @@ class NodeTests:
 
     def test_failure(self):
         """The logic writes to the log; one that fails ends the node in order, with exit code 1."""
-        node = self.active()
+        node = self.start(autostart=False)
+        for transition in 'configure', 'activate':
+            self.assertTrue(self.peer.change(node, transition))
         node.order('now', 'log=words')
         self.assertTrue(eventually(lambda: 'words' in node.log), node.log)
         begin = monotonic()

@@ -411,7 +411,7 @@ class NodeTests:
             request, response = sample(type_._request_class), sample(type_._response_class, 5)
             self.assertTrue(eventually(lambda: 'service ' in self.node.log), name)
             begin = monotonic()
-            self.assertIsNone(self.node.order('now', f'{member}={encode(request)}'))
+            self.assertIsNone(self.given.order('now', f'{member}={encode(request)}'))
             self.assertGreaterEqual(monotonic() - begin, 0.9)  # in which a server may still come
             requests = self.peer.serve(type_, name, response)
             order = f'{member}={encode(request)},0.5'  # the first response comes later
@@ -629,10 +629,22 @@ class NodeTests:
             last = self.turns(method, node=self.given)
             self.turns(method, more=3)
             self.assertEqual(self.turns(method, node=self.given), last)
-        for late, *_ in self.lates():  # and so do deadlines
-            self.assertTrue(
-                eventually(lambda: self.peer.set_time(10 * monotonic()) or self.given.got(late))
-            )
+        for late, member, deadline in self.lates():  # and so do deadlines
+            _, topic, type_, _, *qos, _ = next(self.each(member, node=self.given.name, given=True))
+            publisher, message = self.peer.publisher(type_, topic, *qos), sample(type_, 1)
+
+            def is_late_in_time():
+                nonlocal time
+                heard, told = len(self.given.got(member)), len(self.given.got(late))
+                eventually(
+                    lambda: publisher.publish(message) or self.given.got(member)[heard:], 1.0
+                )
+                time += 1.5 * deadline
+                return eventually(
+                    lambda: self.peer.set_time(time) or self.given.got(late)[told:], 1.0
+                )
+
+            self.assertTrue(eventually(is_late_in_time), late)
 
     def turns(self, method='update', more=0, node=None):
         """Wait for `more` calls of a method; return their number, and both times of the last."""
@@ -837,12 +849,12 @@ class NodeTests:
             ends.append((f'{member} block', 0.1, [TERM], 1, LIFE, 'Still running'))
         for member, *_ in self.each(*self.can_refuse):
             ends.append((f'{member} refuse', 20.0, [], 1, LIFE, 'no response'))
-        for member in self.transforms if self.frequency else ():
+        for member in self.transforms:
             if member.startswith('listener_'):
-                order = f'update {member}=map,nowhere,1000'
+                order = f'activate {member}=map,nowhere,1000'
                 ends.append((order, 20.0, [INT], 0, LIFE, f'["{member}", "'))
-        for member, _, type_ in self.each('client_') if self.frequency else ():
-            order = f'update {member}={encode(type_._request_class())},1000'
+        for member, _, type_ in self.each('client_'):
+            order = f'activate {member}={encode(type_._request_class())},1000'
             ends.append((order, 20.0, [INT], 0, LIFE, f'["{member}", null]'))
         beside = [*self.threads, *self.timers, *(late for late, *_ in self.lates())]
         for method in beside:
@@ -866,7 +878,7 @@ class NodeTests:
         for number, event in zip(signals, events):
             count = len(order.splitlines())
             self.assertTrue(eventually(lambda: len(node.got(event)) >= count), node.log)
-            loops = self.frequency and method != 'configure'
+            loops = self.frequency and method not in LIFE[:2]
             self.assertTrue(eventually(lambda: not loops or node.order('now', 'turns=update')[0]))
             self.peer.kill(node) if number == 'rosnode kill' else node.signal(number)
         ended = node.exit_code()
