@@ -123,7 +123,7 @@ def _path(include: str, by: By, line: int) -> str:
     for i, word in enumerate(words):
         if re.match(r"[A-Za-z_]\w*$", word):
             follows = words[i + 1] if i + 1 < len(words) else ""
-            after, chain = "::" if follows == "/" else follows, tuple(words[:i:2])
+            after, chain = "::" if follows == "/" else follows, (*filter(None, words[:i:2]),)
             words[i] = by(Word(word, ("#", "include"), after, chain, line))
     return str(head + quote + "".join(words))
 

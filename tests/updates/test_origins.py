@@ -144,6 +144,7 @@ CPP_FOREIGN = [
     "#include <vendor/a.hpp>\nnamespace test\n{\nReachConfig a;\n}\n",
     "#include <ros/ros.h>\nReachConfig a;\nint b = ros::use(a.in_goal);\n",
     '#include "vendor/lab/reach_interface.hpp"\n',
+    '#include "../vendor/reach_interface.hpp"\n',
     '#include "lab/mine.hpp"\nvendor::SayMessage a;\nint b = a.in_goal;\n',
     "struct Own\n{\n  int in_goal;\n};\nint f(const Own & msg) {return msg.in_goal;}\n",
     "#include <lab/mine.hpp>\nusing vendor::ReachData;\nReachData a;\nint b = a.in_goal;\n",
@@ -183,6 +184,8 @@ CPP_OURS = {
         "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nauto b = in_target;\n"
     ),
     '#include "reach_interface.hpp"\n': '#include "grasp_interface.hpp"\n',
+    '#include "./reach_interface.hpp"\n': '#include "./grasp_interface.hpp"\n',
+    '#include "../lab/reach_interface.hpp"\n': '#include "../lab/grasp_interface.hpp"\n',
     "namespace lab {\nauto f() const -> reach_types::InGoal;\nauto g() -> ReachData;\n}\n": (
         "namespace lab {\nauto f() const -> grasp_types::InTarget;\nauto g() -> GraspData;\n}\n"
     ),
