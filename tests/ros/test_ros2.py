@@ -55,6 +55,32 @@ def test_package_tests_and_linters(ros2, ros2_untouched):
             ros2.run(f"xmllint --noout {file}", workspace)
 
 
+SETUP = """\
+from setuptools import setup
+
+setup(name="a", version="1.0.0", tests_require=["pytest"])
+"""
+FAILING = """\
+def test_a():
+    with open("{}/tries", "a+") as tries:
+        tries.write("x")
+        assert tries.tell() > {}
+"""
+
+
+@pytest.mark.parametrize(("failures", "passes"), [(1, True), (9, False)])
+def test_package_whose_test_fails_is_tested_once_more(ros2, tmp_path, failures, passes):
+    """A fault that is always there is a fault."""
+    (tmp_path / "src/a/test").mkdir(parents=True)
+    (tmp_path / "src/a/setup.py").write_text(SETUP)
+    (tmp_path / "src/a/test/test_a.py").write_text(FAILING.format(tmp_path, failures))
+    ros2.build(tmp_path)
+    with pytest.warns(UserWarning, match="1 failure"):
+        results = ros2.test(tmp_path)
+    assert ("0 failures" in results) == passes
+    assert (tmp_path / "tries").read_text() == "xx"
+
+
 def test_launch_file(ros2, ros2_spec, ros2_with_logic):
     if not ros.has(ros2, "launch_ros"):
         pytest.skip("launch_ros is not installed")
