@@ -631,7 +631,8 @@ class NodeTests:
             self.assertEqual(self.turns(method, node=self.given), last)
         for late, member, deadline in self.lates():  # and so do deadlines
             _, topic, type_, _, *qos, _ = next(self.each(member, node=self.given.name, given=True))
-            publisher, message = self.peer.publisher(type_, topic, *qos), sample(type_, 1)
+            publisher = self.peer.publisher(type_, topic, *qos)
+            message = sample(type_, 1)
 
             def is_late_in_time():
                 nonlocal time

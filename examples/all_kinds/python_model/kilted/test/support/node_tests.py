@@ -696,9 +696,8 @@ class NodeTests:
             self.assertEqual(self.turns(method, node=self.given), last)
         for late, member, deadline in self.lates():  # and so do deadlines
             _, topic, type_, _, *qos, _ = next(self.each(member, node=self.given.name, given=True))
-            publisher, message = self.peer.publisher(type_, topic, *map(OTHER.get, qos)), sample(
-                type_, 1
-            )
+            publisher = self.peer.publisher(type_, topic, *map(OTHER.get, qos))
+            message = sample(type_, 1)
 
             def is_late_in_time():
                 nonlocal time
@@ -812,8 +811,10 @@ class NodeTests:
         """See that a parameter refuses some values, and NaN and infinity."""
         if len(values) > 1 and isinstance(values[1], float):
             values += float('nan'), float('inf')
+        told = node.got('config')
         for value in values:
             self.assertFalse(self.peer.set_parameter(node, name, value), (name, value))
+        self.assertEqual(node.got('config'), told)
 
     def sets(self, name, value):
         """Set a parameter, and see that the logic gets it."""
