@@ -409,7 +409,7 @@ class NodeTests:
         """Every client warns of a missing server, gives up in time, and gets its responses."""
         for member, name, type_ in self.each('client_'):
             request, response = sample(type_._request_class), sample(type_._response_class, 5)
-            self.assertTrue(eventually(lambda: 'service ' in self.node.log), name)
+            self.assertTrue(eventually(lambda: 'service ' in self.given.log), name)
             begin = monotonic()
             self.assertIsNone(self.given.order('now', f'{member}={encode(request)}'))
             self.assertGreaterEqual(monotonic() - begin, 0.9)  # in which a server may still come
