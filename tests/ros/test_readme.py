@@ -35,7 +35,8 @@ SPECS = {
 WITH_NODES = ("python_model", "cpp_model", "mixed_model")
 DIED = r"process has died \[pid \d+, exit code (?!-2,)"
 """Other than of the signal that stops it."""
-UNTIL_STOPPED = "{ timeout -s INT 8 %s || [ $? = 124 ]; }"
+UNTIL_STOPPED = "{ timeout -k 60 -s INT 60 timeout --foreground -s INT 8 %s || [ $? = 124 ]; }"
+"""Tells it again: on a busy machine, roslaunch 1.15 may miss a signal while it starts."""
 
 
 def run_readme(ros_, render, workspace, kind):
