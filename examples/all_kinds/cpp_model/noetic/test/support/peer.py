@@ -131,7 +131,8 @@ class Peer:
             client = actionlib.ActionClient(name, action_type)
             feedback = []
             rospy.Subscriber(name + '/feedback', client.ActionFeedback, feedback.append)
-            assert client.wait_for_server(rospy.Duration(TIMEOUT)), f'{name} is not served'
+            is_served = client.wait_for_server(rospy.Duration(TIMEOUT))
+            assert is_served, f'{name} is not served:\n{node.log}'
             topics = {name + '/feedback', name + '/result'}
             assert eventually(lambda: topics <= self._heard(node)), f'{name} does not connect'
             self._clients[name] = client, feedback
