@@ -116,7 +116,12 @@ def _imports_of_left(components: set[str], old: Tree, new: Tree, found: Tree) ->
         generated = set(split(new.get(path, File(b"")).written))
         text = plain(file.written)
         lines = split(text)
-        for number, said in dict.fromkeys(_imports(path, text, ends, packages)):
+        used = (
+            (number, package if package in packages else said)
+            for number, package, said, end in _imports(path, text)
+            if package in packages or end in ends
+        )
+        for number, said in dict.fromkeys(used):
             if lines[number] not in generated:
                 yield f"{path}:{number + 1}: {said}, which has left"
 
@@ -131,26 +136,23 @@ def _of(components: Iterable[str], path: str) -> bool:
     return any(name in PurePosixPath(path).stem for name in components)
 
 
-def _imports(
-    path: str, text: str, ends: Collection[str], packages: Collection[str]
-) -> Iterator[tuple[int, str]]:
-    """Yield where a file uses one whose path has one of some ends, or one of some packages."""
+def _imports(path: str, text: str) -> Iterator[tuple[int, str, str, str]]:
+    """Yield what a file uses of others: its line, the package, its name, and its path's end."""
     known = language(path, text)
     if known is CPP:
         for match in re.finditer(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"]([^">\n]+)', text):
-            package, line = match[1].partition("/")[0], text.count("\n", 0, match.start(1))
-            if match[1] in ends or package in packages:
-                yield line, package if package in packages else match[1]
+            line = text.count("\n", 0, match.start(1))
+            yield line, match[1].partition("/")[0], match[1], match[1]
     elif known is PYTHON:
         with contextlib.suppress(ValueError):
             for line, module in python_blocks.imports(text, PurePosixPath(path).parent.parts):
-                package = module.partition(".")[0]
-                if module.replace(".", "/") + ".py" in ends or package in packages:
-                    yield line, package if package in packages else module
+                yield line, module.partition(".")[0], module, module.replace(".", "/") + ".py"
     elif known is CMAKE:
         for line, said in enumerate(split(text)):
             for word in re.findall(r"\w+", said.partition("#")[0]):
-                yield from ((line, each) for each in packages if f"{word}_".startswith(f"{each}_"))
+                parts = word.split("_")  # of `geometry_msgs_TARGETS`
+                names = ("_".join(parts[:end]) for end in range(1, len(parts) + 1))
+                yield from ((line, name, name, "") for name in names)
 
 
 _CLASS = re.compile(r"\b(?:class|struct) (\w+)")
