@@ -74,9 +74,13 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     transforms = ('broadcaster_pose', 'listener_frames')
     parameters = {  # default, other values, refused ones
         'prefix': ('it\'s "said" <so> & für immer', ['other', 'another'], [True]),
-        'echo_topic': ('echo', ['other_echo_topic'], [True]),
-        'call_topics': (['hall/call', '~/call'], [['other_call_topics']], [True]),
-        'answer_topics': (['hall/answer', '/answer'], [['other_answer_topics']], [True]),
+        'echo_topic': ('echo', ['/other_echo_topic'], [True]),
+        'call_topics': (['hall/call', '~/call'], [['/other_call_topics']], [True]),
+        'answer_topics': (
+            ['hall/answer', '/answer'],
+            [['/other_answer_topics']],
+            [True],
+        ),
         'weights': ([0.5, 1.0, 2000.0], [[], [0.0]], [True]),
     }
     dynamic_parameters = {  # default, other values, refused ones

@@ -128,9 +128,10 @@ class NodeTests:
                 self.assertTrue(eventually(lambda: self.peer.has(*expected)), (topic, *expected))
                 override = f'qos_overrides.{topic}.{kind}.'
                 value = self.peer.parameter(node, override + 'depth').integer_value
-                self.assertIn(depth, (None, value), topic)
+                self.assertIn(depth or None, (None, value), topic)
                 value = self.peer.parameter(node, override + 'history').string_value
-                self.assertTrue(value, topic)
+                allowed = ('keep_all',) if depth == 0 else ('keep_last', 'system_default')
+                self.assertIn(value, allowed, topic)
 
     def lates(self):
         """Return the methods for topics that are late soon."""
@@ -402,8 +403,9 @@ class NodeTests:
         return found + [f'receive_{name}' for name in self.synchronizers]
 
     def trigger(self, node, member):
-        """Have the node call a callback."""
+        """Have the node call a callback; return the goal, if it is that of one."""
         count = len(node.got(member))
+        goal = None
 
         def is_called():
             return len(node.got(member)) > count
@@ -415,14 +417,15 @@ class NodeTests:
             if member.startswith('serve_'):
                 self.peer.send(node, type_, name, type_.Request(), *rest)
             if member.startswith(('execute_', 'accept_')):
-                self.peer.goal(node, type_, name, type_.Goal())
+                goal = self.peer.goal(node, type_, name, type_.Goal())
         if member.startswith('receive_') and member[8:] in self.synchronizers:
             send = self.sender(node, member[8:])
             eventually(lambda: is_called() or not send())
         self.assertTrue(eventually(is_called), member)
+        return goal
 
     def test_callbacks(self):
-        """Callbacks that block do not delay each other, nor the loop."""
+        """Callbacks that block do not delay each other, nor the loop; threads have their names."""
         callbacks = self.callbacks()
         for member in callbacks:
             self.node.order(member, 'block')
@@ -434,6 +437,9 @@ class NodeTests:
         self.turns(more=3)
         self.assertEqual([len(self.node.got(member)) for member, *_ in others], called)
         self.release(len(callbacks))
+        names = {self.interfaces[each][0] for each in callbacks if each in self.interfaces}
+        threads = set(self.node.got('block'))
+        self.assertLessEqual({name[:15] for name in names if name[0] != '{'}, threads)
 
     def got(self, member, type_):
         """Return the last message that a callback got, in a list."""
@@ -986,6 +992,8 @@ class NodeTests:
         callbacks = self.callbacks()
         for member in callbacks:
             ends.append((f'{member} raise', 20.0, [], 1, LIFE, 'told to raise'))
+        for member, *_ in self.each('execute_'):
+            ends.append((f'{member} await end=succeed raise', 20.0, [], 1, LIFE, 'told to raise'))
         for member, *_ in self.each('accept_'):
             ends.append((f'{member} raise', 20.0, [], 1, LIFE, 'told to raise'))
         for member in callbacks[:1]:
@@ -1016,7 +1024,10 @@ class NodeTests:
         is_called = method.startswith(('receive_', 'serve_', 'execute_', 'accept_'))
         node = (self.active if is_called else self.start)(order, stop_timeout=timeout)
         if is_called:
-            self.trigger(node, method)
+            goal = self.trigger(node, method)
+            if 'await' in order:
+                goal.cancel()
+                self.assertEqual(goal.end()[0], 'aborted')
         events = ('activate' if method in LIFE[1:] else 'begun', 'deactivate')
         for number, event in zip(signals, events):
             count = len(order.splitlines())

@@ -71,7 +71,11 @@ class _Recorder:
                 report('order')
 
     def _called(self, method):
-        return self._obey(method, Path('/proc/thread-self/comm').read_text().strip())
+        return self._obey(method, self._thread())
+
+    @staticmethod
+    def _thread():
+        return Path('/proc/thread-self/comm').read_text().strip()
 
     def _obey(self, method, call, item=None):
         steps = self._next(method)  # before the report, after which the test may order more
@@ -159,6 +163,7 @@ class _Recorder:
 
     def _do_block(self, *_):
         self._released.wait()
+        return self._thread()
 
     def _do_release(self, *_):
         self._released.set()

@@ -157,7 +157,7 @@ public:
         std::unique_lock<std::mutex> lock(shared().mutex);
         const int before = shared().releases;
         shared().released.wait(lock, [before] {return shared().releases != before;});
-        return "null";
+        return thread();
       };
     steps["release"] = [](const auto &) {
         const std::lock_guard<std::mutex> lock(shared().mutex);
@@ -176,13 +176,7 @@ public:
   }
 
   /// Report a call with the name of its thread, and obey; return false where it is to refuse.
-  bool called(const std::string & method)
-  {
-    std::ifstream file("/proc/thread-self/comm");
-    std::string thread;
-    std::getline(file, thread);
-    return called(method, to_json(thread));
-  }
+  bool called(const std::string & method) {return called(method, thread());}
 
   /// Report a call of a method, and obey; return false where it is to refuse.
   bool called(const std::string & method, const std::string & call, const Steps & own = {})
@@ -255,6 +249,15 @@ private:
     std::condition_variable released;
     int releases = 0;
   };
+
+  /// Return the name of the calling thread.
+  static std::string thread()
+  {
+    std::ifstream file("/proc/thread-self/comm");
+    std::string name;
+    std::getline(file, name);
+    return to_json(name);
+  }
 
   static Shared & shared()
   {
