@@ -103,6 +103,7 @@ class _Recorder:
         report('config', vars(config))
 
     def reconfigure(self, config):
+        report('reconfigure', vars(config))
         if not self._do(self._next('reconfigure')):
             return 'told to refuse'
         self._record(config)

@@ -68,6 +68,7 @@ public:
 
   std::string reconfigure(const WorkerConfig & config)
   {
+    report("reconfigure", text_of(config));
     if (!recorder_.run(recorder_.next("reconfigure"))) {
       return "told to refuse";
     }
@@ -163,8 +164,8 @@ public:
   }
 
 private:
-  /// Report the parameters, if they have changed.
-  void record(const WorkerConfig & config)
+  /// Return the parameters, in JSON.
+  static std::string text_of(const WorkerConfig & config)
   {
     std::string members;
     add(members, "prefix", config.prefix);
@@ -176,7 +177,13 @@ private:
     add(members, "step", config.step);
     add(members, "verbose", config.verbose);
     add(members, "label", config.label);
-    const std::string text = "{" + members + "}";
+    return "{" + members + "}";
+  }
+
+  /// Report the parameters, if they have changed.
+  void record(const WorkerConfig & config)
+  {
+    const auto text = text_of(config);
     const std::lock_guard<std::mutex> lock(config_mutex_);
     if (text != config_) {
       config_ = text;
