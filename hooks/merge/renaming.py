@@ -321,7 +321,7 @@ def _with_keys(text: str, keys: Mapping[str, str], holders: Collection[_Holder] 
     form = rf"(?m)^(?P<margin>\s*)(?P<quote>[\"']?)(?P<key>{pattern})(?P=quote)(?=:)"
     if not exact or not re.search(form, text):
         return text
-    found = _key_nodes(text)
+    found = key_nodes(text)
     tops = {holder[0] for holder, _ in found if holder}
     made = {holder[0] for holder in holders or () if holder}
     others = tops - made if made and not made & tops else set()  # the developer has named the node
@@ -343,7 +343,7 @@ def _with_keys(text: str, keys: Mapping[str, str], holders: Collection[_Holder] 
 _Holder = tuple[str, ...]
 
 
-def _key_nodes(text: str) -> list[tuple[_Holder, yaml.ScalarNode]]:
+def key_nodes(text: str) -> list[tuple[_Holder, yaml.ScalarNode]]:
     """Return the keys of YAML, each with those that it is in; none of a text that is no YAML."""
     found: list[tuple[_Holder, yaml.ScalarNode]] = []
 
@@ -400,7 +400,7 @@ def plan(
             renaming.roots.add(rest[0])
         renaming.keys[before] = _keys(reader, before, text)
         if known is YAML:
-            made = _key_nodes(old[before].written)
+            made = key_nodes(old[before].written)
             renaming.key_holders[before] = {holder for holder, _ in made}
         if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
             renaming.attributes[before] = reader.attributes(text)
