@@ -417,7 +417,14 @@ def _follow_moved(renaming: Renaming, own: Collection[str], mine: Collection[str
         if name != new and before not in mine:
             moved = [path for path in own if PurePosixPath(path).name == name]
             for path in moved if len(moved) == 1 else ():
-                renaming.paths[path] = str(PurePosixPath(renaming.path(path)).with_name(new))
+                target = str(PurePosixPath(renaming.path(path)).with_name(new))
+                renaming.paths[path] = target
+                for values in renaming.attributes.values():  # which say where it is
+                    values |= {
+                        (tag, name, value.replace(before, path)): made.replace(after, target)
+                        for (tag, name, value), made in [*values.items()]
+                        if before in value
+                    }
 
 
 def _exchanges(
