@@ -8,13 +8,13 @@ from __future__ import annotations
 import ast
 import contextlib
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from types import MappingProxyType
 
 from .languages import CPP, PYTHON, Language
 from .python_blocks import last_line, nodes
 from .receivers import Code, Lent, code, last_word, lent_in_cpp, lent_in_python, type_words
+from .scopes import scopes
 from .tokens import BEFORE_TYPE, Word
 
 SELF = ("self", "cls", "this")
@@ -109,7 +109,6 @@ def origins(
     names: Names,
     classes: Names,
     holders: Names = (),
-    own: Mapping[str, Names] = MappingProxyType({}),
 ) -> Origins:
     """Read where the names of a file come from.
 
@@ -120,14 +119,12 @@ def origins(
         names: what is looked for.
         classes: the classes of the package.
         holders: what the dictionary says that objects of these classes are called.
-        own: the developer's own modules of Python, as an import in the file may name them, each
-            with the names that it defines.
 
     """
     found = Origins(known_holders=holders)
     if known is PYTHON:
         with contextlib.suppress(ValueError):
-            _python(found, nodes(text), roots, names, classes, own)
+            _python(found, nodes(text), roots, names, classes)
     elif known is CPP:
         _cpp(found, text, roots, names, classes)
     return found
@@ -139,14 +136,11 @@ def _python(
     roots: Names,
     names: Names,
     classes: Names,
-    own: Mapping[str, Names],
 ) -> None:
     defined: list[_Class] = []
     for node in tree:
         if isinstance(node, ast.ImportFrom):
             is_ours = bool(node.level) or (node.module or "").split(".")[0] in roots
-            theirs = {*own.get("." * node.level + (node.module or ""), ())} & {*names}
-            is_ours = is_ours and theirs.isdisjoint(each.name for each in node.names)
             bound = {alias.asname or alias.name for alias in node.names}
             (found.ours if is_ours else found.foreign).update(bound)
             found.ours |= {*names} if is_ours and "*" in bound else set()
@@ -229,29 +223,15 @@ def _others(found: Iterable[_Class], kin: Names) -> set[int]:
     return {line for name, _, lines in found if name not in kin for line in lines}
 
 
-_AFTER_HEAD = {"const", "noexcept", "&", "try", "{"}
-
-
 def _cpp_classes(read: Code) -> Iterator[_Class]:
     """Yield the classes of a file, and what it defines of them out of their bodies."""
-    signs, lines, closed, _ = read
-    for at, sign in enumerate(signs[:-3]):
-        if [signs[at + 1], signs[at + 3]] == ["::", "("] and re.fullmatch(r"\w+", sign):
-            close = closed[at + 3]
-            body = next((i for i in range(close, len(signs)) if signs[i] in "{;"), close)
-            if signs[body] == "{" and {*signs[close + 1 : body + 1]} <= _AFTER_HEAD:
-                yield sign, set(), range(lines[at], lines[closed[body]] + 1)
-    for start, sign in enumerate(signs):
-        if sign not in ("class", "struct"):
+    within = scopes(read)
+    for at, (path, kind, bases, start) in within.items():
+        if at is None or kind == "namespace" or read.signs[at] == "(":
             continue
-        end = next((i for i in range(start, len(signs)) if signs[i] in "{;()=>"), start)
-        if signs[end] != "{":
-            continue
-        head = signs[start + 1 : end]
-        at = head.index(":") if ":" in head else len(head)
-        names = [word for word in head[:at] if word != "final"]
-        inside = range(lines[start], lines[closed[end]] + 1)
-        yield "".join(names[-1:]), {*head[at:]}, inside
+        names = path[len(within[read.around[at]].path) :]
+        for name in names[-1:] if kind else names[:-1][-1:]:
+            yield name, bases, range(read.lines[start], read.lines[read.closed[at]] + 1)
 
 
 def _bindings(tree: Iterable[ast.AST]) -> Iterator[tuple[str, ast.expr]]:

@@ -102,9 +102,11 @@ class _Package:
         own = [path for path in self.mine if path not in self.old and path not in self.new]
         for path, file in self.mine.items():
             target = _target(path, file)
-            if target in own and path in self.old and path in self.new:
-                self._follow(path, target)
-                own.remove(target)
+            for one in (path, *(one for one in away if target and one.startswith(f"{path}/"))):
+                led = target + one.removeprefix(path)
+                if led in own and one in self.old and one in self.new:
+                    self._follow(one, led)
+                    own.remove(led)
         likely = [
             (PurePosixPath(target).name == PurePosixPath(path).name, alike, path, target)
             for path in away

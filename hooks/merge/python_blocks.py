@@ -49,7 +49,10 @@ def nodes(text: str) -> tuple[ast.AST, ...]:
 
 
 def definitions(text: str) -> Iterator[str]:
-    """Yield the names of the classes, functions and variables of a module; none of no Python."""
+    """Yield the names of the classes, functions and variables of a module; none of no Python.
+
+    Those of classes in a class come after its name.
+    """
     try:
         body = parse(text).body
     except ValueError:
@@ -57,6 +60,9 @@ def definitions(text: str) -> Iterator[str]:
     for node in body:
         if isinstance(node, ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
             yield node.name
+        if isinstance(node, ast.ClassDef):
+            inner = (each for each in node.body if isinstance(each, ast.ClassDef))
+            yield from (f"{node.name}.{each.name}" for each in inner)
         for target in node.targets if isinstance(node, ast.Assign) else ():
             if isinstance(target, ast.Name):
                 yield target.id

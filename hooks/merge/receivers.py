@@ -17,7 +17,7 @@ _NO_CLASS = {"Any", "Optional", "Union", "None", "Final", "ClassVar", "Annotated
 """Words of types in Python that are none of a class."""
 _NO_TYPE = {"return", "new", "delete", "throw", "case", "goto", "operator", "class", "struct"}
 _ENDLESS = 1 << 20
-_SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 
 
 class _Binding(NamedTuple):
@@ -45,7 +45,7 @@ class Lent(dict[str, set[int]]):
 def lent_in_python(tree: Sequence[ast.AST], ours: set[str], foreign: set[str]) -> Lent:
     """Read a module; `ours` are classes of the package, `foreign` what it imports of others."""
     found: list[tuple[int, int, _Binding]] = []
-    scopes = [node for node in tree if isinstance(node, _SCOPES)]
+    scopes = [node for node in tree if isinstance(node, SCOPES)]
 
     def inner(line: int, kinds: tuple[type[ast.AST], ...]) -> tuple[int, range]:
         """Return the number of the innermost scope around a line, and its lines."""
@@ -58,14 +58,14 @@ def lent_in_python(tree: Sequence[ast.AST], ours: set[str], foreign: set[str]) -
 
     def bind(target: ast.expr, is_ours: bool | None, after: int) -> None:
         is_member = isinstance(target, ast.Attribute)
-        number, lines = inner(target.lineno, (ast.ClassDef,) if is_member else _SCOPES)
+        number, lines = inner(target.lineno, (ast.ClassDef,) if is_member else SCOPES)
         lines = lines if is_member else range(after, lines.stop)
         found.append((number, target.lineno, _Binding(last_word(target), lines, is_ours)))
 
     for node in tree:
         if isinstance(node, ast.arg):
             is_ours = _is_type(node.annotation, ours) if node.annotation else None
-            number, lines = inner(node.lineno, _SCOPES)
+            number, lines = inner(node.lineno, SCOPES)
             found.append((number, 0, _Binding(node.arg, lines, is_ours)))
         elif isinstance(node, ast.AnnAssign):
             bind(node.target, _is_type(node.annotation, ours), node.lineno - 1)
@@ -161,7 +161,7 @@ def lent_in_cpp(text: str, read: Code, names: set[str], ours: set[str], spaces: 
     def bindings() -> Iterator[tuple[bool, _Binding]]:
         for at, sign in enumerate(signs[:-1]):
             if sign.strip("_") in names and signs[at + 1] in (",", ")", ";", "=", "{", "("):
-                type_ = _type_before(signs, at)
+                type_ = type_before(signs, at)
                 if not type_:
                     continue
                 if type_[-1] == "auto":
@@ -193,7 +193,7 @@ def lent_in_cpp(text: str, read: Code, names: set[str], ours: set[str], spaces: 
     return Lent(binding for _, binding in sorted(bindings(), key=lambda each: each[0]))
 
 
-def _type_before(signs: Sequence[str], at: int) -> list[str]:
+def type_before(signs: Sequence[str], at: int) -> list[str]:
     """Return the words of the type before a name, if there is one: its arguments, then its own."""
     at -= 1
     while at > 0 and signs[at] in ("&", "*", "const"):

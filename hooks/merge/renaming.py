@@ -26,6 +26,7 @@ from .lines import split
 from .origins import SELF, Names, origins
 from .python_blocks import definitions
 from .render import Renderer
+from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python
 from .tokens import Word, exchange, quoted, words
 from .tree import File, Tree
 
@@ -75,8 +76,12 @@ class Renaming:
     """What imports and includes call the package."""
     holders: Names = ()
     """What the logic calls objects of these classes."""
-    own: dict[str, set[str]] = field(default_factory=dict)
-    """The developer's own modules of Python, each with the names that it defines."""
+    own: set[str] = field(default_factory=set)
+    """The developer's own modules of Python, and the names that these define, in full."""
+    scopes: Declared = field(default_factory=set)
+    """What the developer's C++ declares of the names that are exchanged."""
+    made: dict[str, Declared] = field(default_factory=dict)
+    """By file, what the model's declares."""
     names: list[tuple[str, str]] = field(default_factory=list)
     moved: dict[str, str] = field(default_factory=dict)
     """What the new version of the model renames."""
@@ -85,21 +90,22 @@ class Renaming:
     _texts: dict[tuple[str, str], str] = field(default_factory=dict, repr=False, compare=False)
 
     def know(self, mine: Tree) -> None:
-        """Read what the developer's own modules define."""
+        """Read what the developer's own modules define, and all of their C++."""
         for path, file in mine.items() if self.names else ():
             if language(path, "") is PYTHON and path not in self.paths:
                 module = path.removesuffix(".py").replace("/", ".")
-                self.own[module] = {*definitions(file.written)}
+                self.own |= {module, *(f"{module}.{name}" for name in definitions(file.written))}
+            elif language(path, "") is CPP:
+                self.scopes |= {d for d in self._scopes(path, file.written) if is_shared(d)}
 
-    def _own_near(self, path: str) -> dict[str, set[str]]:
-        """Return what own modules define, by each name that a file may import them by."""
-        found = dict(self.own)
-        above = PurePosixPath(path).parent.parts
-        for level in range(1, len(above) + 1):
-            start = ".".join(above[: len(above) + 1 - level]) + "."
-            near = (module for module in self.own if module.startswith(start))
-            found |= {"." * level + module[len(start) :]: self.own[module] for module in near}
-        return found
+    def _scopes(self, path: str, text: str) -> Declared:
+        """Return what a file of C++ declares that the model's have nowhere, or elsewhere."""
+        names = self._exact() - {name for _, name in self.made.get(path, ())}
+        return declared(text, names).difference(*self.made.values())
+
+    def _exact(self) -> set[str]:
+        """Return all identifiers that are exchanged somewhere."""
+        return {*self.everywhere}.union(*self.in_file.values())
 
     def follow(self, moved: Mapping[str, str], old: Iterable[str], new: Collection[str]) -> None:
         """Take files along that the new version of the model renames; `moved` says how."""
@@ -173,10 +179,15 @@ class Renaming:
         if is_same and not heads and names.isdisjoint(re.findall(r"[A-Za-z_]\w*", text)):
             return text
 
+        if known is CPP:
+            own = self.scopes | self._scopes(path, text)
+            text = marked_in_cpp(text, own, set().union(*self.made.values()), exact)
+        elif known is PYTHON:
+            with contextlib.suppress(ValueError):
+                text = marked_in_python(path, text, self.own, exact, self.classes)
+        lines = [line.strip() for line in split(text)]
         roots = self.roots | self.packages.keys()
-        origin = origins(
-            known, text, roots, exact.keys(), self.classes, self.holders, self._own_near(path)
-        )
+        origin = origins(known, text, roots, exact.keys(), self.classes, self.holders)
         is_made = [line in generated for line in lines]
         vocabulary = (self.vocabulary.get(path, set()) & exact.keys()) | roots
 
@@ -207,10 +218,11 @@ class Renaming:
         sign = _COMMENT.get(known.name, "\n")
         told = {n for n in quoted(known, text) if lines[n].startswith(sign)}
         pairs = zip(split(text), split(exchange(known, text, by, names)), strict=True)
-        return "".join(
+        found = "".join(
             pair[0] if n in told else _as_made(known, *pair, generated, heads)
             for n, pair in enumerate(pairs)
         )
+        return re.sub(rf"\b(\w+){MARK}", r"\1", found)
 
     def blocks(self, known: Language, path: str, text: str) -> list[Block]:
         """Return the blocks of a file, with the names and lines that they have after the update.
@@ -321,7 +333,7 @@ def _with_keys(text: str, keys: Mapping[str, str], holders: Collection[_Holder] 
     form = rf"(?m)^(?P<margin>\s*)(?P<quote>[\"']?)(?P<key>{pattern})(?P=quote)(?=:)"
     if not exact or not re.search(form, text):
         return text
-    found = _key_nodes(text)
+    found = key_nodes(text)
     tops = {holder[0] for holder, _ in found if holder}
     made = {holder[0] for holder in holders or () if holder}
     others = tops - made if made and not made & tops else set()  # the developer has named the node
@@ -343,7 +355,7 @@ def _with_keys(text: str, keys: Mapping[str, str], holders: Collection[_Holder] 
 _Holder = tuple[str, ...]
 
 
-def _key_nodes(text: str) -> list[tuple[_Holder, yaml.ScalarNode]]:
+def key_nodes(text: str) -> list[tuple[_Holder, yaml.ScalarNode]]:
     """Return the keys of YAML, each with those that it is in; none of a text that is no YAML."""
     found: list[tuple[_Holder, yaml.ScalarNode]] = []
 
@@ -400,13 +412,16 @@ def plan(
             renaming.roots.add(rest[0])
         renaming.keys[before] = _keys(reader, before, text)
         if known is YAML:
-            made = _key_nodes(old[before].written)
+            made = key_nodes(old[before].written)
             renaming.key_holders[before] = {holder for holder, _ in made}
         if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
             renaming.attributes[before] = reader.attributes(text)
     mine = {*mine}
     _follow_moved(renaming, mine - old.keys(), mine)
     _exchanges(renaming, reader, owned, tokens, old.keys() | mine)
+    for path, file in old.items():
+        if language(path, "") is CPP:
+            renaming.made[path] = declared(file.written, renaming._exact())
     return renaming
 
 
@@ -417,7 +432,14 @@ def _follow_moved(renaming: Renaming, own: Collection[str], mine: Collection[str
         if name != new and before not in mine:
             moved = [path for path in own if PurePosixPath(path).name == name]
             for path in moved if len(moved) == 1 else ():
-                renaming.paths[path] = str(PurePosixPath(renaming.path(path)).with_name(new))
+                target = str(PurePosixPath(renaming.path(path)).with_name(new))
+                renaming.paths[path] = target
+                for values in renaming.attributes.values():  # which say where it is
+                    values |= {
+                        (tag, name, value.replace(before, path)): made.replace(after, target)
+                        for (tag, name, value), made in [*values.items()]
+                        if before in value
+                    }
 
 
 def _exchanges(

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import contextlib
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from . import git, xml_blocks
 from .blocks import Block, every
-from .languages import CPP, PYTHON, XML, Language, language
+from .languages import CPP, PYTHON, XML, YAML, Language, language
 from .merging import block_name
 from .package import Result
 from .proof import Proof
+from .renaming import key_nodes
 from .tree import File, Tree
 
 
@@ -156,7 +158,8 @@ def _unnamed(after: Tree, left: Iterable[tuple[str, int, str]]) -> Iterator[str]
 def _missing(after: Tree, result: Result) -> Iterator[tuple[str, str]]:
     """Name the generated parts that are not there.
 
-    Any source may have a member of a class, a header may define it, and a base may have it.
+    Any source may have a member of a class, a header may define it, and a base may have it. In
+    YAML an anchor may give a key.
     """
     found = [(path, part) for path, parts in sorted(result.missing.items()) for part in parts]
     bases: dict[str, set[str]] = {}
@@ -166,6 +169,11 @@ def _missing(after: Tree, result: Result) -> Iterator[tuple[str, str]]:
             with contextlib.suppress(IndexError):
                 has |= {(path, key) for key in xml_blocks.keys(file.written)}
                 bases[path] = {path}
+        if language(path, "") is YAML and path in result.missing:
+            keys = key_nodes(file.written)  # those of an anchor for each of its uses, too
+            often = Counter(key for _, key in keys)
+            has |= {(path, key.value) for above, key in keys if "<<" in above or often[key] > 1}
+            bases[path] = {path}
         for block in _code(language(path, ""), file):
             owner, _, name = block_name(block.key).rpartition("::")
             has.add((owner, name))

@@ -17,6 +17,7 @@ _MARKUP = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 _ATTRIBUTE = re.compile(r"""([\w:.-]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
+_FILE = re.compile(r"/([\w.-]+\.(?:yaml|xml|launch))\b")
 _NAMING = ("name", "from", "file", "param", "id", "exec", "type", "if", "unless")
 
 
@@ -134,8 +135,9 @@ def _key(start: re.Match[str], content: str, has_children: bool) -> str:
 def _named(tag: str, attributes: Mapping[str, str]) -> str:
     if tag == "license":  # whose `file` may be told or not
         return tag
-    found = (f"{tag} {attributes[name]}" for name in _NAMING if name in attributes)
-    return next(found, tag)
+    name = next((attributes[each] for each in _NAMING if each in attributes), None)
+    file = _FILE.search(name or "")  # which may be in another folder
+    return tag if name is None else f"{tag} {file[1] if file else name}"
 
 
 def _line(text: str, at: int) -> int:

@@ -92,6 +92,21 @@ def test_file_that_a_link_leads_to_is_updated(target):
     assert (proof.total, proof.in_place, proof.lost) == (1, 1, [])
 
 
+@pytest.mark.parametrize("place", ["tools", "deep/../tools"])
+def test_files_below_a_folder_that_is_a_link_are_updated(place):
+    """Empty ones, too, which are like no other."""
+    paths = [PATH, "arm/__init__.py", "arm/a/b.py"]
+    texts = [("", "", ""), ("a = 1\n", "", "")]
+    sides = zip((MINE, OLD, NEW), *texts, strict=True)
+    trees = [{p: File(t.encode()) for p, t in zip(paths, side, strict=True)} for side in sides]
+    mine, old, new = trees
+    mine = {path.replace("arm", "tools"): file for path, file in mine.items()}
+    mine["arm"] = File(place.encode(), LINK)
+    result = merge_package(mine, old, new, Renaming(), {""}.__contains__)
+    assert (result.conflicts, result.missing, {*result.tree}) == ({}, {}, {*mine})
+    assert result.tree[PATH.replace("arm", "tools")].text == MERGED
+
+
 def test_file_that_both_have_made_has_what_both_have():
     """Of what has one name, the developer's counts; a text without names is a conflict."""
     result = merge(b"mine = 1\nboth = 1\n", None, b"theirs = 2\nboth = 2\n")

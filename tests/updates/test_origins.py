@@ -154,6 +154,8 @@ CPP_FOREIGN = [
     "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nstruct B : A\n{\n};\n",
     "#include <lab/mine.hpp>\nint a = f() -> in_goal;\n",
     "namespace vendor {ReachData a;}\nnamespace b = vendor;\nb::ReachData c;\n",
+    "namespace lab {\nstd::function<int(int)> A::f(int a = b::c(1))\n{\n  return in_goal;\n}\n}\n",
+    "namespace lab {\nenum Kind {in_goal, kTwo};\nstruct C : B<int>\n{\n  int in_goal;\n};\n}\n",
     "namespace lab\n{\nint f(const PidConfig & config)\n{\n  return config.gain;\n}\n}\n",
     "namespace lab {\nvoid f() {PidConfig config; config.gain = 2;}\n}\n",
     "namespace lab {\nvoid f() {\n  auto data = Data{};\n  data.in_goal;\n}\n}\n",
@@ -259,6 +261,76 @@ def test_names_in_own_files(pairs, path, text, wanted):
     assert pairs[model].renaming.text(path, text) == wanted
 
 
+OWN_STRUCT = "struct ReachConfig\n{\n  int gain;\n  int in_goal;\n};\n"
+OWN_USE = "int f(const ReachConfig & config) {return config.gain + config.in_goal;}\n"
+OURS_USE = "int g(const ReachConfig & config) {return config.gain;}\n"
+"""C++ with names of the model that are the developer's in one scope, and not in others."""
+IN_SCOPES = [
+    f"namespace lab {{ namespace own {{\n{OWN_STRUCT}{OWN_USE}}}\n|{OURS_USE}|}}\n",
+    f"namespace lab::own {{\n{OWN_STRUCT}}}\nnamespace lab {{ namespace own {{ {OWN_USE} }} }}\n",
+    f"namespace lab::own {{\n{OWN_STRUCT}}}\nint f(lab::own::ReachConfig a) {{return a.gain;}}\n",
+    f"namespace own {{\n{OWN_STRUCT}{OWN_USE}}}\nnamespace lab {{\n|{OURS_USE}|}}\n",
+    f"namespace lab {{ namespace {{\n{OWN_STRUCT}}}\n{OWN_USE}}}\n",
+    f"namespace lab {{\nclass Own {{\n{OWN_STRUCT}  ReachConfig c_;\n}};\n|{OURS_USE}|}}\n",
+    f"namespace lab {{\nclass Own : A<int> {{\n{OWN_STRUCT}void f();\n}};\n"
+    "void Own::f() {ReachConfig c; c.gain;}\nint g() {return Own::ReachConfig{}.gain;}\n}\n",
+    f"namespace lab {{\nclass Own {{\n{OWN_STRUCT}void f(ReachConfig c);\n}};\n"
+    "Own::Own(ReachConfig c) : a_(c) {c.gain;}\n}\n",
+    f"namespace lab {{\nint h() {{\n{OWN_STRUCT}  ReachConfig c; return c.gain;\n}}\n"
+    f"|{OURS_USE}|}}\n",
+    f"namespace lab::own {{\n{OWN_STRUCT}}}\nusing namespace lab::own;\n{OWN_USE}",
+    f"namespace lab::own {{\n{OWN_STRUCT}}}\nnamespace lab {{\nint h()\n{{\n"
+    f"  using namespace lab::own;\n  ReachConfig c; return c.gain;\n}}\n|{OURS_USE}|}}\n",
+    f"namespace lab::own {{\n{OWN_STRUCT}}}\nusing lab::own::ReachConfig;\n{OWN_USE}",
+    f"namespace lab::own {{\n{OWN_STRUCT}}}\nnamespace o = lab::own;\no::ReachConfig c;\n",
+    "namespace lab::own {\ntemplate<class T>\nstruct ReachData {T in_goal;};\n"
+    "ReachData<int> data;\nint a = data.in_goal;\n}\nlab::own::ReachData<int> b;\n",
+    "namespace lab::own {\nenum class InGoal {kOne, in_goal};\nInGoal a = InGoal::in_goal;\n}\n",
+    "namespace lab::own {\nenum {in_goal, kTwo};\nint a = in_goal;\n}\nint b = own::in_goal;\n",
+    "namespace lab::own {\nusing ReachData = int;\nReachData a;\n}\nlab::own::ReachData b;\n",
+    "namespace lab::own {\ntypedef int ReachData;\nReachData a;\n}\n",
+    "namespace lab::own {\nstruct ReachData;\nvoid f(ReachData *);\n}\n",
+    "namespace lab::own {\ndouble in_goal(int);\n}\nint a = lab::own::in_goal(1);\n",
+    "namespace lab::own {\nint in_goal = 1;\nint f() {return in_goal;}\n}\n",
+    "template<class T> struct Own {\nstruct ReachData {};\n};\nOwn<int>::ReachData a;\n",
+]
+
+
+@pytest.mark.parametrize("text", IN_SCOPES)
+def test_names_of_scopes_of_the_developers_own(pairs, text):
+    """What is between strokes is of the model."""
+    head = "#include <lab/mine.hpp>\n"
+    renaming = pairs["cpp_model"].renaming
+    parts = (head + text).split("|")
+    parts[1::2] = [p.replace("Reach", "Grasp").replace(".gain", ".factor") for p in parts[1::2]]
+    assert renaming.text("src/tools.cpp", head + text.replace("|", "")) == "".join(parts)
+
+
+@pytest.mark.parametrize("space", ["acme::lab", "lab::v2", "acme"])
+def test_generated_code_takes_the_new_name_in_a_namespace_of_the_developers(pairs, space):
+    pair, spaces = pairs["cpp_model"], ("namespace lab", f"namespace {space}")
+    texts = {p: text for p, text in pair.old.items() if p.endswith((".hpp", ".cpp"))}
+    renaming = replace(pair.renaming, _texts={}, scopes=set())
+    renaming.know(tree_of({path: text.replace(*spaces) for path, text in texts.items()}))
+    for path, text in texts.items():
+        found = renaming.text(path, text.replace(*spaces))
+        assert found == pair.renaming.text(path, text).replace(*spaces)
+
+
+def test_names_that_an_own_header_declares(pairs):
+    """In the scope that it declares them in, wherever that is opened again."""
+    own = f"namespace lab::own {{\n{OWN_STRUCT}}}\n"
+    renaming = replace(pairs["cpp_model"].renaming, _texts={}, scopes=set())
+    renaming.know(tree_of({**pairs["cpp_model"].old, "include/lab/own.hpp": own}))
+    text = (
+        f'#include "lab/own.hpp"\nnamespace lab {{\n{OURS_USE}namespace own {{\n{OWN_USE}}}\n}}\n'
+    )
+    wanted = text.replace(OURS_USE, OURS_USE.replace("Reach", "Grasp").replace("gain", "factor"))
+    assert renaming.text("src/tools.cpp", text) == wanted
+    text = "lab::ReachHarness a;\nlab::own::ReachConfig b;\nb.gain + b.in_goal;\n"
+    assert renaming.text("src/a.cpp", text) == text.replace("ReachHar", "GraspHar")
+
+
 OF_OWN_MODULES = {
     "from lab.kin import ReachConfig\n\nReachConfig(gain=1)\n": "",
     "from .kin import ReachConfig as Kin\n\n\ndef f(config: Kin):\n    config.gain\n": "",
@@ -267,15 +339,40 @@ OF_OWN_MODULES = {
         "from lab.more import GraspData, x\n\nGraspData()\n"
     ),
     "from .reach_interface import ReachData\n": "from .grasp_interface import GraspData\n",
+    "from . import kin\n\n\ndef f(c: kin.ReachConfig):\n    kin.ReachConfig(gain=c.gain)\n": "",
+    "import lab.kin as k\n\nk.ReachConfig(gain=1).gain\n": "",
+    "import lab.vendor.reach_interface\n\nlab.vendor.reach_interface.ReachData().in_goal\n": "",
+    "from .vendor import reach_interface as r\n\nr.ReachData\n": "",
+    "from .vendor import reach_interface\n\nreach_interface.ReachData\n": "",
+    "from .kin import Own\n\nOwn.ReachData(in_goal=1)\n": "",
+    "from .kin import ReachConfig\nfrom .reach_interface import ReachData\n": (
+        "from .kin import ReachConfig\nfrom .grasp_interface import GraspData\n"
+    ),
+    "from . import more\n\nmore.ReachData().in_goal\n": (
+        "from . import more\n\nmore.GraspData().in_goal\n"
+    ),
+    "from .reach_interface import ReachConfig\n\n\nclass A:\n    class ReachConfig:\n"
+    "        gain = 1\n\n    def f(self, c: ReachConfig):\n        self.ReachConfig(gain=2)\n"
+    "        A.ReachConfig(gain=3)\n        ReachConfig(gain=c.gain)\n": (
+        "from .grasp_interface import GraspConfig\n\n\nclass A:\n    class ReachConfig:\n"
+        "        gain = 1\n\n    def f(self, c: GraspConfig):\n        self.ReachConfig(gain=2)\n"
+        "        A.ReachConfig(gain=3)\n        GraspConfig(factor=c.factor)\n"
+    ),
+    "from .reach_interface import ReachConfig\n\n\ndef f():\n    class ReachConfig:\n"
+    "        gain = 1\n\n    ReachConfig(gain=2)\n\n\nReachConfig(gain=3)\n": (
+        "from .grasp_interface import GraspConfig\n\n\ndef f():\n    class ReachConfig:\n"
+        "        gain = 1\n\n    ReachConfig(gain=2)\n\n\nGraspConfig(factor=3)\n"
+    ),
 }
 
 
 @pytest.mark.parametrize(("text", "wanted"), OF_OWN_MODULES.items())
 def test_names_that_own_modules_define(pairs, text, wanted):
     """Of what they only import, the model's name is still that."""
-    renaming = replace(pairs["python_model"].renaming, _texts={}, own={})
+    renaming = replace(pairs["python_model"].renaming, _texts={}, own=set())
     own = {
-        "lab/kin.py": "class ReachConfig:\n    pass\n",
+        "lab/kin.py": "class ReachConfig:\n    a = 1\n\n\nclass Own:\n"
+        "    class ReachData:\n        a = 1\n",
         "lab/vendor/reach_interface.py": "ReachData = 1\n",
         "lab/more.py": "from .reach_interface import ReachData\n\n\ndef x():\n    pass\n",
         "lab/bad.py": "class\n",

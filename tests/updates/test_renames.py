@@ -136,6 +136,24 @@ def test_file_that_the_developer_has_moved_is_renamed_too(render, update, model)
     assert not any("reach_impl" in path.read_text() for path in files)
 
 
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize(
+    "change",
+    [('<node name="reach"', '<node name="grasp" was="reach"'), ('="gain"', '="kp" was="gain"')],
+)
+def test_parameter_files_that_the_developer_has_moved_are_loaded(render, update, distro, change):
+    package = render(SPEC, name="arm", ros_distro=distro)
+    git(package, "mv", "config", "params")
+    (launch,) = (package / "launch").iterdir()
+    launch.write_text(launch.read_text().replace("/config/", "/params/"))
+    said = update(package, change)
+    files = sorted(path.name for path in (package / "params").iterdir())
+    assert sorted(re.findall(r"/params/(\w+\.yaml)", launch.read_text())) == files
+    assert ("grasp.yaml" in files) == ("grasp" in change[1])
+    assert "missing" not in said
+    assert "launch" not in "".join(re.findall("still.*", said))
+
+
 def test_swapped_names_swap_their_code(arm, update):
     text = (arm / "arm/reach_impl.py").read_text()
     assert text.index("serve_load") < text.index("'loaded'") < text.index("serve_store")

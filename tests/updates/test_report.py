@@ -82,6 +82,22 @@ def test_element_that_shares_its_line_is_not_missing(package):
     ]
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a: &a\n  gain: 1\nb:\n  <<: *a\n",
+        "a: &a\n  gain: 1\nb: *a\n",
+        "a: &a {gain: 1}\nc: &c\n  d: 1\nb:\n  <<: [*a, *c]\n",
+        "a: &a\n  gain: 1\nc: &c\n  <<: *a\nb:\n  <<: *c\n",
+        "b:\n  <<: {gain: 1}\n",
+    ],
+)
+def test_key_that_an_anchor_gives_is_not_missing(package, text):
+    for content, missing in ((text, ["other"]), ("a: &a\n  gain: 1\nb: 2\n", ["gain", "other"])):
+        found = said(package, {"a.yaml": content}, missing={"a.yaml": ["gain", "other"]})
+        assert found[1:] == [f"missing   a.yaml: {key}" for key in missing]
+
+
 def test_what_became_of_files(package):
     """Of one that is in conflict, that alone."""
     head = git(package, "rev-parse", "--short", "HEAD")
