@@ -98,6 +98,8 @@ TO_B, TO_C = ("b", "T", "a"), ("c", "T", "b")
         ([("x", "T", "a")], [TO_B, ("a", "T", "b")], ("a", "T", "b"), ["> topic a on n, was x"]),
         ([], [A, TO_B], TO_B, ["+ topic b on n"]),
         ([A], [TO_B], ("z", "T", "b"), ["> topic z on n, was a"]),
+        ([TO_B, TO_C], [A], ("z", "T", "b"), ["> topic z on n, was c"]),
+        ([A], [TO_B, TO_C], ("z", "T", "b"), ["> topic z on n, was a"]),
         ([("b", "T", "a")], [("c", "T", "a")], ("z", "T", "c"), ["> topic z on n, was b"]),
         ([B, ("p", "T", "b")], [B, ("q", "T", "b")], ("q", "T", "b"), ["> topic q on n, was p"]),
         ([A], [None, A, TO_B, TO_C], TO_C, ["> topic c on n, was a"]),
