@@ -23,7 +23,7 @@ def run_tests(ros_, package):
     path = f"PYTHONPATH={DATA}/late/ros{ros_.environment['ROS_VERSION']}:{package}:$PYTHONPATH"
     command = f"env {path} {ros_.python} -m unittest test_drive_node"
     printed = ros_.run(command, package / "test").stdout
-    # Not the last line for sure: a timer of actionlib (1.14.0) may still publish as the process ends.
+    # Not the last line for sure: a timer of actionlib 1.14.0 may still publish as the process ends
     assert "OK" in printed.splitlines(), printed
 
 
