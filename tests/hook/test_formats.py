@@ -24,6 +24,7 @@ NAME = "a letter, then letters, digits and single underscores"
         ("raw", " a\tb\n\r", " a\tb\n\r"),
         ("raw", "\u200d\ufeff\ufffd", "\u200d\ufeff\ufffd"),
         ("text", " a b ", "a b"),
+        ("string", " a b ", " a b "),
         ("identifier", "a1_B2_", "a1_B2_"),
         ("identifier", LONG, LONG),
         ("component_name", "con1", "con1"),

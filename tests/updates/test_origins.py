@@ -180,6 +180,9 @@ CPP_OURS = {
     "#include <lab/mine.hpp>\nstruct A : lab::ReachData\n{\n  int b = in_goal;\n};\n": (
         "#include <lab/mine.hpp>\nstruct A : lab::GraspData\n{\n  int b = in_target;\n};\n"
     ),
+    "namespace lab {\nclass ReachImpl\n{\n  void mine() {receive_say(1);}\n};\n}\n": (
+        "namespace lab {\nclass GraspImpl\n{\n  void mine() {receive_speak(1);}\n};\n}\n"
+    ),
     "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nauto b = in_goal;\n": (
         "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nauto b = in_target;\n"
     ),

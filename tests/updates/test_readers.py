@@ -274,6 +274,7 @@ PARTS_OF_CPP = {
     "bool A::operator==(int b) const\n{\n}\nint operator()(int b);\n": [
         *("A::operator==()", "operator()()")
     ],
+    "void A::STOP(int b)\n{\n}\n": ["A::STOP()"],
     "void f()\n{\n}\nvoid f()\n{\n}\n": ["f()", "f() #2"],
     "namespace a\n{\nnamespace b\n{\nint c;\n}\n}\n": ["namespace a", "namespace b", "variable c"],
     "A::A() : b{1}\n{\n}\nint c;\n": ["A::A()", "variable c"],
