@@ -167,6 +167,15 @@ def test_marks_of_what_was_renamed(dictionary):
     assert old["nodes"][0]["name"] == "n"
 
 
+def test_attribute_of_an_interface_that_is_called_as_a_component_names_none(dictionary):
+    """Only what components share is named by its tag."""
+    old, new = spec(node("n", A)), spec(node("m", A, was="n"))
+    old["nodes"][0]["topics"][0]["node"] = "n"
+    context, _ = marked(old, new, dictionary)
+    assert context["nodes"][0]["name"] == "zq0x"
+    assert context["nodes"][0]["topics"][0]["node"] == "n"
+
+
 def test_marks_of_what_left_and_whose_name_is_taken(dictionary):
     old = spec(node("n", ("~/a", "T"), B))
     context, marks = marked(old, spec(node("n", ("b", "T", "~/a"))), dictionary)

@@ -312,6 +312,9 @@ def test_dependencies_are_translated(model):
     assert {"rclcpp", "tf2_ros", "nav_msgs", "rclpy"} <= set(ros2["depends"])
     assert not {"roscpp", "tf", "actionlib", "rospy"} & set(ros2["depends"])
     assert len(ros2["notes"]) == 4
+    for name, meaning in (("tf", "became tf2_ros"), ("actionlib", "was left out")):
+        note = f"<depend>{name}</depend> has no meaning in ROS 2: it {meaning}"
+        assert f"{note} [dependency-of-other-ros]" in ros2["notes"]
     ros1 = context(model, xml, "noetic")
     assert {"roscpp", "tf", "actionlib", "nav_msgs", "rospy"} <= set(ros1["depends"])
     assert ros1["notes"] == []
