@@ -183,6 +183,15 @@ CPP_OURS = {
     "namespace lab {\nclass ReachImpl\n{\n  void mine() {receive_say(1);}\n};\n}\n": (
         "namespace lab {\nclass GraspImpl\n{\n  void mine() {receive_speak(1);}\n};\n}\n"
     ),
+    "namespace lab {\nclass LAB_API ReachImpl final {void mine() {receive_say(1);}};\n}\n": (
+        "namespace lab {\nclass LAB_API GraspImpl final {void mine() {receive_speak(1);}};\n}\n"
+    ),
+    "#include <lab/mine.hpp>\nvoid lab::Loader::all()\n{\n}\nauto b = in_goal;\n": (
+        "#include <lab/mine.hpp>\nvoid lab::Loader::all()\n{\n}\nauto b = in_target;\n"
+    ),
+    "namespace lab {\nvoid ReachImpl::f() {if (Loader::has()) {receive_say(1);}}\n}\n": (
+        "namespace lab {\nvoid GraspImpl::f() {if (Loader::has()) {receive_speak(1);}}\n}\n"
+    ),
     "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nauto b = in_goal;\n": (
         "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nauto b = in_target;\n"
     ),
