@@ -231,6 +231,7 @@ def test_mistake_in_a_function(tmp_path, right, wrong, message):
     functions = (STARTER / "functions.py").read_text().replace(right, wrong, 1)
     found = faults(tmp_path, (STARTER / "dictionary.yaml").read_text(), functions)
     assert found.startswith(message)
+    assert found.endswith(" [function-fails]")
 
 
 def test_long_arguments_of_a_function_are_shortened(tmp_path):

@@ -80,6 +80,13 @@ def test_name_of_a_file_with_a_tag_that_the_model_has_not(environment):
     assert len(tags) == len({*tags})
 
 
+@pytest.mark.parametrize("file", ["hooks/copier.yml", "copier.yml"])
+def test_functions_that_a_copier_yml_calls_are_there(environment, file):
+    calls = environment.parse((ROOT / file).read_text()).find_all(jinja2.nodes.Call)
+    called = {call.node.name for call in calls if isinstance(call.node, jinja2.nodes.Name)}
+    assert called <= environment.globals.keys()
+
+
 def test_template_that_is_no_utf_8(environment, root):
     """Of one that another includes, too, the message names its own file and line."""
     (root / "a.md").write_bytes("Größe.\n\nGröße".encode() + "ö".encode("latin-1"))

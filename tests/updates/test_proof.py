@@ -426,6 +426,10 @@ IMPORTS = {
         "from arm.ros.stop import Stop\nfrom .ros import stop, mine\nimport arm.ros.mine\n",
         ["1: arm.ros.stop", "2: arm.ros.stop"],
     ),
+    "arm/own/tools.py": (
+        "from ..ros import stop\nfrom ..ros.stop import Stop\nfrom ..stop import a\n",
+        ["1: arm.ros.stop", "2: arm.ros.stop"],
+    ),
     "arm/other.py": ("from vendor.ros.stop import a\nfrom .stop import b\nimport peer\n", []),
     "src/a.cpp": (
         '#include "ros/stop.hpp"\n#include "arm/ros/time.hpp"\n#include "vendor/ros/time.hpp"\n',
