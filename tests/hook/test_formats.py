@@ -49,6 +49,7 @@ NAME = "a letter, then letters, digits and single underscores"
         ("field_type", "a::Pose[]", "a/msg/Pose[]"),
         ("field_type", "Header", "std_msgs/msg/Header"),
         ("field_type", "builtin_interfaces::Time", "time"),
+        ("field_type", "builtin_interfaces/Duration[]", "duration[]"),
         ("number", " 1e3 ", 1000.0),
         ("double", "0", 0.0),
         ("double", str(-sys.float_info.min), -sys.float_info.min),

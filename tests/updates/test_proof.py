@@ -20,6 +20,7 @@ from hooks.merge.transaction import Snapshot
 from hooks.merge.tree import File, Tree, encode
 from hooks.merge.update import Update
 from hooks.merge.uses import uses_of_left
+from hooks.merge.versions import Versions
 from support.arm import MINE, NEW, OLD, PATH
 from support.laboratory.trials import tree_of
 from support.repository import ROOT, commit, git
@@ -408,6 +409,15 @@ def test_parameter_that_left_is_said_where_it_is_given_a_value(path, code):
     new = dict.fromkeys(old, File(b""))
     said = [*uses_of_left([("reach", "k")], old, new, tree_of({path: code}), ["config"])]
     assert said == [f"{path}:4: k, which has left"]
+
+
+def test_many_generated_lines_that_are_alike_are_not_the_developers():
+    """Some of them may leave."""
+    old, new = "x\n" * 300, "x\n" * 299
+    files = (tree_of({"a.txt": text}) for text in (f"mine\n{old}mine too\n", old, new))
+    result, doubts = Versions(*files).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree["a.txt"].text == f"mine\n{new}mine too\n"
 
 
 IMPORTS = {
