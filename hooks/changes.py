@@ -206,7 +206,7 @@ def as_parted(
             items = [(before, memos[0][id(before)])] if number == 0 else []
             name = _name(before, pair.naming)
             has = (after or {}).get(WAS)
-            if has == name or (pair.name == name and has == before.get(WAS)):
+            if has in (name, before.get(WAS)):
                 items.append((after or {}, memos[1].get(id(after), {})))
             for given, item in items:
                 if given.get(WAS) is not None or first != name:  # else another history may say it

@@ -406,7 +406,7 @@ class _Checker:
                 continue
             default = values.get(attribute.same_as) if attribute.same_as else attribute.default
             values[name] = default if given is None else None
-            if given is None and any(_misplaced(attribute, values)):
+            if any(_misplaced(attribute, values)):
                 values[name] = None  # a default, too, has a meaning beside others alone
             if given is None and not attribute.optional and name not in told:
                 what = f'attribute "{name}" is missing{_doc(attribute)}'

@@ -214,9 +214,9 @@ class Dictionary:
 
     @property
     def tags(self) -> list[str]:
-        """The tags of components and, after each, of what may stand inside of it."""
+        """The tags of components and, after each, of what may stand inside of it; each once."""
         components = self.components.values()
-        return [tag for each in components for tag in (each.tag, *_kinds(each))]
+        return [*dict.fromkeys(tag for each in components for tag in (each.tag, *_kinds(each)))]
 
 
 _KEYS = {"package_attributes", "aliases", "skeleton", "names", "holders", "definitions", "include"}
@@ -320,7 +320,7 @@ class _Reader:
             for tag in map(str, tags)
         }
         package = self.attributes(PACKAGE, content.get("package_attributes") or [Located("name")])
-        kinds = [kind for each in components.values() for kind in _kinds(each)]
+        kinds = [*dict.fromkeys(kind for each in components.values() for kind in _kinds(each))]
         owners = {PACKAGE, *components, *kinds}
         skeleton = content.get("skeleton") or []
         self.check_shape("skeleton", "skeleton", skeleton, list[str])

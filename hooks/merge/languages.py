@@ -17,7 +17,6 @@ from .lines import margin, split
 class Language:
     """How a text becomes blocks, and which of its differences are but of form."""
 
-    name: str
     blocks: Callable[[str], list[Block]]
     same: Callable[[str, str], bool]
     key: Callable[[str], str]
@@ -42,26 +41,23 @@ def _row(line: str) -> str:
     return outlines.row(line).rstrip()
 
 
-TEXT = Language("text", _lines, operator.eq, str.rstrip)
+TEXT = Language(_lines, operator.eq, str.rstrip)
 PYTHON = Language(
-    "python", checked(python_blocks.blocks), python_blocks.same, _margin_counts, _comments("#")
+    checked(python_blocks.blocks), python_blocks.same, _margin_counts, _comments("#")
 )
-CPP = Language("c++", checked(cpp_blocks.blocks), cpp_blocks.same, squeezed, _comments("//"))
-XML = Language("xml", checked(xml_blocks.blocks), xml_blocks.same, squeezed)
-YAML = Language(
-    "yaml", checked(outlines.yaml_blocks), outlines.same_yaml, _margin_counts, _comments("#")
-)
+CPP = Language(checked(cpp_blocks.blocks), cpp_blocks.same, squeezed, _comments("//"))
+XML = Language(checked(xml_blocks.blocks), xml_blocks.same, squeezed)
+YAML = Language(checked(outlines.yaml_blocks), outlines.same_yaml, _margin_counts, _comments("#"))
 CMAKE = Language(
-    "cmake",
     checked(outlines.cmake_blocks),
     outlines.same_cmake,
     outlines.cmake_key,
     _comments("#"),
 )
 MARKDOWN = Language(
-    "markdown", checked(outlines.markdown_blocks), outlines.same_markdown, _row, outlines.asides
+    checked(outlines.markdown_blocks), outlines.same_markdown, _row, outlines.asides
 )
-MESSAGE = Language("message", checked(outlines.message_blocks), operator.eq, str.rstrip)
+MESSAGE = Language(checked(outlines.message_blocks), operator.eq, str.rstrip)
 
 _SUFFIXES = {
     PYTHON: ".py .cfg .pyi",

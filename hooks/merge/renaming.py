@@ -173,7 +173,7 @@ class Renaming:
         members = self.members.get(path, {})
         names = {*exact, *members, *self.packages, *self.targets}
         generated = self.generated.get(path, {})
-        heads = self.heads.get(path, {}) if known.name in _ENDS else {}
+        heads = self.heads.get(path, {}) if known in _ENDS else {}
         lines = [line.strip() for line in split(text)]
         is_same = all(generated.get(line) in (None, "", line) for line in lines)
         if is_same and not heads and names.isdisjoint(re.findall(r"[A-Za-z_]\w*", text)):
@@ -215,7 +215,7 @@ class Renaming:
                 return self.packages[word.text] if is_root else word.text
             return word.text
 
-        sign = _COMMENT.get(known.name, "\n")
+        sign = _COMMENT.get(known, "\n")
         told = {n for n in quoted(known, text) if lines[n].startswith(sign)}
         pairs = zip(split(text), split(exchange(known, text, by, names)), strict=True)
         found = "".join(
@@ -244,11 +244,11 @@ class Renaming:
         return {before: after for before, after in found.items() if before != after}
 
 
-_COMMENT = {PYTHON.name: "#", CPP.name: "//", CMAKE.name: "#"}
+_COMMENT = {PYTHON: "#", CPP: "//", CMAKE: "#"}
 _ENDS = {
-    PYTHON.name: re.compile(r" =(?= |$)"),
-    CPP.name: re.compile(r" =(?= |$)"),
-    MARKDOWN.name: re.compile(r" \|(?=[^|]*\|$)"),
+    PYTHON: re.compile(r" =(?= |$)"),
+    CPP: re.compile(r" =(?= |$)"),
+    MARKDOWN: re.compile(r" \|(?=[^|]*\|$)"),
 }
 """Where the head of a line ends, that may go on as the developer likes: before a value, before the
 last cell of a table."""
@@ -257,7 +257,7 @@ last cell of a table."""
 def _heads(known: Language, generated: Mapping[str, str]) -> dict[str, str]:
     """Return the heads of generated lines that change, each as it will be."""
     found: dict[str, str] = {}
-    ends = _ENDS.get(known.name)
+    ends = _ENDS.get(known)
     if not ends:
         return found
     for before, after in generated.items():
@@ -274,12 +274,12 @@ def _as_made(
 ) -> str:
     """Return a line whose words are exchanged; of a generated one, comment and head, too."""
     line, changed = before.strip(), after.strip()
-    made, sign = generated.get(line), _COMMENT.get(known.name)
+    made, sign = generated.get(line), _COMMENT.get(known)
     is_prose = known is PYTHON and line == changed and not re.search("['\"]", line.strip('"'))
     if made and sign and (is_prose or made.partition(sign)[0] == changed.partition(sign)[0]):
         return after.replace(changed, made)
-    end = _ENDS[known.name].search(changed) if heads else None
-    was = _ENDS[known.name].search(line) if end else None
+    end = _ENDS[known].search(changed) if heads else None
+    was = _ENDS[known].search(line) if end else None
     start = line[: was.start()] if was else ""
     head, gap = heads.get(collapsed(start).rstrip()), start[len(start.rstrip()) :]
     return after.replace(changed, head + gap + changed[end.start() :]) if head and end else after

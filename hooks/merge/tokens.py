@@ -37,7 +37,7 @@ _CMAKE = re.compile(
 )
 _FIELDS = re.compile(r"(\{\{|\}\}|\{(?:[^{}]|\{[^{}]*\})*\})")
 """What is code in an f-string; doubled braces are none."""
-_PATTERNS = {PYTHON.name: _PYTHON, CPP.name: _CPP, CMAKE.name: _CMAKE}
+_PATTERNS = {PYTHON: _PYTHON, CPP: _CPP, CMAKE: _CMAKE}
 
 
 class Word(NamedTuple):
@@ -66,7 +66,7 @@ def exchange(
 
     `by` says of a word, or of one that is `among` some, what it becomes.
     """
-    pattern = _PATTERNS.get(known.name)
+    pattern = _PATTERNS.get(known)
     if pattern is None:
         return text
     parts: list[str] = []
@@ -108,7 +108,7 @@ def exchange(
 def quoted(known: Language, text: str) -> set[int]:
     """Return the lines, from 0, that begin inside of a text in quotes."""
     found: set[int] = set()
-    pattern = _PATTERNS.get(known.name)
+    pattern = _PATTERNS.get(known)
     for match in pattern.finditer(text) if pattern else ():
         if match.lastgroup in ("string", "plain") and "\n" in match[0]:
             first = text.count("\n", 0, match.start())

@@ -98,6 +98,8 @@ TO_B, TO_C = ("b", "T", "a"), ("c", "T", "b")
         ([("x", "T", "a")], [TO_B, ("a", "T", "b")], ("a", "T", "b"), ["> topic a on n, was x"]),
         ([], [A, TO_B], TO_B, ["+ topic b on n"]),
         ([A], [TO_B], ("z", "T", "b"), ["> topic z on n, was a"]),
+        ([TO_B, TO_C], [A], ("z", "T", "b"), ["> topic z on n, was c"]),
+        ([A], [TO_B, TO_C], ("z", "T", "b"), ["> topic z on n, was a"]),
         ([("b", "T", "a")], [("c", "T", "a")], ("z", "T", "c"), ["> topic z on n, was b"]),
         ([B, ("p", "T", "b")], [B, ("q", "T", "b")], ("q", "T", "b"), ["> topic q on n, was p"]),
         ([A], [None, A, TO_B, TO_C], TO_C, ["> topic c on n, was a"]),
@@ -163,6 +165,15 @@ def test_marks_of_what_was_renamed(dictionary):
     assert second["topics"][0]["name"] == "a"
     assert third == old["nodes"][2]
     assert old["nodes"][0]["name"] == "n"
+
+
+def test_attribute_of_an_interface_that_is_called_as_a_component_names_none(dictionary):
+    """Only what components share is named by its tag."""
+    old, new = spec(node("n", A)), spec(node("m", A, was="n"))
+    old["nodes"][0]["topics"][0]["node"] = "n"
+    context, _ = marked(old, new, dictionary)
+    assert context["nodes"][0]["name"] == "zq0x"
+    assert context["nodes"][0]["topics"][0]["node"] == "n"
 
 
 def test_marks_of_what_left_and_whose_name_is_taken(dictionary):

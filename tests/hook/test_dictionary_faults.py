@@ -231,6 +231,7 @@ def test_mistake_in_a_function(tmp_path, right, wrong, message):
     functions = (STARTER / "functions.py").read_text().replace(right, wrong, 1)
     found = faults(tmp_path, (STARTER / "dictionary.yaml").read_text(), functions)
     assert found.startswith(message)
+    assert found.endswith(" [function-fails]")
 
 
 def test_long_arguments_of_a_function_are_shortened(tmp_path):
@@ -419,8 +420,8 @@ def test_long_arguments_of_a_function_are_shortened(tmp_path):
         ),
         ("skeleton: x\n", "1: skeleton: 'x' must be a list of texts [wrong-shape]"),
         (
-            "skeleton: [b]\na_interface: {c: [name]}\n",
-            '1: skeleton: unknown interface kind "b"; allowed: c [unknown-word]',
+            "skeleton: [b]\na_interface: {c: [name]}\nd_interface: {c: [name], e: [name]}\n",
+            '1: skeleton: unknown interface kind "b"; allowed: c, e [unknown-word]',
         ),
         ("holders: x\n", "1: holders: 'x' must be a list of texts [wrong-shape]"),
         ("aliases: x\n", "1: aliases: 'x' must be a mapping of texts [wrong-shape]"),

@@ -12,7 +12,7 @@ from hooks.dictionary import load, nested
 from hooks.faults import SpecError
 from hooks.model import Model
 from hooks.parse import parse
-from hooks.ros import DISTROS, is_lacking, translate_dependency
+from hooks.ros import DISTROS, is_lacking, nearest_available, translate_dependency
 from support.packages import model_of
 from support.repository import EXAMPLES
 
@@ -312,6 +312,9 @@ def test_dependencies_are_translated(model):
     assert {"rclcpp", "tf2_ros", "nav_msgs", "rclpy"} <= set(ros2["depends"])
     assert not {"roscpp", "tf", "actionlib", "rospy"} & set(ros2["depends"])
     assert len(ros2["notes"]) == 4
+    for name, meaning in (("tf", "became tf2_ros"), ("actionlib", "was left out")):
+        note = f"<depend>{name}</depend> has no meaning in ROS 2: it {meaning}"
+        assert f"{note} [dependency-of-other-ros]" in ros2["notes"]
     ros1 = context(model, xml, "noetic")
     assert {"roscpp", "tf", "actionlib", "nav_msgs", "rospy"} <= set(ros1["depends"])
     assert ros1["notes"] == []
@@ -320,6 +323,8 @@ def test_dependencies_are_translated(model):
     assert context(model, xml, "noetic")["other_depends"] == {"exec": ["rosconsole"]}
     assert translate_dependency("rclpy", 1)[0] == "rospy"
     assert translate_dependency("rclcpp_lifecycle", 1)[0] == "roscpp"
+    near = {name: nearest_available(name, 2) for name in ("rospy", "rosconsole", "nav_msgs")}
+    assert near == {"rospy": "rclpy", "rosconsole": None, "nav_msgs": None}
 
 
 def test_kinds_bring_their_dependencies(model):

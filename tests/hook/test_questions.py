@@ -83,6 +83,15 @@ def test_model_that_is_a_template_by_itself(root, model):
         assert specs.check_answers(run) == ""
 
 
+def test_spec_is_no_option(root):
+    """Copier itself gives a mapping."""
+    package, specs = Package(root / "package", "answers.yml"), Specs(root, None, None)
+    (root / "template").mkdir()
+    assert specs.check_answers(SimpleNamespace(given={"spec": {}}, package=package)) == ""
+    with pytest.raises(SpecError, match="^-d spec: no such option"):
+        specs.check_answers(SimpleNamespace(given={"spec": "a"}, package=package))
+
+
 @pytest.mark.parametrize(("is_inner", "said"), [(False, "changed"), (True, "")])
 def test_spec_that_changed_is_looked_for_where_a_file_may_be_read(root, is_inner, said):
     (root / "dictionary.yaml").write_text("node_interface: {topic: [name]}\n")

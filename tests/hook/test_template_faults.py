@@ -12,8 +12,9 @@ from copier.errors import UserMessageError
 from jinja2 import Environment, FileSystemLoader
 
 from extensions.compiled import CompiledExtension
+from extensions.paths import PathsExtension
 from extensions.spec import SpecExtension, _is_render
-from hooks import faults, templates
+from hooks import faults, model, templates
 from support.repository import ROOT
 
 
@@ -66,6 +67,24 @@ def test_fault_that_the_model_tells_of_a_template(environment, root):
     (root / "a.md").write_text("\n{{ 'x' | is_lacking('y') }}")
     with pytest.raises(UserMessageError, match=r" \(in a\.md:2\) \[unknown-feature\]$"):
         environment.get_template("a.md").render()
+
+
+def test_name_of_a_file_with_a_tag_that_the_model_has_not(environment):
+    PathsExtension(environment)
+    environment.bridge._use(model.Model(ROOT / "python_model", ROOT))
+    template = environment.from_string("{{ {} | all_of('leg', known_tags) }}")
+    with pytest.raises(jinja2.TemplateRuntimeError, match='^unknown tag "leg"; ') as caught:
+        template.render()
+    tags = str(caught.value).partition("allowed: ")[2].split(", ")
+    assert tags[:4] == ["maintainer", "url", "node", "publisher"]
+    assert len(tags) == len({*tags})
+
+
+@pytest.mark.parametrize("file", ["hooks/copier.yml", "copier.yml"])
+def test_functions_that_a_copier_yml_calls_are_there(environment, file):
+    calls = environment.parse((ROOT / file).read_text()).find_all(jinja2.nodes.Call)
+    called = {call.node.name for call in calls if isinstance(call.node, jinja2.nodes.Name)}
+    assert called <= environment.globals.keys()
 
 
 def test_template_that_is_no_utf_8(environment, root):

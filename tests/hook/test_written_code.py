@@ -491,6 +491,7 @@ JUST_IN_CPP = [(code, code, broken) for code, broken in BROKEN.items()] + [
     ("const %s & name;", "const %s &\nname;", "const %s\n& name;"),
     ("const %s & name;", "const %s\n& name;", "const\n%s\n& name;"),
     ('x = "%s";', 'x =\n  "%s";', f'x =\n  "%s";{NOLINT}'),
+    ("#define %s", "#define %s", "// *INDENT-OFF*\n#define %s\n// *INDENT-ON*"),
 ]
 """Code, and what becomes of it where the line with `%s` has 100 columns then, and where 101."""
 

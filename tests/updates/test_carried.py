@@ -729,6 +729,8 @@ def test_cmake(ros, end):
 PACKAGES = {1: "find_package(catkin COMPONENTS\n  tf2_ros\n)\n", 2: "find_package(ament_cmake)\n"}
 PROPERTIES = "set_target_properties(a\n  PROPERTIES\n  PREFIX x\n)\n"
 NESTED = "if(UNIX)\n  set(x\n    1\n  )\nendif()\n"
+NO_LINK = "target_link_libraries(a\n)\n"
+LINK = NO_LINK.replace("\n)", " fmt)")
 MESSAGES = {
     1: "add_message_files(FILES\n  A.msg\n)\n",
     2: "rosidl_generate_interfaces(${PROJECT_NAME}\n  msg/A.msg\n)\n",
@@ -759,6 +761,7 @@ USERS = "catkin_package(\n  CATKIN_DEPENDS\n    tf2\n)\n"
         (2, PROPERTIES, ("x\n", "x\n\n"), PROPERTIES, "new", {}),
         (2, NESTED, ("1\n", "1\n    2\n"), NESTED, "mine", {7: "2"}),
         (2, NESTED, ("  set", "  find_package(x)\n  set"), NESTED, "new", {}),
+        (2, NO_LINK + NESTED, ("  set", f"  {LINK}  set"), NO_LINK + NESTED, "new", {}),
         # Commands above what ends a file
         (2, "", "# Of x\nset(x 1)", "", "# Of x\nset(x 1)\n", {4: "# Of x", 5: "set(x 1)"}),
         (2, "", "run(x)", "ament_package()\n", "run(x)\nament_package()\n", {4: "run(x)"}),
@@ -778,6 +781,14 @@ USERS = "catkin_package(\n  CATKIN_DEPENDS\n    tf2\n)\n"
             "add_message_files(\n  FILES\n)\n",
             "add_message_files(\n  FILES\n  B.msg\n)\n",
             {4: "B.msg"},
+        ),
+        (
+            1,
+            MESSAGES[2],
+            ("A.msg\n", "A.msg\n  # Mine\n  msg/B.msg  # Too\n"),
+            "add_message_files(\n  FILES\n  A.msg\n)\n",
+            "add_message_files(\n  FILES\n  A.msg\n  B.msg  # Too\n)\n",
+            {5: "B.msg  # Too"},
         ),
         (1, "", MESSAGES[2], "", "", {}),
         (2, "", MESSAGES[1], "", "", {}),

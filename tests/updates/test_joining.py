@@ -406,6 +406,18 @@ def test_conflict_of_one_developer_and_the_model_stays_one(team, branch):
     assert lines[1::2] == ["rate: 7", "rate: 2", ""]
 
 
+@pytest.mark.parametrize("naming", "name from file param id exec type if unless".split())
+def test_elements_of_other_names_that_both_write_at_one_place_are_two(naming):
+    base, form = "<launch>\n</launch>\n", '  <own {}="{}" of="{}"/>\n'
+    first, second = (form.format(naming, name, name) for name in "ab")
+    texts = [base.replace("</", f"{own}</") for own in (first, second)]
+    sides = ({"launch/arm.launch": File(text.encode())} for text in (texts[0], base, texts[1]))
+    result, wrong = people(*sides).merged()
+    assert (wrong, result.conflicts) == ([], {})
+    both = base.replace("</", f"{first}{second}</")
+    assert result.tree["launch/arm.launch"].text == both
+
+
 EMPTY = "void Arm::cleanup()\n{\n}\n"
 HELPER = "\nstatic int %s()\n{\n  return 1;\n}\n"
 SCOPE = "  {\n    int %s = 2;\n  }\n"
@@ -734,21 +746,22 @@ def test_files_that_a_developer_has_deleted(ours, base, theirs, wanted):
 
 
 class Sides(Joiner):
-    """Joins what two developers have made of a file, which the model has changed, too."""
+    """Joins what two developers have made of files, which the model has changed, too."""
 
-    def __init__(self, path, before, after, **files):
+    def __init__(self, before, after, **trees):
         super().__init__(None, ANSWERS, {}, None, None, {})
-        self.path, self.before, self.after, self.made = path, before, after, files
+        self.before, self.after, self.made = before, after, trees
 
     def side(self, commit):
-        place, file = self.made[commit]
-        made = Versions({place: file}, {self.path: self.before}, {self.path: self.after})
+        mine = self.made[commit]
+        made = Versions(mine, self.before, self.after)
         result, _ = made.merged()
-        assert list(result.conflicts) == ([] if file == self.before else [self.path])
+        changed = [path for path, file in self.before.items() if file not in mine.values()]
+        assert list(result.conflicts) == changed
         return Side(commit, made, result, made.proof(result, result.tree))
 
     def base(self, commits):
-        return {self.path: self.after}
+        return self.after
 
     def files(self, commit):
         return {}
@@ -765,11 +778,10 @@ class Sides(Joiner):
 def test_conflict_with_the_model_follows_a_file_that_the_other_has_moved(content, branches):
     path, target = "config/arm.yaml", "config/mine/arm.yaml"
     before, after, tuned = (File(content % speed) for speed in (1, 2, 3))
-    sides = Sides(path, before, after, moved=(target, before), tuned=(path, tuned))
     if b"\0" in content:  # which is no text in which what has moved could be known
         target = path
-        sides.made["moved"] = (path, before)
-    result = sides.result(*branches)
+    trees = {"moved": {target: before}, "tuned": {path: tuned}}
+    result = Sides({path: before}, {path: after}, **trees).result(*branches)
     assert list(result.conflicts) == [target]
     text = result.tree[target].text
     if text is not None:
@@ -778,12 +790,15 @@ def test_conflict_with_the_model_follows_a_file_that_the_other_has_moved(content
 
 
 def test_conflict_of_two_developers_and_the_model_is_marked_once():
-    path = "config/arm.yaml"
-    before, after, three, four = (File(b"arm:\n  speed: %d\n" % speed) for speed in (1, 2, 3, 4))
-    result = Sides(path, before, after, ours=(path, three), theirs=(path, four)).result(
-        "ours", "theirs"
+    """And one that one of them has with the model, beside it."""
+    path, other = "config/arm.yaml", "config/leg.yaml"
+    before, after, ours, theirs = (
+        {path: File(b"arm:\n  speed: %d\n" % speed), other: File(b"leg: %d\n" % leg)}
+        for speed, leg in ((1, 1), (2, 2), (3, 3), (4, 1))
     )
-    assert list(result.conflicts) == [path]
+    result = Sides(before, after, ours=ours, theirs=theirs).result("ours", "theirs")
+    assert list(result.conflicts) == [path, other]
+    assert re.findall(r"leg: \d", result.tree[other].text) == ["leg: 3", "leg: 2"]
     text = result.tree[path].text
     assert text.count("<<<<<<< ") == 1
     assert re.findall(r"speed: \d", text) == ["speed: 3", "speed: 4"]

@@ -432,3 +432,13 @@ def test_new_keys_reach_the_parameters_of_a_node_that_is_named():
     assert result.tree["config/a.yaml"].text == mine + "    rate: 5\n"
     assert prove(*trees[:2], result, result.tree, Renaming()).lost == []
     assert recount(*trees, Renaming(), {""}.__contains__, result, result.tree, []) == []
+
+
+@pytest.mark.parametrize(("left", "is_moved"), [(4, True), (3, False)])
+def test_file_that_has_more_than_six_tenths_of_another_is_that_one_moved(left, is_moved):
+    lines = [f"{number}\n" for number in range(5)]
+    mine = {"own/a.txt": File("".join(lines[:left]).encode())}
+    old, new = ({"a.txt": File("".join([*top, *lines]).encode())} for top in ([], ["new\n"]))
+    result = merge_package(mine, old, new, Renaming(), {""}.__contains__)
+    text = result.tree["own/a.txt"].text
+    assert text == "new\n" * is_moved + "".join(lines[:left])

@@ -547,6 +547,25 @@ def test_what_the_model_puts_something_around_keeps_what_the_developer_has_in_it
     assert result.tree[path].text == whole.format(wanted)
 
 
+@pytest.mark.parametrize(
+    ("path", "form", "own"),
+    [
+        ("arm/arm_impl.py", "class Arm:\n{}", "def load(path):\n    return path\n\n\n"),
+        ("config/arm.yaml", "/**:\n{}", "load: 7\n"),
+    ],
+)
+def test_what_the_developer_has_beside_a_class_or_a_key_is_nothing_that_it_held(path, form, own):
+    """They have deleted that, and theirs has its name."""
+    is_yaml = path.endswith(".yaml")
+    held = "  {}: {}\n" if is_yaml else "    def {}(self):\n        return {}\n"
+    stop = held.format("stop", 1)
+    old, new = (form.format(held.format("load", value) + stop) for value in (1, 2))
+    mine = own + form.format(stop)
+    result, doubts = Versions(*({path: File(encode(text))} for text in (mine, old, new))).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert (result.tree[path].text, result.missing) == (mine, {path: ["load"]})
+
+
 def test_which_of_several_the_model_puts_something_around():
     """Of one name, where another one of it has come, too."""
     one, two, came = (

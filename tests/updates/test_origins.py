@@ -44,6 +44,7 @@ def pairs(laboratory):
 FOREIGN = [
     "from kinematics import ReachConfig\n\nuse(ReachConfig(gain=1))\n",
     "from serial_lib import (\n    A,\n    SayMessage as B,\n    SayMessage,\n)\n\nSayMessage()\n",
+    "from vendor import *\n\nuse(ReachConfig)\n",
     "import serial_lib\n\nserial_lib.SayMessage().in_goal\n",
     "import vendor.lab.reach_interface as r\n\nr.ReachData()\n",
     "from vendor import reach_interface\n\nreach_interface.ReachData()\n",
@@ -161,8 +162,11 @@ CPP_FOREIGN = [
     "namespace lab {\nvoid f() {\n  auto data = Data{};\n  data.in_goal;\n}\n}\n",
     "void f(vendor::data_t * data) {data->in_goal;}\n",
     "void f(std::shared_ptr<const vendor::Data> data) {data->in_goal;}\n",
-    '#include "lab/loader.hpp"\nnamespace lab\n{\nvoid Loader::serve_load() {}\n'
-    "void Loader::all() const\n{\n  serve_load();\n}\n}\n",
+    *(
+        '#include "lab/loader.hpp"\nnamespace lab\n{\nvoid Loader::serve_load() {}\n'
+        f"void Loader::all() {after}\n{{\n  serve_load();\n}}\n}}\n"
+        for after in ("", "const", "noexcept", "&", "try")
+    ),
     "class A\n{\n  int f() {return config_.gain;}\n\n  Pid config_;\n};\n",
     "void f() {\n  vendor::Pid config(1.0);\n  config.gain;\n}\n",
 ]
@@ -182,6 +186,18 @@ CPP_OURS = {
     "#include <lab/mine.hpp>\nstruct A : lab::ReachData\n{\n  int b = in_goal;\n};\n": (
         "#include <lab/mine.hpp>\nstruct A : lab::GraspData\n{\n  int b = in_target;\n};\n"
     ),
+    "namespace lab {\nclass ReachImpl\n{\n  void mine() {receive_say(1);}\n};\n}\n": (
+        "namespace lab {\nclass GraspImpl\n{\n  void mine() {receive_speak(1);}\n};\n}\n"
+    ),
+    "namespace lab {\nclass LAB_API ReachImpl final {void mine() {receive_say(1);}};\n}\n": (
+        "namespace lab {\nclass LAB_API GraspImpl final {void mine() {receive_speak(1);}};\n}\n"
+    ),
+    "#include <lab/mine.hpp>\nvoid lab::Loader::all()\n{\n}\nauto b = in_goal;\n": (
+        "#include <lab/mine.hpp>\nvoid lab::Loader::all()\n{\n}\nauto b = in_target;\n"
+    ),
+    "namespace lab {\nvoid ReachImpl::f() {if (Loader::has()) {receive_say(1);}}\n}\n": (
+        "namespace lab {\nvoid GraspImpl::f() {if (Loader::has()) {receive_speak(1);}}\n}\n"
+    ),
     "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nauto b = in_goal;\n": (
         "#include <lab/mine.hpp>\nstruct A\n{\n  int in_goal;\n};\nauto b = in_target;\n"
     ),
@@ -196,6 +212,9 @@ CPP_OURS = {
     ),
     "#include <lab/mine.hpp>\nstruct A {reach_types::InGoal in_goal;};\n": (
         "#include <lab/mine.hpp>\nstruct A {grasp_types::InTarget in_goal;};\n"
+    ),
+    "#include <lab/mine.hpp>\nusing namespace std;\nReachData a;\n": (
+        "#include <lab/mine.hpp>\nusing namespace std;\nGraspData a;\n"
     ),
     '#include "../mine.hpp"\nlab::reach_types::InGoal a;\n': (
         '#include "../mine.hpp"\nlab::grasp_types::InTarget a;\n'

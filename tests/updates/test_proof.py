@@ -20,6 +20,7 @@ from hooks.merge.transaction import Snapshot
 from hooks.merge.tree import File, Tree, encode
 from hooks.merge.update import Update
 from hooks.merge.uses import uses_of_left
+from hooks.merge.versions import Versions
 from support.arm import MINE, NEW, OLD, PATH
 from support.laboratory.trials import tree_of
 from support.repository import ROOT, commit, git
@@ -410,6 +411,15 @@ def test_parameter_that_left_is_said_where_it_is_given_a_value(path, code):
     assert said == [f"{path}:4: k, which has left"]
 
 
+def test_many_generated_lines_that_are_alike_are_not_the_developers():
+    """Some of them may leave."""
+    old, new = "x\n" * 300, "x\n" * 299
+    files = (tree_of({"a.txt": text}) for text in (f"mine\n{old}mine too\n", old, new))
+    result, doubts = Versions(*files).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree["a.txt"].text == f"mine\n{new}mine too\n"
+
+
 IMPORTS = {
     "test/test_mine.py": (
         "from support.harness import (\n    fake)\nimport a, support.peer\n",
@@ -424,6 +434,10 @@ IMPORTS = {
     ),
     "arm/tools.py": (
         "from arm.ros.stop import Stop\nfrom .ros import stop, mine\nimport arm.ros.mine\n",
+        ["1: arm.ros.stop", "2: arm.ros.stop"],
+    ),
+    "arm/own/tools.py": (
+        "from ..ros import stop\nfrom ..ros.stop import Stop\nfrom ..stop import a\n",
         ["1: arm.ros.stop", "2: arm.ros.stop"],
     ),
     "arm/other.py": ("from vendor.ros.stop import a\nfrom .stop import b\nimport peer\n", []),

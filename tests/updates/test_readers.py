@@ -274,6 +274,8 @@ PARTS_OF_CPP = {
     "bool A::operator==(int b) const\n{\n}\nint operator()(int b);\n": [
         *("A::operator==()", "operator()()")
     ],
+    "void A::STOP(int b)\n{\n}\n": ["A::STOP()"],
+    "struct A b = {\n  1,\n  2\n};\nint c;\n": ["struct b", "variable c"],
     "void f()\n{\n}\nvoid f()\n{\n}\n": ["f()", "f() #2"],
     "namespace a\n{\nnamespace b\n{\nint c;\n}\n}\n": ["namespace a", "namespace b", "variable c"],
     "A::A() : b{1}\n{\n}\nint c;\n": ["A::A()", "variable c"],
@@ -494,6 +496,14 @@ def test_condition_leaves_with_all_that_it_imports_and_is_said():
     result, doubts = Versions(*({"a.py": File(encode(text))} for text in texts)).merged()
     assert (doubts, result.conflicts) == ([], {})
     assert result.removed == {"a.py": ["if TYPE_CHECKING"]}
+    assert result.tree["a.py"].text == texts[2]
+
+
+def test_name_whose_import_the_developer_has_commented_leaves_and_is_said():
+    old = "from arm import (\n    A,\n    B,\n)\n\nuse(A)\n"
+    texts = (changed(old, ("    B,", "    B,  # mine")), old, changed(old, ("    B,\n", "")))
+    result, doubts = Versions(*({"a.py": File(encode(text))} for text in texts)).merged()
+    assert (doubts, result.conflicts, result.removed) == ([], {}, {"a.py": ["B"]})
     assert result.tree["a.py"].text == texts[2]
 
 

@@ -330,7 +330,9 @@ def test_function_of_which_the_developer_has_one_half_is_theirs():
         assert {(hpp, half), (cpp, half)} & {*said}
 
 
-def test_function_that_leaves_leaves_whole():
+@pytest.mark.parametrize("conflicts", [{}, {"README.md": {}}])
+def test_function_that_leaves_leaves_whole(conflicts):
+    """That another file is in conflict hides nothing."""
     hpp, cpp = "include/arm/worker_impl.hpp", "src/worker_impl.cpp"
     old = {hpp: HPP, cpp: CPP}
     new = {
@@ -340,6 +342,7 @@ def test_function_that_leaves_leaves_whole():
     sides = [{p: File(encode(t)) for p, t in side.items()} for side in (old, old, new)]
     sides = (*sides, Renaming(), {""}.__contains__)
     result = merge_package(*sides)
+    result.conflicts |= conflicts
     assert recount(*sides, result, result.tree, []) == []
     for path in hpp, cpp:
         found = {**result.tree, path: File(encode(old[path]))}
@@ -481,6 +484,16 @@ def test_what_the_developer_has_deleted_may_be_reworded(path, value):
     result, doubts = Versions(*({path: File(encode(one))} for one in (mine, old, new))).merged()
     assert (doubts, result.conflicts) == ([], {})
     assert result.tree[path].text == mine.replace("1.0", value)
+
+
+def test_comment_of_the_model_comes_where_the_developer_has_deleted_another():
+    old = "def f():\n    # One\n    one()\n    two()\n"
+    mine = old.replace("    # One\n", "")
+    new = old.replace("    two", "    # Two\n    two")
+    trees = ({"a.py": File(encode(one))} for one in (mine, old, new))
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree["a.py"].text == new.replace("    # One\n", "")
 
 
 @pytest.mark.parametrize("sign", ["//!", "/*!"])

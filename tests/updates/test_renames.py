@@ -431,6 +431,21 @@ def test_identifiers_that_are_anothers_now():
     ]
 
 
+@pytest.mark.parametrize(("other", "wanted"), [("aim", "aim"), ("target", "goal")])
+def test_identifier_that_two_nodes_rename(other, wanted):
+    """In an own file nobody can tell whose it is where their new names differ."""
+    marks = [Mark(name, name, "component") for name in ("reach", "watch")]
+    marks += [Mark("goal", new, "interface", owner) for owner, new in enumerate(("aim", other))]
+    old, marked = (
+        {f"{node}_impl.py": File(encode(f"data.in_{name} = 1\n")) for node, name in nodes}
+        for nodes in ((("reach", "goal"), ("watch", "goal")), (("zq0x", "zq2x"), ("zq1x", "zq3x")))
+    )
+    renaming = plan(old, marked, marks, [*old, "tools.py"], ["data"])
+    code = "def f(data):\n    data.in_{} = 2\n"
+    found = [renaming.text(path, code.format("goal")) for path in (*old, "tools.py")]
+    assert found == [code.format(name) for name in ("aim", other, wanted)]
+
+
 @pytest.mark.parametrize(
     ("line", "is_said"),
     [

@@ -279,12 +279,24 @@ def test_copy_over_a_package_joins_it(package, template, copies, why, whose):
         commit(package)
     life = Life(package, template, copies, answers("load", "home", _src_path=source))
     if why == "merge":
-        git(package, "checkout", "-q", "-b", "topic")
-        (package / "mine.py").write_text("MINE = 1\n")
-        commit(package)
-        git(package, "checkout", "-q", "-")
-        git(package, "merge", "-q", "--no-ff", "--no-commit", "topic")
+        begin_merge(package)
     life.check()
     assert life.steps.theirs == whose
     life.steps.finish_join(life.run, life.model, life.spec)
     assert ("serve_home" in (package / "arm.py").read_text()) == bool(whose)
+
+
+def test_joining_of_branches_is_refused_before_it_begins(package, template, copies):
+    begin_merge(package)
+    (package / "config/home.yaml").write_text("mine: 1\n")
+    life = Life(package, template, copies, answers("load", "home"))
+    with pytest.raises(SpecError, match=r"^config/home\.yaml: not in git"):
+        life.check()
+
+
+def begin_merge(package):
+    git(package, "checkout", "-q", "-b", "topic")
+    (package / "mine.py").write_text("MINE = 1\n")
+    commit(package)
+    git(package, "checkout", "-q", "-")
+    git(package, "merge", "-q", "--no-ff", "--no-commit", "topic")

@@ -6,7 +6,7 @@ import pytest
 import yaml
 
 from hooks.merge.package import Result
-from hooks.merge.transaction import take
+from hooks.merge.transaction import Guard, take
 from hooks.merge.tree import File, write
 from support.arm import SPEC
 from support.packages import QUIET
@@ -200,6 +200,18 @@ def test_file_in_the_place_of_a_link_is_not_written_through_it(tmp_path):
     (tmp_path / "a").symlink_to("mine")
     write(tmp_path / "a", File(b"2"))
     assert files(tmp_path) == {tmp_path / "a": b"2", tmp_path / "mine": b"1"}
+
+
+@pytest.mark.parametrize(("end", "text"), [(Guard.release, "new\n"), (Guard.undo, "old\n")])
+def test_update_that_has_ended_leaves_nothing_in_the_folder_of_git(tmp_path, end, text):
+    (tmp_path / "a").write_text("old\n")
+    commit(tmp_path, "Begin")
+    before = {path.name for path in (tmp_path / ".git").iterdir()}
+    guard = Guard(take(tmp_path))
+    (tmp_path / "a").write_text("new\n")
+    end(guard)
+    assert (tmp_path / "a").read_text() == text
+    assert {path.name for path in (tmp_path / ".git").iterdir()} == before
 
 
 @pytest.mark.parametrize("way", ["put", "restore"])
