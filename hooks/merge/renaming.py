@@ -179,10 +179,11 @@ class Renaming:
         if is_same and not heads and names.isdisjoint(re.findall(r"[A-Za-z_]\w*", text)):
             return text
 
-        if known is CPP:
+        is_marked = MARK not in text
+        if is_marked and known is CPP:
             own = self.scopes | self._scopes(path, text)
             text = marked_in_cpp(text, own, set().union(*self.made.values()), exact)
-        elif known is PYTHON:
+        elif is_marked and known is PYTHON:
             with contextlib.suppress(ValueError):
                 text = marked_in_python(path, text, self.own, exact, self.classes)
         lines = [line.strip() for line in split(text)]
@@ -222,7 +223,7 @@ class Renaming:
             pair[0] if n in told else _as_made(known, *pair, generated, heads)
             for n, pair in enumerate(pairs)
         )
-        return re.sub(rf"\b(\w+){MARK}", r"\1", found)
+        return found.replace(MARK, "") if is_marked else found
 
     def blocks(self, known: Language, path: str, text: str) -> list[Block]:
         """Return the blocks of a file, with the names and lines that they have after the update.

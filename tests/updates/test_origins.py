@@ -271,6 +271,8 @@ CASES += [
     ),
     ("CMakeLists.txt", "ADD_EXECUTABLE(reach a.cpp)\n", "ADD_EXECUTABLE(grasp a.cpp)\n"),
     ("CMakeLists.txt", "install(TARGETS reach)\n", "install(TARGETS grasp)\n"),
+    # A letter that is used as a mark
+    ("src/tools.cpp", "lab::ReachData a;  // a\ua78f\n", "lab::GraspData a;  // a\ua78f\n"),
 ]
 
 
