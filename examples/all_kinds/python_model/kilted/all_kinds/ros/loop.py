@@ -60,7 +60,7 @@ class Loop:
                 missed = min(missed, int((monotonic() - begin) / period))
             if (missed or taken > period) and not stop.requested:
                 self.late += 1
-            if missed and not stop.requested:
+            if not stop.requested:
                 self._report(missed)
             self._time.sleep(due - self._now())
 
@@ -72,8 +72,8 @@ class Loop:
 
     def _report(self, missed: int) -> None:
         self.missed += missed
-        if monotonic() >= self._report_due:
-            count = self.missed - self._reported
+        count = self.missed - self._reported
+        if count and monotonic() >= self._report_due:
             cycles = f'{count} cycles of {self._frequency:g} Hz'
             self._warn(f'Missed {cycles}: {self._name} takes too long.')
             self._reported = self.missed
