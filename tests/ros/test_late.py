@@ -29,9 +29,10 @@ def run_tests(ros_, package):
 
 @pytest.mark.ros1
 def test_late_connections(ros1, render):
-    """Rospy tells a subscriber that it is connected before the publisher sends to it."""
+    """Rospy connects subscribers before the publisher sends to them, and may lose a publisher."""
     spec = SPEC.replace("ACTIONS", "actionlib/Test")
-    spec = spec.replace("  </node>", '    <broadcaster name="pose"/>\n  </node>')
+    more = '<broadcaster name="pose"/><directSubscriber name="say" type="std_msgs/String"/>'
+    spec = spec.replace("</node>", f"{more}</node>")
     package = render(spec, ros_distro="noetic")
     own = dataclasses.replace(ros1, environment=ros.ros1().environment)
     with ros.master(own, "rosmaster"):

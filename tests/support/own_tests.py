@@ -43,6 +43,8 @@ UNTESTED_IN_ROS1 = UNTESTED | {
 
 FREE = {"system_default", "best_available"}
 """QoS that the middleware chooses, which may be what the other spec says."""
+LONGEST = 5.0
+"""Seconds: for a longer deadline of a subscriber the tests of a package do not wait."""
 TIMES = ("deadline", "lifespan", "liveliness", "liveliness_lease_duration")
 """What the tests of a package look for where it is given alone."""
 
@@ -55,8 +57,10 @@ def differences(model, untested):
             continue
         if owner.kind and owner.kind not in untested:
             yield owner.kind, [(owner, model.base(owner))], [(node, model.base(node))]
+        is_watched = owner.kind in ("subscriber", "directSubscriber")
         for name, base, values in model.variants(owner):
             full = f"{owner.kind} {name}".strip()
-            if FREE.isdisjoint(values.values()) and not {name, full} & {*untested}:
+            is_long = is_watched and float(values.get("deadline") or 0.0) > LONGEST
+            if FREE.isdisjoint(values.values()) and not is_long and not {name, full} & {*untested}:
                 pair = [(owner, base)], [(owner, values)]
                 yield full, *(reversed(pair) if name in TIMES else pair)

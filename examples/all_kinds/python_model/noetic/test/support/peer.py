@@ -98,6 +98,10 @@ class Peer:
     def publisher(self, message_type, topic, *_):
         """Return a publisher that has a subscription."""
         publisher = rospy.Publisher(topic, message_type, queue_size=1000)
+        # rospy 1.15 may never hear of a publisher that comes while it subscribes.
+        if not eventually(publisher.get_num_connections, 5.0):
+            publisher.unregister()
+            publisher = rospy.Publisher(topic, message_type, queue_size=1000)
         assert eventually(publisher.get_num_connections), f'{topic} has no subscription'
         publish = publisher.publish
         publisher.publish = lambda message: publish(deepcopy(message))  # publish() sets header.seq
@@ -129,6 +133,11 @@ class Peer:
         """Send a goal; return it, with its feedback, or None if it is rejected."""
         if name not in self._clients:
             client = actionlib.ActionClient(name, action_type)
+            # rospy 1.15 may never hear of a publisher that comes while it subscribes.
+            if not client.wait_for_server(rospy.Duration(5.0)):
+                client.pub_goal.unregister()
+                client.pub_cancel.unregister()
+                client = actionlib.ActionClient(name, action_type)
             feedback = []
             rospy.Subscriber(name + '/feedback', client.ActionFeedback, feedback.append)
             is_served = client.wait_for_server(rospy.Duration(TIMEOUT))
