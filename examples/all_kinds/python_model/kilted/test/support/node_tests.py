@@ -845,7 +845,8 @@ class NodeTests:
                 values = {each.key: each.value for each in status.values}
                 is_level = status.level == level and text in status.message
                 # Cycles of a busy machine are late, and topics without messages.
-                is_late = values.get('late cycles', '0') != '0' and status.message[:4] == 'late'
+                late = 'late cycles'
+                is_late = values.get(late, '0') != '0' and status.message.startswith(late)
                 is_late |= status.message.startswith('no message on ')
                 is_level |= level == OK and is_late
                 own = status.hardware_id, values.get('said')
