@@ -1,10 +1,12 @@
 """The benchmarks of nodes run, each for a moment; no time is held against them."""
 
+import sys
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
 
-from benchmarks.compare import MODELS, SPEC, Effort, Variant, compare, master, picture, table
+from benchmarks.compare import MODELS, SPEC, Effort, Node, Variant, compare, master, picture, table
 from support import ros
 
 
@@ -32,3 +34,14 @@ def test_nodes_in_ros2(ros2, make, model, tmp_path):
     if model == "cpp_model" and not ros.has_package(ros2, "rclcpp"):
         pytest.skip("rclcpp is not installed")
     check(model, ros2, make, tmp_path)
+
+
+def test_threads_that_end():
+    """A thread that ends while a node is watched does not end the benchmark."""
+    code = "import threading\nwhile True:\n    threading.Thread(target=int).start()"
+    variant = SimpleNamespace(command=lambda *_: [sys.executable, "-c", code], environment={})
+    with Node(variant, "generated", "node") as node:
+        node.start()
+        for _ in range(2000):
+            with node.span():
+                pass
