@@ -279,7 +279,7 @@ class NodeTests:
                 self.assertTrue(
                     eventually(lambda: publisher.publish(first) or got()[count:]), topic
                 )
-                messages.append(sample(type_, 10))  # once again
+                messages.append(sample(type_, 10))  # each once, as before
                 publisher.publish(messages[-1])
                 self.assertTrue(eventually(lambda: messages[-1] in got()), topic)
             self.turns(more=3)
@@ -691,7 +691,7 @@ class NodeTests:
                 nonlocal time
                 time += 0.25 / frequency
                 self.peer.set_time(time)
-                sleep(0.5 / frequency if frequency > 5.0 else 0.0)  # not the speed of wall time
+                sleep(0.5 / frequency if frequency > 5.0 else 0.0)  # not at the speed of wall time
                 tick = self.turns(method, node=self.given)[2]
                 ticks.extend([tick] if tick not in ticks else [])
                 cycles = [(end - start) * frequency for start, end in zip(ticks, ticks[1:])]
