@@ -268,7 +268,7 @@ class NodeTests:
                 publisher.publish(messages[-1])
                 self.assertTrue(eventually(lambda: got()[-2:] == messages[-2:]), topic)
             is_kept = qos[1] != 'volatile'
-            if member.startswith('in_') and not is_kept:  # none is new after an activation
+            if member.startswith('in_') and not is_kept:  # not new after it is activated again
                 self.node.order('update', 'sleep=1000')
                 self.assertTrue(eventually(lambda: 'sleep' in self.node.got('begun')[-1:]))
                 publisher.publish(sample(type_, 5))
