@@ -39,9 +39,15 @@ def render(renderers, model, distro):
     return renderers[model].render(context, distro)
 
 
+def arguments(function):
+    """Return the names of a function's arguments."""
+    return [each.arg for each in (*function.args.posonlyargs, *function.args.args)]
+
+
 def python_calls(tree, name):
     """Yield the public members of a class, methods with their arguments."""
     (class_,) = (x for x in tree.body if isinstance(x, ast.ClassDef) and x.name == name)
+    made = {x.name: x for x in ast.walk(class_) if isinstance(x, ast.FunctionDef)}
     for item in class_.body:
         if isinstance(item, ast.AnnAssign):
             is_method = ast.unparse(item.annotation).startswith("Callable")
@@ -49,9 +55,12 @@ def python_calls(tree, name):
         if isinstance(item, ast.FunctionDef) and item.name == "__init__":  # what writes to the log
             members = (x for x in ast.walk(item) if isinstance(x, ast.AnnAssign))
             yield from (f"{x.target.attr}(text)" for x in members if x.target.attr in LEVELS)
+            for pair in (x for x in ast.walk(item) if isinstance(x, ast.Tuple)):
+                for each in (x.attr for x in pair.elts if isinstance(x, ast.Attribute)):
+                    names = ", ".join(arguments(made[each.partition("_")[2]]))  # once, throttle
+                    yield f"{each}({names})"
         if isinstance(item, ast.FunctionDef) and not item.name.startswith("_"):
-            arguments = [*item.args.posonlyargs, *item.args.args][1:]
-            names = ", ".join(each.arg for each in arguments)
+            names = ", ".join(arguments(item)[1:])
             yield item.name if item.decorator_list else f"{item.name}({names})"
 
 

@@ -182,19 +182,15 @@ private:
   void subscribe(
     ros::NodeHandle & node,
     const std::string & topic,
-    const Inbox<Message> & inbox,
-    std::uint32_t queue_size = 10,
-    const ros::TransportHints & hints = ros::TransportHints())
+    const Inbox<Message> & inbox)
   {
     subscribers_.push_back(
       node.subscribe<Message, const boost::shared_ptr<Message> &>(
         topic,
-        queue_size,
+        10,
         [inbox](const boost::shared_ptr<Message> & message) {
           inbox.put(message);
-        },
-        ros::VoidConstPtr(),
-        hints));
+        }));
   }
 
   /// Return the node handle of a thread of its own for callbacks.

@@ -130,7 +130,7 @@ struct WorkerData
   std::size_t out_status_subscribers = 0;
 };
 
-/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
+/// What the logic can use of ROS, in any of its methods.
 struct WorkerPassthrough
 {
   /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:

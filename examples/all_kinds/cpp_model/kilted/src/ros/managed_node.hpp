@@ -46,7 +46,7 @@ class ManagedNode;
 
 /// The logic of a node from configure to cleanup, with all it uses.
 ///
-/// Threads that do not end in time keep it, whatever becomes of the node.
+/// Its threads share it: one that does not end in time keeps it after the node is gone.
 class Session
 {
 public:
@@ -392,35 +392,32 @@ private:
   /// Configure and activate the node.
   void start()
   {
-    {
-      const std::lock_guard<std::mutex> lock(transition_mutex_);
-      settle();
-      if (state() != State::PRIMARY_STATE_UNCONFIGURED || is_ending_) {
-        return;
-      }
-      if (configure().id() == State::PRIMARY_STATE_INACTIVE) {
-        activate();
-      }
-      if (state() == State::PRIMARY_STATE_ACTIVE || is_ending_) {
-        return;
-      }
-      has_failed_ = true;
+    std::unique_lock<std::mutex> lock(transition_mutex_);
+    settle();
+    if (state() != State::PRIMARY_STATE_UNCONFIGURED || is_ending_) {
+      return;
     }
-    end_process();
+    if (configure().id() == State::PRIMARY_STATE_INACTIVE) {
+      activate();
+    }
+    if (state() != State::PRIMARY_STATE_ACTIVE && !is_ending_) {
+      has_failed_ = true;
+      lock.unlock();
+      end_process();
+    }
   }
 
   /// Deactivate or clean up after a failure, which goes through error processing.
   void recover()
   {
-    {
-      const std::lock_guard<std::mutex> lock(transition_mutex_);
-      settle();
-      if (has_thrown() && state() == State::PRIMARY_STATE_ACTIVE) {
-        deactivate();
-      } else if (has_thrown() && state() == State::PRIMARY_STATE_INACTIVE) {
-        cleanup();
-      }
+    std::unique_lock<std::mutex> lock(transition_mutex_);
+    settle();
+    if (has_thrown() && state() == State::PRIMARY_STATE_ACTIVE) {
+      deactivate();
+    } else if (has_thrown() && state() == State::PRIMARY_STATE_INACTIVE) {
+      cleanup();
     }
+    lock.unlock();
     end_process();
   }
 

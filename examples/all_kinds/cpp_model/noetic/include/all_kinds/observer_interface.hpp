@@ -56,7 +56,7 @@ struct ObserverData
   bool in_status_updated = false;
 };
 
-/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
+/// What the logic can use of ROS, in any of its methods.
 struct ObserverPassthrough
 {
   /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:

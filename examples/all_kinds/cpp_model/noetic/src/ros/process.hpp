@@ -143,14 +143,6 @@ inline void wait_for_sending()
   poll->removePollThreadListener(listener);
 }
 
-/// End the start of a node that waits for a master.
-inline void shut_down_without_master()
-{
-  if (!ros::master::check()) {
-    ros::requestShutdown();
-  }
-}
-
 /// Run a node from its start to its end; return the exit code.
 ///
 /// The logic has its own thread, `logic`; this one waits for the stop and enforces its limits.
@@ -163,8 +155,8 @@ int run_node(int argc, char ** argv, const std::string & name)
   const StopRequests requests(
     [&] {
       supervisor.stop();
-      if (is_starting) {  // in a thread of its own, since a master may never answer
-        std::thread(shut_down_without_master).detach();
+      if (is_starting) {  // it may wait for a master, which may never answer
+        std::thread([] {if (!ros::master::check()) {ros::requestShutdown();}}).detach();
       }
     },
     [&] {return supervisor.end_limit();});

@@ -13,7 +13,7 @@ from all_kinds.ros.stop import Stop
 from all_kinds.ros.worker import Worker
 
 
-class LogicThread:
+class LogicThread(Worker):
     """
     Runs the methods of the logic one after another, and limits the time to wait for them.
 
@@ -35,8 +35,8 @@ class LogicThread:
         self._log = log
         self._fail = fail
         self._end_requested: Future[None] = Future()
-        self._worker = Worker('logic')
         self._others: dict[str, Worker] = {}
+        super().__init__('logic')
 
     @property
     def is_ending(self) -> bool:
@@ -52,13 +52,13 @@ class LogicThread:
         if self.is_ending:
             return None
         self._stop.clear()
-        call = self._worker.submit(self._call, method, name=name)
+        call = self.submit(self._call, method, name=name)
         wait([call, self._end_requested], return_when=FIRST_COMPLETED)
         return call.result() if self.have_returned({call: name}) else None
 
     def loop(self, name: str, method: Callable[..., None], *arguments: Any) -> None:
         """Start a method that runs until the node stops."""
-        self._worker.submit(self._call, method, *arguments, name=name)
+        self.submit(self._call, method, *arguments, name=name)
 
     def beside(self, name: str, method: Callable[..., Any], *arguments: Any) -> Future[Any]:
         """Call a method in a thread of its own, mostly one that runs until the node stops."""
@@ -77,8 +77,8 @@ class LogicThread:
 
     def finish(self, name: str, method: Callable[[], Any]) -> None:
         """Call deactivate or cleanup, whose own waits work until stop_timeout is over."""
-        is_free = not self._worker.pending()
-        call = self._worker.submit(self._call_last, method, name=name)
+        is_free = not super().pending()
+        call = self.submit(self._call_last, method, name=name)
         if is_free:  # otherwise the method that blocks the thread is in the log already
             wait([call], self._timeout())
             self._stop.request()
@@ -99,16 +99,16 @@ class LogicThread:
 
     def close(self) -> None:
         """End the threads after the calls submitted so far."""
-        self._worker.close()
+        super().close()
         for worker in self._others.values():
             worker.close()
 
-    def running(self) -> dict[Future[Any], str]:
-        """Return the calls that have not returned, with the names of the methods."""
-        running = self._worker.pending()
+    def pending(self) -> dict[Future[Any], str]:
+        """Return the calls that have not returned, in all threads."""
+        pending = super().pending()
         for worker in list(self._others.values()):
-            running.update(worker.pending())
-        return running
+            pending.update(worker.pending())
+        return pending
 
     def have_returned(
         self,
@@ -123,7 +123,7 @@ class LogicThread:
         return not names
 
     def _call_last(self, method: Callable[[], Any]) -> None:
-        self._stop.request(exempt=self._worker.thread)
+        self._stop.request(exempt=self.thread)
         self._call(method)
 
     def _call(self, method: Callable[..., Any], *arguments: Any) -> Any:

@@ -31,14 +31,14 @@ class Loop:
     ) -> None:
         """Prepare a loop of `frequency` Hz."""
         self.cycles = 0
-        self.late = 0
         self.missed = 0
+        self.late = 0
         self._update = update
         self._frequency = frequency
         self._time = time
         self._warn = warn
         self._name = name
-        self._reported = 0
+        self._unreported = 0
         self._report_due = monotonic()
 
     def run(self, stop: Stop) -> None:
@@ -72,9 +72,9 @@ class Loop:
 
     def _report(self, missed: int) -> None:
         self.missed += missed
-        count = self.missed - self._reported
-        if count and monotonic() >= self._report_due:
-            cycles = f'{count} cycles of {self._frequency:g} Hz'
+        self._unreported += missed
+        if self._unreported and monotonic() >= self._report_due:
+            cycles = f'{self._unreported} cycles of {self._frequency:g} Hz'
             self._warn(f'Missed {cycles}: {self._name} takes too long.')
-            self._reported = self.missed
+            self._unreported = 0
             self._report_due = monotonic() + timeouts.WARNING_PERIOD

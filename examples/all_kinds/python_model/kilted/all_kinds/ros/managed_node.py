@@ -73,22 +73,12 @@ class ManagedNode(LifecycleNode):
         super().__init__(name, **options)
         self._ranged: set[str] = set()
         self.add_on_set_parameters_callback(self._check_parameters)
-        self._declare(
-            'autostart',
-            True,
-            ParameterDescriptor(
-                description='Whether the node configures and activates itself.',
-                read_only=True,
-            ),
-        )
-        self._declare(
-            'stop_timeout',
-            timeouts.STOP_TIMEOUT,
-            ParameterDescriptor(
-                description='Time that the logic has to return when the node stops, s',
-                floating_point_range=[FloatingPointRange(from_value=0.0, to_value=3600.0)],
-            ),
-        )
+        what = 'Whether the node configures and activates itself.'
+        self._declare('autostart', True, ParameterDescriptor(description=what, read_only=True))
+        what = 'Time that the logic has to return when the node stops, s'
+        limits = [FloatingPointRange(from_value=0.0, to_value=3600.0)]
+        descriptor = ParameterDescriptor(description=what, floating_point_range=limits)
+        self._declare('stop_timeout', timeouts.STOP_TIMEOUT, descriptor)
         self.failed = False
         self.has_error = False
         self.failure = ''
@@ -267,15 +257,9 @@ class ManagedNode(LifecycleNode):
 
     def _declare_frequency(self, frequency: float) -> float:
         """Declare how often update runs, in Hz; return what is given when the node starts."""
-        self._declare(
-            'frequency',
-            float(frequency),
-            ParameterDescriptor(
-                description='How often update runs, Hz',
-                floating_point_range=[FloatingPointRange(from_value=0.001, to_value=100000.0)],
-                read_only=True,
-            ),
-        )
+        descriptor = ParameterDescriptor(description='How often update runs, Hz', read_only=True)
+        descriptor.floating_point_range = [FloatingPointRange(from_value=1e-3, to_value=1e5)]
+        self._declare('frequency', float(frequency), descriptor)
         return float(self.get_parameter('frequency').value)
 
     def _check_parameters(self, parameters: list[Parameter[Any]]) -> SetParametersResult:
@@ -506,7 +490,7 @@ class ManagedNode(LifecycleNode):
         self.stop.request()
         for server in self._action_servers:
             server.accept_goals(False)
-        under_way = self._logic.running()
+        under_way = self._logic.pending()
         for callback in self._threads.values():
             under_way.update(callback.under_way())
         self._logic.have_returned(under_way)
@@ -533,7 +517,7 @@ class ManagedNode(LifecycleNode):
         self._impl = None
 
     def _still_running(self) -> str:
-        names = [*self._logic.running().values()]
+        names = [*self._logic.pending().values()]
         names += [callback.name for callback in self._threads.values() if callback.is_running()]
         return ', '.join(names)
 

@@ -32,7 +32,7 @@ import builtin_interfaces.msg
 class Clock:
     """A clock that moves only when the test sets it or the logic sleeps."""
 
-    __slots__ = ('time', 'stopped')
+    __slots__ = ('time', 'stopped')  # a misspelt name is refused
 
     def __init__(self):
         """Start at 0 s, in a node that does not stop."""

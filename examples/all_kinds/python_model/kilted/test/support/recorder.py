@@ -73,14 +73,14 @@ class _Recorder:
     def _called(self, method):
         return self._obey(method, self._thread())
 
-    @staticmethod
-    def _thread():
-        return Path('/proc/thread-self/comm').read_text().strip()
-
     def _obey(self, method, call, item=None):
         steps = self._next(method)  # before the report, after which the test may order more
         report(method, call)
         return self._do(steps, item)
+
+    @staticmethod
+    def _thread():
+        return Path('/proc/thread-self/comm').read_text().strip()
 
     @staticmethod
     def _next(method):

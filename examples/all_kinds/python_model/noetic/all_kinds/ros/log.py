@@ -11,61 +11,45 @@ from threading import Lock
 from time import monotonic
 from typing import Any, Callable, Dict, Tuple
 
+Write = Callable[[str], object]
+
 
 class Log:
-    """Writes to the ROS log; `_once` and `_throttle` are for each line that calls."""
+    """
+    Writes to the ROS log.
+
+    info_once(text): writes once for each line that calls it, and so do the other levels.
+    info_throttle(seconds, text): at most once in that many seconds of wall time.
+    """
 
     def __init__(self, logger: Any) -> None:
         """Write with a logger of ROS."""
-        self.debug: Callable[[str], object] = logger.debug
-        self.info: Callable[[str], object] = logger.info
-        self.warning: Callable[[str], object] = logger.warning
-        self.error: Callable[[str], object] = logger.error
         self._written: Dict[Tuple[str, int], float] = {}
         self._lock = Lock()
+        self.debug: Write = logger.debug
+        self.debug_once, self.debug_throttle = self._limited(self.debug)
+        self.info: Write = logger.info
+        self.info_once, self.info_throttle = self._limited(self.info)
+        self.warning: Write = logger.warning
+        self.warning_once, self.warning_throttle = self._limited(self.warning)
+        self.error: Write = logger.error
+        self.error_once, self.error_throttle = self._limited(self.error)
 
-    def debug_once(self, text: str, /) -> None:
-        """Write a debug message, once."""
-        if self._is_due(inf):
-            self.debug(text)
+    def _limited(self, write: Write) -> Tuple[Write, Callable[[float, str], object]]:
+        """Return functions that write once, and at most once in some time."""
 
-    def debug_throttle(self, seconds: float, text: str, /) -> None:
-        """Write a debug message, at most once in that many seconds of wall time."""
-        if self._is_due(seconds):
-            self.debug(text)
+        def throttle(seconds: float, text: str, /) -> None:
+            if self._is_due(seconds):
+                write(text)
 
-    def info_once(self, text: str, /) -> None:
-        """Write a message, once."""
-        if self._is_due(inf):
-            self.info(text)
+        def once(text: str, /) -> None:
+            if self._is_due(inf):
+                write(text)
 
-    def info_throttle(self, seconds: float, text: str, /) -> None:
-        """Write a message, at most once in that many seconds of wall time."""
-        if self._is_due(seconds):
-            self.info(text)
-
-    def warning_once(self, text: str, /) -> None:
-        """Write a warning, once."""
-        if self._is_due(inf):
-            self.warning(text)
-
-    def warning_throttle(self, seconds: float, text: str, /) -> None:
-        """Write a warning, at most once in that many seconds of wall time."""
-        if self._is_due(seconds):
-            self.warning(text)
-
-    def error_once(self, text: str, /) -> None:
-        """Write an error, once."""
-        if self._is_due(inf):
-            self.error(text)
-
-    def error_throttle(self, seconds: float, text: str, /) -> None:
-        """Write an error, at most once in that many seconds of wall time."""
-        if self._is_due(seconds):
-            self.error(text)
+        return once, throttle
 
     def _is_due(self, pause: float) -> bool:
-        """Return whether the calling line of the logic has written nothing for that long."""
+        """Return whether the line of the logic that calls has written nothing for that long."""
         caller = sys._getframe(2)
         place = caller.f_code.co_filename, caller.f_lineno
         now = monotonic()

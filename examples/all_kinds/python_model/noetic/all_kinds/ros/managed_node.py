@@ -118,7 +118,7 @@ class ManagedNode:
 
     def _running(self) -> dict[Future[Any], str]:
         """Return the calls of the logic that have not returned, with their names."""
-        running = self._logic.running()
+        running = self._logic.pending()
         for callback in list(self._callbacks.values()):  # a copy, as a late start adds some
             running.update(callback.running())
         return running

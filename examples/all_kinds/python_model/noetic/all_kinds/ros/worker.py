@@ -26,7 +26,7 @@ class Worker:
     def submit(self, call: Callable[..., Any], *arguments: Any, name: str = '') -> Future[Any]:
         """Run call(*arguments) in the thread; the future has what it returns or raises."""
         future: Future[Any] = Future()
-        self._pending[future] = name or getattr(call, '__name__', str(call))
+        self._pending[future] = name
         future.add_done_callback(self._pending.pop)
         self._calls.put((future, lambda: call(*arguments)))
         return future
@@ -43,11 +43,9 @@ class Worker:
         show_name(self.thread.name)
         for future, call in iter(self._calls.get, None):
             try:
-                result = call()
+                future.set_result(call())
             except BaseException as error:
                 future.set_exception(error)
-            else:
-                future.set_result(result)
             del future, call  # release them before waiting for the next call
 
 

@@ -58,7 +58,7 @@ struct ContactEvaluateData
   bool in_cop_updated = false;
 };
 
-/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
+/// What the logic can use of ROS, in any of its methods.
 struct ContactEvaluatePassthrough
 {
   /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:

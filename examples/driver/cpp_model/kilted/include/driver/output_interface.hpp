@@ -35,7 +35,7 @@ struct OutputConfig
   double scale = 1.0;
 };
 
-/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
+/// What the logic can use of ROS, in any of its methods.
 struct OutputPassthrough : virtual Passthrough
 {
   /// What was measured, m

@@ -35,7 +35,7 @@ struct ReplayConfig : OutputConfig
   std::string file = "readings.txt";
 };
 
-/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
+/// What the logic can use of ROS, in any of its methods.
 struct ReplayPassthrough : OutputPassthrough
 {
 };

@@ -44,7 +44,7 @@ struct SensorConfig : OutputConfig
   double serial_timeout = 0.5;
 };
 
-/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
+/// What the logic can use of ROS, in any of its methods.
 struct SensorPassthrough : OutputPassthrough
 {
   /// What the logic says of itself on /diagnostics, from any thread.

@@ -53,7 +53,7 @@ struct ControllerData
   std::size_t out_speed_subscribers = 0;
 };
 
-/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
+/// What the logic can use of ROS, in any of its methods.
 struct ControllerPassthrough
 {
   /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:

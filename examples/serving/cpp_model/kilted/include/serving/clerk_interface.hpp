@@ -40,7 +40,7 @@ struct ClerkConfig
   double patience = 0.5;
 };
 
-/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
+/// What the logic can use of ROS, in any of its methods.
 struct ClerkPassthrough
 {
   /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:

@@ -21,7 +21,7 @@ struct IdlerConfig
 {
 };
 
-/// Publishers, clients, transforms, clock and logger, for use in any method of the logic.
+/// What the logic can use of ROS, in any of its methods.
 struct IdlerPassthrough
 {
   /// The node's logger: log.debug(text), log.info, log.warning, log.error; to write once:

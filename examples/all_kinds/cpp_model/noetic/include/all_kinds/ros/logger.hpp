@@ -55,25 +55,10 @@ public:
   void error(Text text, Place place = Place::here()) const {write(Level::error, text, place);}
 
   /// Write once; counted by the line that calls.
-  void debug_once(Text text, Place place = Place::here()) const
-  {
-    write(Level::debug, text, place, FOR_EVER);
-  }
-
-  void info_once(Text text, Place place = Place::here()) const
-  {
-    write(Level::info, text, place, FOR_EVER);
-  }
-
-  void warning_once(Text text, Place place = Place::here()) const
-  {
-    write(Level::warning, text, place, FOR_EVER);
-  }
-
-  void error_once(Text text, Place place = Place::here()) const
-  {
-    write(Level::error, text, place, FOR_EVER);
-  }
+  void debug_once(Text text, Place at = Place::here()) const {once(Level::debug, text, at);}
+  void info_once(Text text, Place at = Place::here()) const {once(Level::info, text, at);}
+  void warning_once(Text text, Place at = Place::here()) const {once(Level::warning, text, at);}
+  void error_once(Text text, Place at = Place::here()) const {once(Level::error, text, at);}
 
   /// Write at most once in that many seconds of wall time; counted by the line that calls.
   void debug_throttle(double seconds, Text text, Place place = Place::here()) const
@@ -97,14 +82,17 @@ public:
   }
 
 private:
-  static constexpr double FOR_EVER = std::numeric_limits<double>::infinity();
-
   /// When each line of code has written last.
   struct Throttle
   {
     std::mutex mutex;
     std::map<std::pair<std::string, int>, std::chrono::steady_clock::time_point> last;
   };
+
+  void once(Level level, Text text, const Place & place) const
+  {
+    write(level, text, place, std::numeric_limits<double>::infinity());
+  }
 
   void write(Level level, Text text, const Place & place, double pause = 0.0) const
   {
