@@ -51,21 +51,24 @@ def nodes(text: str) -> tuple[ast.AST, ...]:
 def definitions(text: str) -> Iterator[str]:
     """Yield the names of the classes, functions and variables of a module; none of no Python.
 
-    Those of classes in a class come after its name.
+    Those in a class come after its name.
     """
-    try:
-        body = parse(text).body
-    except ValueError:
-        return
-    for node in body:
-        if isinstance(node, ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
-            yield node.name
-        if isinstance(node, ast.ClassDef):
-            inner = (each for each in node.body if isinstance(each, ast.ClassDef))
-            yield from (f"{node.name}.{each.name}" for each in inner)
-        for target in node.targets if isinstance(node, ast.Assign) else ():
-            if isinstance(target, ast.Name):
-                yield target.id
+    with contextlib.suppress(ValueError):
+        yield from _defined(parse(text))
+
+
+def _defined(node: ast.AST, owner: str = "") -> Iterator[str]:
+    for inner in ast.iter_child_nodes(node):
+        if isinstance(inner, ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
+            yield owner + inner.name
+        if isinstance(inner, ast.ClassDef):
+            yield from _defined(inner, f"{owner}{inner.name}.")
+        elif isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Store):
+            yield owner + inner.id
+        elif isinstance(inner, ast.stmt | ast.excepthandler | ast.Tuple) and not isinstance(
+            inner, ast.FunctionDef | ast.AsyncFunctionDef
+        ):
+            yield from _defined(inner, owner)
 
 
 def imports(text: str, folder: Sequence[str]) -> Iterator[tuple[int, str]]:

@@ -92,9 +92,15 @@ class Renaming:
     def know(self, mine: Tree) -> None:
         """Read what the developer's own modules define, and all of their C++."""
         for path, file in mine.items() if self.names else ():
-            if language(path, "") is PYTHON and path not in self.paths:
+            if language(path, "") is PYTHON:
                 module = path.removesuffix(".py").replace("/", ".")
-                self.own |= {module, *(f"{module}.{name}" for name in definitions(file.written))}
+                is_own = path not in self.paths
+                self.own |= {module} if is_own else set()
+                self.own |= {
+                    f"{module}.{name}"
+                    for name in definitions(file.written)
+                    if is_own or ("." in name and name.partition(".")[0] not in self.classes)
+                }
             elif language(path, "") is CPP:
                 self.scopes |= {d for d in self._scopes(path, file.written) if is_shared(d)}
 
@@ -185,7 +191,7 @@ class Renaming:
             text = marked_in_cpp(text, own, set().union(*self.made.values()), exact)
         elif is_marked and known is PYTHON:
             with contextlib.suppress(ValueError):
-                text = marked_in_python(path, text, self.own, exact, self.classes)
+                text = marked_in_python(path, text, self.own, exact, members, self.classes)
         lines = [line.strip() for line in split(text)]
         roots = self.roots | self.packages.keys()
         origin = origins(known, text, roots, exact.keys(), self.classes, self.holders)
