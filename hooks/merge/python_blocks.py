@@ -51,7 +51,7 @@ def nodes(text: str) -> tuple[ast.AST, ...]:
 def definitions(text: str) -> Iterator[str]:
     """Yield the names of the classes, functions and variables of a module; none of no Python.
 
-    Those in a class come after its name.
+    Those in a class come after its name; `*` is what a variable of the module may have.
     """
     with contextlib.suppress(ValueError):
         yield from _defined(parse(text))
@@ -65,6 +65,7 @@ def _defined(node: ast.AST, owner: str = "") -> Iterator[str]:
             yield from _defined(inner, f"{owner}{inner.name}.")
         elif isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Store):
             yield owner + inner.id
+            yield from [] if owner else [f"{inner.id}.*"]
         elif isinstance(inner, ast.stmt | ast.excepthandler | ast.Tuple) and not isinstance(
             inner, ast.FunctionDef | ast.AsyncFunctionDef
         ):

@@ -169,7 +169,9 @@ def marked_in_python(
     `own` are the developer's modules and what these define, each in full; `members` are names
     that count behind another one alone; `classes` are the model's.
     """
-    full = {name for name in own if name.rpartition(".")[2] in (*names, *members)}
+    both = {*names, *members}
+    full = {name for name in own if name.rpartition(".")[2] in both}
+    full |= {name[:-1] + end for name in own if name.endswith(".*") for end in both}
     lines, folder = split(text), PurePosixPath(path).parent.parts
     whole = {*range(len(lines))}
     forms: list[tuple[str, set[int]]] = []

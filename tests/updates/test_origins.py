@@ -385,6 +385,7 @@ OF_OWN_MODULES = {
         "from .mode import Mode as M, gain\nfrom .grasp_interface import GraspConfig\n\n"
         "use(M.gain, M.in_goal, M.receive_say)\nGraspConfig(factor=gain)\n"
     ),
+    "from . import mode\nfrom .mode import ROBOT\n\nuse(ROBOT.gain, mode.ROBOT.in_goal)\n": "",
     "from .reach_impl import Mine, ReachImpl\n\nuse(Mine.gain, ReachImpl.receive_say)\n": (
         "from .grasp_impl import Mine, GraspImpl\n\nuse(Mine.gain, GraspImpl.receive_speak)\n"
     ),
@@ -407,7 +408,8 @@ def test_names_that_own_modules_define(pairs, text, wanted):
         "lab/vendor/reach_interface.py": "ReachData = 1\n",
         "lab/more.py": "from .reach_interface import ReachData\n\n\ndef x():\n    pass\n",
         "lab/bad.py": "class\n",
-        "lab/mode.py": "gain = 1\nif gain:\n    in_goal, b = 2, 3\n\n\nclass Mode(Enum):\n"
+        "lab/mode.py": "gain, ROBOT = 1, load()\nif gain:\n    in_goal, b = 2, 3\n\n\n"
+        "class Mode(Enum):\n"
         "    gain = 1\n    in_goal: int = 2\n\n    def receive_say(self):\n        pass\n",
         "lab/reach_impl.py": f"{old['lab/reach_impl.py']}\n\nclass Mine:\n    gain = 1\n",
     }
