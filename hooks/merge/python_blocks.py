@@ -78,10 +78,23 @@ def imports(text: str, folder: Sequence[str]) -> Iterator[tuple[int, str]]:
         if isinstance(node, ast.Import):
             yield from ((node.lineno - 1, alias.name) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
-            above = folder[: len(folder) + 1 - node.level] if node.level else ()
-            module = ".".join([*above, *filter(None, [node.module])])
+            module = module_of(node, folder)
             yield node.lineno - 1, module
             yield from ((node.lineno - 1, f"{module}.{alias.name}") for alias in node.names)
+
+
+def imported(text: str, folder: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Yield the names that a file in a folder imports, each with what it stands for in full."""
+    with contextlib.suppress(ValueError):
+        for node in (each for each in nodes(text) if isinstance(each, ast.ImportFrom)):
+            module = module_of(node, folder)
+            yield from ((a.asname or a.name, f"{module}.{a.name}") for a in node.names)
+
+
+def module_of(node: ast.ImportFrom, folder: Sequence[str]) -> str:
+    """Return the module that a file in a folder imports names of."""
+    above = folder[: len(folder) + 1 - node.level] if node.level else ()
+    return ".".join([*above, *filter(None, [node.module])])
 
 
 def parse(text: str) -> ast.Module:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from .cpp_blocks import tokenize
 from .lines import split
-from .python_blocks import nodes
+from .python_blocks import module_of, nodes
 from .receivers import SCOPES, Code, code, type_before
 
 Path = tuple[str, ...]
@@ -184,8 +184,7 @@ def marked_in_python(
     for node in nodes(text):
         inside = _lines(node) & whole
         if isinstance(node, ast.ImportFrom):
-            above = folder[: len(folder) + 1 - node.level] if node.level else ()
-            module = ".".join([*above, *filter(None, [node.module])])
+            module = module_of(node, folder)
             forms += [("." * node.level + (node.module or ""), inside)] if module in full else []
             for alias in node.names:
                 bind(alias.name, f"{module}.{alias.name}", inside)

@@ -386,6 +386,8 @@ OF_OWN_MODULES = {
         "use(M.gain, M.in_goal, M.receive_say)\nGraspConfig(factor=gain)\n"
     ),
     "from . import mode\nfrom .mode import ROBOT\n\nuse(ROBOT.gain, mode.ROBOT.in_goal)\n": "",
+    "from lab.util import Mode, R, b\nfrom . import util\n\n"
+    "use(R.gain, Mode.gain, util.Mode.in_goal, b.in_goal, util.gain)\n": "",
     "from .reach_impl import Mine, ReachImpl\n\nuse(Mine.gain, ReachImpl.receive_say)\n": (
         "from .grasp_impl import Mine, GraspImpl\n\nuse(Mine.gain, GraspImpl.receive_speak)\n"
     ),
@@ -411,6 +413,9 @@ def test_names_that_own_modules_define(pairs, text, wanted):
         "lab/mode.py": "gain, ROBOT = 1, load()\nif gain:\n    in_goal, b = 2, 3\n\n\n"
         "class Mode(Enum):\n"
         "    gain = 1\n    in_goal: int = 2\n\n    def receive_say(self):\n        pass\n",
+        "lab/util/__init__.py": "from ..mode import Mode, b\nfrom .kin import ReachConfig as R\n\n"
+        "gain = 1\n",
+        "lab/util/kin.py": "class ReachConfig:\n    gain = 1\n",
         "lab/reach_impl.py": f"{old['lab/reach_impl.py']}\n\nclass Mine:\n    gain = 1\n",
     }
     renaming.know(tree_of({**old, **own}))
