@@ -178,7 +178,8 @@ class _Carrier:
             if installed and (entry := self._as_entry(installed)):
                 self._note(number, block.text, entry)
         elif self._has_target(code):
-            is_first = re.match(_KNOWN["first"], name)
+            names = re.findall(r"(?m)^[ \t]*(\w+)[ \t]*\(", code.lower())
+            is_first = all(re.match(_KNOWN["first"], each) for each in names)
             at = self._below_packages() if is_first else len(self.new)
             while re.match(_KNOWN["last"], self.new[at - 1].key):
                 at -= 1

@@ -51,21 +51,25 @@ def nodes(text: str) -> tuple[ast.AST, ...]:
 def definitions(text: str) -> Iterator[str]:
     """Yield the names of the classes, functions and variables of a module; none of no Python.
 
-    Those of classes in a class come after its name.
+    Those in a class come after its name; `*` is what a variable of the module may have.
     """
-    try:
-        body = parse(text).body
-    except ValueError:
-        return
-    for node in body:
-        if isinstance(node, ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
-            yield node.name
-        if isinstance(node, ast.ClassDef):
-            inner = (each for each in node.body if isinstance(each, ast.ClassDef))
-            yield from (f"{node.name}.{each.name}" for each in inner)
-        for target in node.targets if isinstance(node, ast.Assign) else ():
-            if isinstance(target, ast.Name):
-                yield target.id
+    with contextlib.suppress(ValueError):
+        yield from _defined(parse(text))
+
+
+def _defined(node: ast.AST, owner: str = "") -> Iterator[str]:
+    for inner in ast.iter_child_nodes(node):
+        if isinstance(inner, ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
+            yield owner + inner.name
+        if isinstance(inner, ast.ClassDef):
+            yield from _defined(inner, f"{owner}{inner.name}.")
+        elif isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Store):
+            yield owner + inner.id
+            yield from [] if owner else [f"{inner.id}.*"]
+        elif isinstance(inner, ast.stmt | ast.excepthandler | ast.Tuple) and not isinstance(
+            inner, ast.FunctionDef | ast.AsyncFunctionDef
+        ):
+            yield from _defined(inner, owner)
 
 
 def imports(text: str, folder: Sequence[str]) -> Iterator[tuple[int, str]]:
@@ -74,10 +78,23 @@ def imports(text: str, folder: Sequence[str]) -> Iterator[tuple[int, str]]:
         if isinstance(node, ast.Import):
             yield from ((node.lineno - 1, alias.name) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
-            above = folder[: len(folder) + 1 - node.level] if node.level else ()
-            module = ".".join([*above, *filter(None, [node.module])])
+            module = module_of(node, folder)
             yield node.lineno - 1, module
             yield from ((node.lineno - 1, f"{module}.{alias.name}") for alias in node.names)
+
+
+def imported(text: str, folder: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Yield the names that a file in a folder imports, each with what it stands for in full."""
+    with contextlib.suppress(ValueError):
+        for node in (each for each in nodes(text) if isinstance(each, ast.ImportFrom)):
+            module = module_of(node, folder)
+            yield from ((a.asname or a.name, f"{module}.{a.name}") for a in node.names)
+
+
+def module_of(node: ast.ImportFrom, folder: Sequence[str]) -> str:
+    """Return the module that a file in a folder imports names of."""
+    above = folder[: len(folder) + 1 - node.level] if node.level else ()
+    return ".".join([*above, *filter(None, [node.module])])
 
 
 def parse(text: str) -> ast.Module:

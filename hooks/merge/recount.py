@@ -338,7 +338,11 @@ def _defined(code: dict[str, str]) -> dict[tuple[str, str], str]:
 
 
 def _declared(code: dict[str, str], member: tuple[str, str]) -> bool:
-    """Say whether a header with a class names a member of it."""
-    forms = rf"\b(?:class|struct)\b[^;{{]*\b{member[0]}\b", rf"(?<![\w:]){member[1]}\s*\("
-    headers = [text for path, text in code.items() if path.endswith(".hpp")]
-    return any(all(re.search(form, text) for form in forms) for text in headers)
+    """Say whether a header declares a member of a class, above the bracket that ends the class."""
+    body = re.compile(
+        rf"(?ms)^([ \t]*)[^\n;{{}}]*\b(?:class|struct)\b[^;{{]*\b{member[0]}\b[^;{{]*\{{"
+        r".*?(?:^\1\}|\Z)"
+    )
+    named = re.compile(rf"(?:[>&*]|\w\s)\s*(?<!return\s){member[1]}\s*\(")  # not a call
+    headers = (text for path, text in code.items() if path.endswith(".hpp"))
+    return any(named.search(found[0]) for text in headers for found in body.finditer(text))

@@ -24,7 +24,7 @@ from .depth import Shift, compose, shifts
 from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
 from .lines import split
 from .origins import SELF, Names, origins
-from .python_blocks import definitions
+from .python_blocks import definitions, imported
 from .render import Renderer
 from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python
 from .tokens import Word, exchange, quoted, words
@@ -90,13 +90,25 @@ class Renaming:
     _texts: dict[tuple[str, str], str] = field(default_factory=dict, repr=False, compare=False)
 
     def know(self, mine: Tree) -> None:
-        """Read what the developer's own modules define, and all of their C++."""
+        """Read what the developer's own modules define, or hand on, and all of their C++."""
+        given: dict[str, str] = {}
         for path, file in mine.items() if self.names else ():
-            if language(path, "") is PYTHON and path not in self.paths:
-                module = path.removesuffix(".py").replace("/", ".")
-                self.own |= {module, *(f"{module}.{name}" for name in definitions(file.written))}
+            if language(path, "") is PYTHON:
+                module = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+                is_own, folder = path not in self.paths, PurePosixPath(path).parent.parts
+                names = imported(file.written, folder) if is_own else ()
+                given |= {f"{module}.{name}": target for name, target in names}
+                self.own |= {module} if is_own else set()
+                self.own |= {
+                    f"{module}.{name}"
+                    for name in definitions(file.written)
+                    if is_own or ("." in name and name.partition(".")[0] not in self.classes)
+                }
             elif language(path, "") is CPP:
                 self.scopes |= {d for d in self._scopes(path, file.written) if is_shared(d)}
+        for name, target in given.items():
+            ends = [f"{each}." for each in self.own if f"{each}.".startswith(f"{target}.")]
+            self.own |= {name + end.removeprefix(target).rstrip(".") for end in ends}
 
     def _scopes(self, path: str, text: str) -> Declared:
         """Return what a file of C++ declares that the model's have nowhere, or elsewhere."""
@@ -185,7 +197,7 @@ class Renaming:
             text = marked_in_cpp(text, own, set().union(*self.made.values()), exact)
         elif is_marked and known is PYTHON:
             with contextlib.suppress(ValueError):
-                text = marked_in_python(path, text, self.own, exact, self.classes)
+                text = marked_in_python(path, text, self.own, exact, members, self.classes)
         lines = [line.strip() for line in split(text)]
         roots = self.roots | self.packages.keys()
         origin = origins(known, text, roots, exact.keys(), self.classes, self.holders)

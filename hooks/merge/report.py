@@ -11,7 +11,7 @@ from pathlib import Path, PurePosixPath
 
 from . import git, xml_blocks
 from .blocks import Block, every
-from .languages import CPP, PYTHON, XML, YAML, Language, language
+from .languages import CMAKE, CPP, PYTHON, XML, YAML, Language, language
 from .merging import block_name
 from .package import Result
 from .proof import Proof
@@ -159,7 +159,7 @@ def _missing(after: Tree, result: Result) -> Iterator[tuple[str, str]]:
     """Name the generated parts that are not there.
 
     Any source may have a member of a class, a header may define it, and a base may have it. In
-    YAML an anchor may give a key.
+    YAML an anchor may give a key, or a mapping in one line; in CMake a loop may find packages.
     """
     found = [(path, part) for path, parts in sorted(result.missing.items()) for part in parts]
     bases: dict[str, set[str]] = {}
@@ -173,6 +173,12 @@ def _missing(after: Tree, result: Result) -> Iterator[tuple[str, str]]:
             keys = key_nodes(file.written)  # those of an anchor for each of its uses, too
             often = Counter(key for _, key in keys)
             has |= {(path, key.value) for above, key in keys if "<<" in above or often[key] > 1}
+            starts = ((key.value, file.written[: key.start_mark.index]) for _, key in keys)
+            has |= {(path, key) for key, before in starts if before.rstrip().endswith(("{", ","))}
+            bases[path] = {path}
+        if language(path, "") is CMAKE and _FIND_EACH.search(file.written):
+            words = {word for found in _LISTS.findall(file.written) for word in found.split()}
+            has |= {(path, f"find_package {word}") for word in words}
             bases[path] = {path}
         for block in _code(language(path, ""), file):
             owner, _, name = block_name(block.key).rpartition("::")
@@ -190,5 +196,7 @@ def _missing(after: Tree, result: Result) -> Iterator[tuple[str, str]]:
             yield path, part
 
 
+_FIND_EACH = re.compile(r"(?i)\bfind_package\s*\(\s*\$\{")
+_LISTS = re.compile(r"(?i)\b(?:set|list|foreach)\s*\(([^()]*)\)")
 _DEFINED = re.compile(r"\{|\bdef ")
 """What a member has that is more than declared."""

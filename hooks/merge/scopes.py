@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from .cpp_blocks import tokenize
 from .lines import split
-from .python_blocks import nodes
+from .python_blocks import module_of, nodes
 from .receivers import SCOPES, Code, code, type_before
 
 Path = tuple[str, ...]
@@ -157,14 +157,21 @@ def marked_in_cpp(text: str, own: Declared, old: Declared, names: Collection[str
 
 
 def marked_in_python(
-    path: str, text: str, own: Collection[str], names: Collection[str], classes: Collection[str]
+    path: str,
+    text: str,
+    own: Collection[str],
+    names: Collection[str],
+    members: Collection[str],
+    classes: Collection[str],
 ) -> str:
     """Return a file with a mark behind each of some names that is the developer's.
 
-    `own` are the developer's modules and what these define, each in full; `classes` are the
-    model's.
+    `own` are the developer's modules and what these define, each in full; `members` are names
+    that count behind another one alone; `classes` are the model's.
     """
-    full = {name for name in own if name.rpartition(".")[2] in names}
+    both = {*names, *members}
+    full = {name for name in own if name.rpartition(".")[2] in both}
+    full |= {name[:-1] + end for name in own if name.endswith(".*") for end in both}
     lines, folder = split(text), PurePosixPath(path).parent.parts
     whole = {*range(len(lines))}
     forms: list[tuple[str, set[int]]] = []
@@ -177,8 +184,7 @@ def marked_in_python(
     for node in nodes(text):
         inside = _lines(node) & whole
         if isinstance(node, ast.ImportFrom):
-            above = folder[: len(folder) + 1 - node.level] if node.level else ()
-            module = ".".join([*above, *filter(None, [node.module])])
+            module = module_of(node, folder)
             forms += [("." * node.level + (node.module or ""), inside)] if module in full else []
             for alias in node.names:
                 bind(alias.name, f"{module}.{alias.name}", inside)
@@ -196,6 +202,7 @@ def marked_in_python(
                 methods = (each for each in node.body if isinstance(each, SCOPES[:2]))
                 inside = inside.difference(*map(_lines, methods))  # which do not see its names
             forms += [(name, inside) for name in inner]
+    forms = [(form, within) for form, within in forms if "." in form or form not in members]
     for form, within in sorted(forms, key=lambda each: each[0], reverse=True):
         pattern = re.compile(rf"(?<![\w.]){re.escape(form)}\b")
         for number in within:

@@ -62,6 +62,7 @@ def uses_of_left(
     gone = set(gone)
     components = {name for owner, name in gone if owner == name}
     yield from _imports_of_left(components, old, new, found)
+    yield from _messages_of_left({n for n in components if f"msg/{n}.msg" in old}, old, found)
     if not gone:
         return
     names = "|".join(re.escape(name.strip("~/")) for _, name in gone)
@@ -124,6 +125,15 @@ def _imports_of_left(components: set[str], old: Tree, new: Tree, found: Tree) ->
         for number, said in dict.fromkeys(used):
             if lines[number] not in generated:
                 yield f"{path}:{number + 1}: {said}, which has left"
+
+
+def _messages_of_left(names: set[str], old: Tree, found: Tree) -> Iterator[str]:
+    """Yield where messages, services and actions have a field of a message that left."""
+    form = re.compile(rf"\s*(?:{_project(_cmake(old))}/)?({'|'.join(names)})\b(?!/)")
+    for path, file in sorted(found.items()) if names else ():
+        for number, line in enumerate(split(plain(file.written)), 1):
+            if path.endswith((".msg", ".srv", ".action")) and (match := form.match(line)):
+                yield f"{path}:{number}: {match[1]}, which has left"
 
 
 def _dependencies(tree: Tree) -> set[str]:

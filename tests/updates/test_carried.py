@@ -736,6 +736,16 @@ MESSAGES = {
     2: "rosidl_generate_interfaces(${PROJECT_NAME}\n  msg/A.msg\n)\n",
 }
 USERS = "catkin_package(\n  CATKIN_DEPENDS\n    tf2\n)\n"
+VARIABLES = """\
+pkg_check_modules(USB libusb-1.0)
+include_directories(${USB_INCLUDE_DIRS})
+file(GLOB SOURCES src/*.cpp)
+if(X)
+  list(APPEND SOURCES x.cpp)
+else()
+  message(STATUS "without x")
+endif()
+"""
 
 
 @pytest.mark.parametrize(
@@ -818,6 +828,18 @@ USERS = "catkin_package(\n  CATKIN_DEPENDS\n    tf2\n)\n"
             {7: "y"},
         ),
         (2, "", USERS, "", "", {}),
+        # What gives a value to what follows, above all of it
+        (
+            2,
+            "add_library(a b.cpp)\n",
+            f"{VARIABLES}add_library(a b.cpp)\nif(X)\n  target_sources(a x)\nendif()\n",
+            "add_library(a b.cpp)\n",
+            "mine",
+            {
+                **{n: line.strip() for n, line in enumerate(VARIABLES.splitlines(), 4)},
+                **{13: "if(X)", 14: "target_sources(a x)", 15: "endif()"},
+            },
+        ),
     ],
 )
 def test_item_of_cmake(ros, old, mine, new, wanted, lines):

@@ -379,6 +379,18 @@ OF_OWN_MODULES = {
         "        gain = 1\n\n    def f(self, c: GraspConfig):\n        self.ReachConfig(gain=2)\n"
         "        A.ReachConfig(gain=3)\n        GraspConfig(factor=c.factor)\n"
     ),
+    "from . import mode\n\nuse(mode.gain, mode.in_goal, mode.Mode.gain)\n": "",
+    "from .mode import Mode as M, gain\nfrom .reach_interface import ReachConfig\n\n"
+    "use(M.gain, M.in_goal, M.receive_say)\nReachConfig(gain=gain)\n": (
+        "from .mode import Mode as M, gain\nfrom .grasp_interface import GraspConfig\n\n"
+        "use(M.gain, M.in_goal, M.receive_say)\nGraspConfig(factor=gain)\n"
+    ),
+    "from . import mode\nfrom .mode import ROBOT\n\nuse(ROBOT.gain, mode.ROBOT.in_goal)\n": "",
+    "from lab.util import Mode, R, b\nfrom . import util\n\n"
+    "use(R.gain, Mode.gain, util.Mode.in_goal, b.in_goal, util.gain)\n": "",
+    "from .reach_impl import Mine, ReachImpl\n\nuse(Mine.gain, ReachImpl.receive_say)\n": (
+        "from .grasp_impl import Mine, GraspImpl\n\nuse(Mine.gain, GraspImpl.receive_speak)\n"
+    ),
     "from .reach_interface import ReachConfig\n\n\ndef f():\n    class ReachConfig:\n"
     "        gain = 1\n\n    ReachConfig(gain=2)\n\n\nReachConfig(gain=3)\n": (
         "from .grasp_interface import GraspConfig\n\n\ndef f():\n    class ReachConfig:\n"
@@ -390,6 +402,7 @@ OF_OWN_MODULES = {
 @pytest.mark.parametrize(("text", "wanted"), OF_OWN_MODULES.items())
 def test_names_that_own_modules_define(pairs, text, wanted):
     """Of what they only import, the model's name is still that."""
+    old = pairs["python_model"].old
     renaming = replace(pairs["python_model"].renaming, _texts={}, own=set())
     own = {
         "lab/kin.py": "class ReachConfig:\n    a = 1\n\n\nclass Own:\n"
@@ -397,8 +410,15 @@ def test_names_that_own_modules_define(pairs, text, wanted):
         "lab/vendor/reach_interface.py": "ReachData = 1\n",
         "lab/more.py": "from .reach_interface import ReachData\n\n\ndef x():\n    pass\n",
         "lab/bad.py": "class\n",
+        "lab/mode.py": "gain, ROBOT = 1, load()\nif gain:\n    in_goal, b = 2, 3\n\n\n"
+        "class Mode(Enum):\n"
+        "    gain = 1\n    in_goal: int = 2\n\n    def receive_say(self):\n        pass\n",
+        "lab/util/__init__.py": "from ..mode import Mode, b\nfrom .kin import ReachConfig as R\n\n"
+        "gain = 1\n",
+        "lab/util/kin.py": "class ReachConfig:\n    gain = 1\n",
+        "lab/reach_impl.py": f"{old['lab/reach_impl.py']}\n\nclass Mine:\n    gain = 1\n",
     }
-    renaming.know(tree_of({**own, **pairs["python_model"].old}))
+    renaming.know(tree_of({**old, **own}))
     assert renaming.text("lab/tools.py", text) == (wanted or text)
 
 

@@ -510,3 +510,14 @@ def test_parameter_or_topic_that_left_is_said_where_a_file_gives_it_a_value(path
     gone = [("reach", each) for each in ("k", "t", "old", "serial.baud")]
     said = uses_of_left(gone, old, tree_of(common), tree_of({path: text}), ["config"])
     assert [*said] == [f"{path}:{use}, which has left" for use in uses]
+
+
+@pytest.mark.parametrize("field", ["Path p", "lab/Path[<=3] p", "  Path[] p  # mine"])
+@pytest.mark.parametrize("path", ["msg/Own.msg", "srv/Own.srv", "action/Own.action"])
+def test_message_that_left_is_said_where_own_messages_have_it(field, path):
+    common = {"CMakeLists.txt": "project(lab)\n"}
+    old = tree_of({**common, "msg/Path.msg": "int8 a\n", "msg/Pose.msg": "int8 a\n"})
+    text = f"# Path p\nnav_msgs/Path a\nPath2 b\nPose Path\n---\n{field}\n"
+    new = tree_of({**common, "msg/Place.msg": "int8 a\n"})
+    said = uses_of_left([("Path", "Path")], old, new, tree_of({path: text}))
+    assert [*said] == [f"{path}:6: Path, which has left"]

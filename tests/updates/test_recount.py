@@ -366,6 +366,30 @@ def test_function_that_leaves_stays_in_a_file_of_the_developers_own():
     assert {path: file.text for path, file in result.tree.items()} == {**new, own: CPP[:end]}
 
 
+@pytest.mark.parametrize(
+    "own",
+    [
+        "struct Base\n{\n  virtual void serve_load(Request & request) = 0;\n};\n",
+        "class Own\n{\n  friend class WorkerImpl;\n  void serve_load(Request & request);\n};\n",
+        "",
+    ],
+)
+def test_function_that_leaves_is_not_half_there_where_another_class_has_one_or_it_is_called(own):
+    hpp, cpp = "include/arm/worker_impl.hpp", "src/worker_impl.cpp"
+    old = {hpp: HPP, cpp: CPP}
+    head = f"namespace arm {{\nclass WorkerImpl;\n{own}"
+    calls = "  void all() {serve_load(r); return serve_load(r);}\n};\n}\n"
+    mine = {hpp: HPP.replace("namespace arm {\n", head).replace("};\n}\n", calls), cpp: CPP}
+    function = CPP[CPP.index("void") : CPP.rindex("void")]
+    line = "  // Service load\n  void serve_load(Request & request);\n"
+    new = {hpp: HPP.replace(line, ""), cpp: CPP.replace(function, "")}
+    trees = [{p: File(encode(t)) for p, t in side.items()} for side in (mine, old, new)]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    wanted = {hpp: mine[hpp].replace(line, ""), cpp: new[cpp]}
+    assert {path: file.text for path, file in result.tree.items()} == wanted
+
+
 LOGIC = """class Impl:
     # Service load
     def serve_load(self, request, response):

@@ -90,12 +90,23 @@ def test_element_that_shares_its_line_is_not_missing(package):
         "a: &a {gain: 1}\nc: &c\n  d: 1\nb:\n  <<: [*a, *c]\n",
         "a: &a\n  gain: 1\nc: &c\n  <<: *a\nb:\n  <<: *c\n",
         "b:\n  <<: {gain: 1}\n",
+        "b: {gain: 1}\n",
+        "b: {c: 1,\n  gain: 1}\n",
     ],
 )
-def test_key_that_an_anchor_gives_is_not_missing(package, text):
+def test_key_that_an_anchor_or_a_flow_gives_is_not_missing(package, text):
     for content, missing in ((text, ["other"]), ("a: &a\n  gain: 1\nb: 2\n", ["gain", "other"])):
         found = said(package, {"a.yaml": content}, missing={"a.yaml": ["gain", "other"]})
         assert found[1:] == [f"missing   a.yaml: {key}" for key in missing]
+
+
+@pytest.mark.parametrize("names", ["a b", "IN ITEMS ${ALL}"])
+def test_package_that_a_loop_finds_is_not_missing(package, names):
+    loop = f"foreach(one {names})\n  find_package(${{one}} REQUIRED)\nendforeach()\n"
+    for text, missing in ((f"set(ALL\n  a  # 1\n  b)\n{loop}", "cd"), ("set(ALL a b)\n", "abcd")):
+        parts = [f"find_package {name}" for name in "abcd"]
+        found = said(package, {"CMakeLists.txt": text}, missing={"CMakeLists.txt": parts})
+        assert found[1:] == [f"missing   CMakeLists.txt: find_package {one}" for one in missing]
 
 
 def test_what_became_of_files(package):
