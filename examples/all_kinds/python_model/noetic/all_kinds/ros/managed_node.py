@@ -16,7 +16,7 @@ from typing import Any, Callable, Optional, Sequence
 from all_kinds.ros import timeouts
 from all_kinds.ros.action_client import ActionClient
 from all_kinds.ros.action_server import ActionServer
-from all_kinds.ros.callbacks import CallbackThread
+from all_kinds.ros.callbacks import Callback, CallbackThread
 from all_kinds.ros.logic_thread import LogicThread
 from all_kinds.ros.loop import Loop
 from all_kinds.ros.ros_time import RosTime
@@ -51,9 +51,10 @@ class ManagedNode:
         self._log = logging.getLogger('rosout')
         self.has_error = False
         self.failure = ''
-        self._callbacks: dict[str, CallbackThread] = {}
+        self._callbacks: dict[str, Callback] = {}
         self._action_clients: list[ActionClient] = []
         self._action_servers: list[ActionServer] = []
+        self._action_threads: list[CallbackThread] = []
         self._servers: dict[str, Any] = {}
         self._watcher = Worker('watch')
         # Read now, as the master may be gone when the node stops.
@@ -121,13 +122,21 @@ class ManagedNode:
         running = self._logic.pending()
         for callback in list(self._callbacks.values()):  # a copy, as a late start adds some
             running.update(callback.running())
+        for thread in self._action_threads.copy():
+            running.update(thread.running())
         return running
 
-    def _callback(self, name: str, method: str, count: int = 1) -> CallbackThread:
-        """Return the thread of a callback of the logic."""
+    def _callback(self, name: str, method: str) -> Callback:
+        """Return a callback of the logic, the same each time."""
         if method not in self._callbacks:
-            self._callbacks[method] = CallbackThread(self, name, method, count)
+            self._callbacks[method] = Callback(self, name, method)
         return self._callbacks[method]
+
+    def _thread(self, name: str, method: str, count: int = 1) -> CallbackThread:
+        """Create a thread for a callback of an action."""
+        thread = CallbackThread(self, name, method, count)
+        self._action_threads.append(thread)
+        return thread
 
     def _client(self, name: str, client: Any) -> Any:
         """Add a client to those whose servers are watched."""
@@ -150,8 +159,8 @@ class ManagedNode:
         at_once: int = 1,
     ) -> None:
         """Create a server of an action that a method of the logic executes."""
-        thread = self._callback(name, method, at_once)
-        asks = self._callback(name, accept) if accept else None
+        thread = self._thread(name, method, at_once)
+        asks = self._thread(name, accept) if accept else None
         self._action_servers.append(
             ActionServer(name, action_type, thread, self.stop, new_goal, asks)
         )

@@ -7,17 +7,17 @@ from __future__ import annotations
 
 from typing import Any
 
-from all_kinds.ros.callbacks import CallbackThread
+from all_kinds.ros.callbacks import Callback
 import rospy
 
 
 class ServiceServer:
     """A server that passes the request and an empty response to its callback."""
 
-    def __init__(self, name: str, service_type: Any, thread: CallbackThread) -> None:
-        """Advertise the service, which the thread serves."""
+    def __init__(self, name: str, service_type: Any, callback: Callback) -> None:
+        """Advertise the service, which the callback serves."""
         self._service = rospy.Service(
             name,
             service_type,
-            lambda request: thread.serve(request, service_type._response_class()),
+            lambda request: callback.serve(request, service_type._response_class()),
         )

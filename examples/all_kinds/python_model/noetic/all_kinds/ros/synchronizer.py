@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import Any, Callable, Optional
 
-from all_kinds.ros.callbacks import CallbackThread
+from all_kinds.ros.callbacks import Callback
 from message_filters import ApproximateTimeSynchronizer, SimpleFilter, TimeSynchronizer
 
 
@@ -17,7 +17,7 @@ class Synchronizer:
 
     def __init__(
         self,
-        callback: CallbackThread,
+        callback: Callback,
         messages: Any,
         queue_size: int,
         slop: Optional[float] = None,
