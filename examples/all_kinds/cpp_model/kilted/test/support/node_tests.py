@@ -134,7 +134,7 @@ class NodeTests:
                 self.assertIn(value, allowed, topic)
 
     def lates(self):
-        """Return the methods for topics that are late soon."""
+        """Return the methods for topics that are late soon, with interface and deadline (s)."""
         short = [item for item in self.deadlines.items() if item[1] <= 5.0]
         return [('late_' + member.partition('_')[2], member, time) for member, time in short]
 
@@ -283,9 +283,7 @@ class NodeTests:
                 publisher.publish(messages[-1])
                 self.assertTrue(eventually(lambda: messages[-1] in got()), topic)
             self.turns(more=3)
-            self.assertEqual(
-                *([each for each in all_ if each != first] for all_ in (got(), messages))
-            )
+            self.assertEqual(*([one for one in lot if one != first] for lot in (got(), messages)))
 
     def test_messages_out(self):
         """Every message is published as the logic says, and where it says so."""
@@ -318,7 +316,7 @@ class NodeTests:
                 self.node.order('now', *(f'{member}={encode(each)}' for each in more))
                 self.assertTrue(eventually(lambda: more[-1] in got), topic)
                 rest += more
-            self.assertEqual(*([each for each in all_ if each != first] for all_ in (got, rest)))
+            self.assertEqual(*([one for one in lot if one != first] for lot in (got, rest)))
 
     def test_last_words(self):
         """What the logic publishes last leaves the node."""

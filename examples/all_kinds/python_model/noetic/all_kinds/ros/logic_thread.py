@@ -104,7 +104,7 @@ class LogicThread(Worker):
             worker.close()
 
     def pending(self) -> dict[Future[Any], str]:
-        """Return the calls that have not returned, in all threads."""
+        """Return the calls that have not returned, in all threads, with their methods."""
         pending = super().pending()
         for worker in list(self._others.values()):
             pending.update(worker.pending())

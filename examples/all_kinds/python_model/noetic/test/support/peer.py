@@ -200,9 +200,7 @@ def sample(message_type, number=3):
         elif isinstance(value, str):
             value = f's{number}'
         setattr(message, name, value)
-    return decode(
-        encode(message), message_type
-    )  # its arrays then have the types of a received one
+    return decode(encode(message), message_type)  # with arrays of the types of a received one
 
 
 def stamped(message_type, seconds):
