@@ -8,11 +8,14 @@ import pytest
 
 from support.linters import cpp_faults, leave_news, python_faults, ruff_faults, write
 from support.model_checks import Model
+from support.packages import DATA
 from support.repository import ROOT
 
 MODELS = {name: Model(ROOT / name) for name in ("cpp_model", "mixed_model", "python_model")}
 ROS = ("noetic", "kilted")
 MORE = ({}, {"frequency": "10"}, {"diagnostics": "true"})
+TOPIC = re.compile(r" +'\w+(\.\w+)?': \(")
+"""An interface in a test of a node, with the name of its type."""
 WORD = "long_name_of_a_part_that_has_many_words_and_still_goes_on_and_on"
 
 
@@ -54,6 +57,22 @@ def test_interface_kinds_alone(renderers, tmp_path, name):
     assert made == {owner.kind for owner in model.owners if owner.component == "node"}
     faults = ruff_faults(tmp_path)
     assert not faults, faults
+
+
+@pytest.mark.parametrize("distro", ROS)
+@pytest.mark.parametrize("name", ["cpp_model", "python_model"])
+def test_short_names_need_no_folding(renderers, monkeypatch, name, distro):
+    """It parses a file three times; templates have no line that is too long without them."""
+    renderer, folded = renderers[name], []
+    monkeypatch.setattr(renderer, "made", {})
+    monkeypatch.setitem(
+        renderer.env.filters, "fold_python", lambda text: folded.append(text) or text
+    )
+    spec = (DATA / "fast.ros_package").read_text()
+    renderer.render(MODELS[name].context(spec, distro), distro)
+    assert folded
+    long = [line for text in folded for line in text.splitlines() if len(line) > 99]
+    assert not [line for line in long if not TOPIC.match(line)], long
 
 
 @pytest.mark.parametrize("name", MODELS)
