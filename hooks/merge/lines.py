@@ -7,7 +7,7 @@ may change beside one that the other side changed. Only changes of the same line
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 from itertools import pairwise
@@ -32,7 +32,7 @@ class Conflict:
     new: Lines
 
 
-Merged = list["str | Conflict"]
+Merged = Sequence["str | Conflict"]
 _Matches = list[tuple[int, int, int]]
 
 
@@ -88,7 +88,7 @@ def merge_lines(
         key=lambda change: (change.start, change.end, change.is_mine),
     )
     stable = _stable(old, (new, theirs), (mine, ours))
-    merged: Merged = []
+    merged: list[str | Conflict] = []
     at = 0
     while changes:
         start, end = changes[0].start, changes[0].end
@@ -183,19 +183,19 @@ def _settle(
     mine = [change for change in group if change.is_mine]
     new = [change for change in group if not change.is_mine]
     if not mine or not new:
-        return list(_apply(group, stable, start, end))
+        return _apply(group, stable, start, end)
     ours, theirs = _apply(mine, stable, start, end), _apply(new, stable, start, end)
     if list(map(key, ours)) == list(map(key, theirs)) or same("".join(ours), "".join(theirs)):
-        return list(ours)
+        return ours
     if start == end:  # both insertions stay, the model's first (decision 24)
         have = set() if of_people else {key(line) for line in ours}
         return [*_ended(line for line in theirs if key(line) not in have), *ours]
     before = "".join(old[start:end])
     if same("".join(ours), before):
-        return list(theirs)
+        return theirs
     if same("".join(theirs), before):
-        return list(ours)
-    return [Conflict(list(ours), list(old[start:end]), list(theirs))]
+        return ours
+    return [Conflict(ours, old[start:end], theirs)]
 
 
 def _apply(changes: list[_Change], stable: Lines, start: int, end: int) -> Lines:
@@ -236,7 +236,7 @@ def _apart(conflict: Conflict) -> Merged:
         for start, first, size in SequenceMatcher(None, mine, new, False).get_matching_blocks()
         if sum(bool(re.search(r"\w", line)) for line in mine[start : start + size]) >= FEW
     ]
-    pieces: Merged = []
+    pieces: list[str | Conflict] = []
     at = last = 0
     for start, first, size in [*common, (len(mine), len(new), 0)]:
         if at < start or last < first:

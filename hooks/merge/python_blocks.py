@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from typing import cast
 
 from .blocks import THEN, Block, Span, arrange, squeezed, unicode
-from .lines import Conflict, split
+from .lines import Merged, split
 
 
 def blocks(text: str) -> list[Block]:
@@ -252,7 +252,7 @@ def _imported(text: str) -> tuple[str, list[str], str] | None:
     return None
 
 
-def with_imports(merged: list[str | Conflict]) -> list[str | Conflict]:
+def with_imports(merged: Merged) -> Merged:
     """Give each name an import of its own, where others have one."""
     heads = (re.match(r"\s*from \S+ import ", each) for each in merged if isinstance(each, str))
     head = next((found[0] for found in heads if found), None)
