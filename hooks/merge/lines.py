@@ -81,6 +81,29 @@ def merge_lines(
     Lines of one `key` count as one line: the developer's form of it stays. Where both sides
     changed lines and one of them changed nothing but their form, `same`, the other one counts.
     """
+
+    def settle(group: list[_Change], start: int, end: int) -> Merged:
+        """Return what changes that meet come to.
+
+        Of lines that the new version inserts where the developer has them already, one is enough;
+        what two developers have written in one place may have lines in common.
+        """
+        sides = [[one for one in group if one.is_mine is side] for side in (True, False)]
+        ours, theirs = (_apply(side, stable, start, end) for side in sides)
+        if not all(sides):
+            return ours if sides[0] else theirs
+        if list(map(key, ours)) == list(map(key, theirs)) or same("".join(ours), "".join(theirs)):
+            return ours
+        if start == end:  # both insertions stay, the model's first (decision 24)
+            have = set() if of_people else {key(line) for line in ours}
+            return [*_ended(line for line in theirs if key(line) not in have), *ours]
+        before = "".join(old[start:end])
+        if same("".join(ours), before):
+            return theirs
+        if same("".join(theirs), before):
+            return ours
+        return [Conflict(ours, old[start:end], theirs)]
+
     ours, theirs = (_matches(old, side, key) for side in (mine, new))
     sides = [*_changes(mine, ours, True)], [*_changes(new, theirs, False)]
     changes = sorted(
@@ -99,7 +122,7 @@ def merge_lines(
             start = min(change.start for change in group)
             end = max(change.end for change in group)
         merged += stable[at:start]
-        merged += _settle(group, stable, old, start, end, key, same, of_people)
+        merged += settle(group, start, end)
         at = end
     return [*merged, *stable[at:]]
 
@@ -163,39 +186,6 @@ def _stable(old: Lines, *sides: tuple[Lines, _Matches]) -> Lines:
                 if other[first + i] != old[start + i]:
                     lines[start + i] = other[first + i]
     return lines
-
-
-def _settle(
-    group: list[_Change],
-    stable: Lines,
-    old: Lines,
-    start: int,
-    end: int,
-    key: Key,
-    same: Same,
-    of_people: bool,
-) -> Merged:
-    """Return what changes that meet come to.
-
-    Of lines that the new version inserts where the developer has them already, one is enough; what
-    two developers have written in one place may have lines in common.
-    """
-    mine = [change for change in group if change.is_mine]
-    new = [change for change in group if not change.is_mine]
-    if not mine or not new:
-        return _apply(group, stable, start, end)
-    ours, theirs = _apply(mine, stable, start, end), _apply(new, stable, start, end)
-    if list(map(key, ours)) == list(map(key, theirs)) or same("".join(ours), "".join(theirs)):
-        return ours
-    if start == end:  # both insertions stay, the model's first (decision 24)
-        have = set() if of_people else {key(line) for line in ours}
-        return [*_ended(line for line in theirs if key(line) not in have), *ours]
-    before = "".join(old[start:end])
-    if same("".join(ours), before):
-        return theirs
-    if same("".join(theirs), before):
-        return ours
-    return [Conflict(ours, old[start:end], theirs)]
 
 
 def _apply(changes: list[_Change], stable: Lines, start: int, end: int) -> Lines:
