@@ -47,9 +47,7 @@ def opened(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Bl
 
     What is new in a namespace comes in one of its own: code out of it may name that each time.
     """
-    base, theirs = ([*_opened(side, mine, old)] for side in (old, new))
-    match(theirs, base)
-    return base, theirs
+    return [*_opened(old, mine, old)], [*_opened(new, mine, old)]
 
 
 _MAY_OPEN = re.compile(r"#?if|namespace |group ")
