@@ -70,13 +70,10 @@ def carry_build_files(
     mine: Tree, old: Tree, new: Tree, renaming: Renaming, result: Result, ros: int
 ) -> None:
     """Make build files those of a ROS, `ros`, with what was written into the other ones."""
-    paths = [
-        path
-        for path in (_CMAKE, _SETUP)
-        if path in mine and path in old and mine[path] != old[path]
-        if mine[path].text is not None
-    ]
-    files = {path: new[path] for path in (_CMAKE, _SETUP) if path in new}
+    names = (_CMAKE, _SETUP)
+    both = [path for path in names if path in mine and path in old]
+    paths = [p for p in both if mine[p] != old[p] and mine[p].text is not None]
+    files = {path: new[path] for path in names if path in new}
     try:
         carrier = _Carrier({path: file.written for path, file in files.items()}, ros)
         found = {}
@@ -89,7 +86,7 @@ def carry_build_files(
     except (ValueError, RecursionError):
         return  # the merge by block stands
     for path in paths:
-        result.carried[path] = ([_CMAKE, _SETUP], found[path])
+        result.carried[path] = ([*names], found[path])
         for said in (result.conflicts, result.rejected, result.settled, result.removed):
             said.pop(path, None)
     for path, file in files.items() if paths else ():
@@ -118,6 +115,9 @@ class _Carrier:
         """The functions and macros of the developer's, which stay behind."""
         self.made: set[str] = set()
         """The comments of the model's, which are about its own commands."""
+
+    def _named(self, *keys: str) -> Block | None:
+        return next((block for block in self.new if block.key in keys), None)
 
     def texts(self) -> dict[str, str]:
         return {_CMAKE: "".join(b.text for b in self.new), _SETUP: "".join(self.setup)}
@@ -303,12 +303,11 @@ class _Carrier:
         """Return the command of now about the parts of a target."""
         name, _, target = re.sub(r" #\d+$", "", key).partition(" ")
         names = _PARTS[:1] if name in _PARTS[:1] else _PARTS[1:]
-        same = [f"{one} {target}" for one in names]
-        return next((block for block in self.new if block.key in same), None)
+        return self._named(*(f"{one} {target}" for one in names))
 
     def _listed(self, key: str, name: str, suffix: str) -> bool:
         """Put a file into the list of those like it; without a list, make one if it has a use."""
-        command = next((block for block in self.new if block.key == key), None)
+        command = self._named(key)
         if command is None:
             users = (i for i, b in enumerate(self.new) if b.key.startswith("generate_messages"))
             if (at := next(users, None)) is None:
@@ -329,7 +328,7 @@ class _Carrier:
         """Find a package, and link every target of a node with it, as catkin does."""
         name, key = item.name, f"find_package {item.name}"
         text = f"find_package({name} REQUIRED){item.comment}"
-        if not any(block.key == key for block in self.new):
+        if not self._named(key):
             self.new.insert(self._below_packages(), Block(key, [f"{text}\n"]))
             for command in self.new:
                 public = _index(command.lines, "  PUBLIC\n")
@@ -339,7 +338,7 @@ class _Carrier:
 
     def _component(self, name: str) -> bool:
         """Make a package a component of catkin, if it can be one."""
-        catkin = next((b for b in self.new if b.key == "find_package catkin"), None)
+        catkin = self._named("find_package catkin")
         if catkin is None or not re.fullmatch(_KNOWN["components"], name):
             return False
         if not self._has_component(name) and len(catkin.lines) > 1:
@@ -347,7 +346,7 @@ class _Carrier:
         return self._has_component(name)
 
     def _has_component(self, name: str) -> bool:
-        catkin = next((b for b in self.new if b.key == "find_package catkin"), None)
+        catkin = self._named("find_package catkin")
         return catkin is not None and f"  {name}\n" in catkin.lines
 
     def _as_entry(self, installed: re.Match[str]) -> str:
@@ -370,7 +369,7 @@ class _Carrier:
     def _entry(self, number: int, line: str) -> None:
         """Put a line of setup.py about what is installed into CMake, or into setup.py."""
         found = _ENTRY.fullmatch(line.strip())
-        directory = next((b for b in self.new if b.key == "install DIRECTORY"), None)
+        directory = self._named("install DIRECTORY")
         if not found or directory is None:
             return
         whole, base, folder, files = found.groups()
