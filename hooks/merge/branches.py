@@ -32,6 +32,9 @@ _UNDER_WAY = {
     "REBASE_HEAD": "rebase-merge",
 }
 """What names the commit that git is about to join, and what is there while it is."""
+_GITS_MARKS = ("<<<<<<< ", "=======", ">>>>>>> ", "||||||| ")
+AROUND = 3
+"""How many lines tell the place of a change."""
 
 
 @dataclass(frozen=True)
@@ -238,9 +241,6 @@ class Joiner:
                     yield path, number, line
 
 
-_GITS_MARKS = ("<<<<<<< ", "=======", ">>>>>>> ", "||||||| ")
-
-
 def _lines(file: File) -> list[str]:
     return plain(file.written).split("\n")
 
@@ -369,10 +369,6 @@ def _last_making(package: Path, answers_file: str) -> tuple[str, list[str]]:
             return commit, parents
         commit = [*same, *parents][0]
     return "", []
-
-
-AROUND = 3
-"""How many lines tell the place of a change."""
 
 
 def _stale(found: Tree, made: Tree, befores: Sequence[tuple[Tree, Tree]]) -> set[str]:

@@ -32,6 +32,14 @@ _TOKEN = re.compile(
 )
 _OPEN, _CLOSE = "([{", ")]}"
 _ACCESS = ("public", "private", "protected", "signals", "Q_SIGNALS")
+_COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+_ROLES = dict.fromkeys(("if", "ifdef", "ifndef"), "start")
+_ROLES |= dict.fromkeys(("elif", "elifdef", "elifndef", "else"), "branch") | {"endif": "end"}
+_DEPTHS = {"start": 1, "end": -1}
+_MACRO = re.compile(r"[A-Z][A-Z0-9]*_?[A-Z0-9_]+")
+_AFTER_HEAD = ("const", "noexcept", "override", "final", "throw", "mutable", "volatile")
+_HOLDERS = ("namespace", "class", "struct")
+_ATTRIBUTE = re.compile(r"__\w+|alignas|noexcept|throw|decltype|requires|explicit")
 
 
 @dataclass(frozen=True)
@@ -44,9 +52,6 @@ class _Token:
 
 
 Tokens = list[_Token]
-
-
-_COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
 
 def blocks(text: str) -> list[Block]:
@@ -78,10 +83,6 @@ def _role(span: Span) -> tuple[str, str]:
     match = re.match(r"#(\w+)", span.key)
     part = _ROLES.get(match[1], "") if match else ""
     return ("if", part) if part else ("", "")
-
-
-_ROLES = dict.fromkeys(("if", "ifdef", "ifndef"), "start")
-_ROLES |= dict.fromkeys(("elif", "elifdef", "elifndef", "else"), "branch") | {"endif": "end"}
 
 
 def _part(token: _Token) -> str:
@@ -141,9 +142,6 @@ def _with_conditions(spans: list[Span]) -> list[Span]:
             before, inside, rest = (nested(part, _role) for part in parts)
             return [*before, first, second, *inside, last, *rest]
     return nested(spans, _role)
-
-
-_DEPTHS = {"start": 1, "end": -1}
 
 
 def same(one: str, other: str) -> bool:
@@ -236,10 +234,6 @@ def _is_condition(tokens: Tokens, at: int) -> bool:
     return is_start and tokens[at].line == tokens[at - 1].last + 1
 
 
-_MACRO = re.compile(r"[A-Z][A-Z0-9]*_?[A-Z0-9_]+")
-_AFTER_HEAD = ("const", "noexcept", "override", "final", "throw", "mutable", "volatile")
-
-
 def _macro(tokens: Tokens, at: int) -> int:
     """Return where a macro ends that is alone on its line, without semicolon; else 0."""
     end = at + 1
@@ -315,9 +309,6 @@ def _holds_items(tokens: Tokens) -> bool:
     return any(word in head for word in _HOLDERS) or ("extern" in head and head[-1][0] == '"')
 
 
-_HOLDERS = ("namespace", "class", "struct")
-
-
 def _closing(tokens: Tokens, at: int) -> int:
     depth = 0
     for index in range(at, len(tokens)):
@@ -325,9 +316,6 @@ def _closing(tokens: Tokens, at: int) -> int:
         if not depth:
             return index
     raise ValueError(f"line {tokens[at].line + 1}: {tokens[at].text} that nothing closes")
-
-
-_ATTRIBUTE = re.compile(r"__\w+|alignas|noexcept|throw|decltype|requires|explicit")
 
 
 def _head(texts: list[str]) -> list[str]:

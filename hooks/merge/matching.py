@@ -17,6 +17,10 @@ from .python_blocks import is_same_import
 
 Blocks = Sequence[Block]
 _NUMBER = re.compile(r" #\d+$")
+_MAY_OPEN = re.compile(r"#?if|namespace |group ")
+_HEADING = re.compile(r"#+ ")
+ALIKE = 0.6
+_RELATIVE = re.compile(r"\s*from \.\S* import")
 
 
 class BothAroundError(ValueError):
@@ -48,9 +52,6 @@ def opened(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Bl
     What is new in a namespace comes in one of its own: code out of it may name that each time.
     """
     return [*_opened(old, mine, old)], [*_opened(new, mine, old)]
-
-
-_MAY_OPEN = re.compile(r"#?if|namespace |group ")
 
 
 def _opened(side: Blocks, mine: Blocks, old: Blocks) -> Iterator[Block]:
@@ -93,9 +94,6 @@ def identify(blocks: Blocks, old: Blocks, new: Blocks) -> list[Block]:
     """Return the developer's blocks with the keys of what they are in other versions."""
     match(blocks, old, new)
     return _unsplit(_retitled(blocks, old, new), old, new)
-
-
-_HEADING = re.compile(r"#+ ")
 
 
 def _rejoined(mine: Blocks, *versions: Blocks) -> list[Block]:
@@ -278,9 +276,6 @@ def _likeness(one: Block, other: Block) -> float:
     return (ours & theirs).total() / max(ours.total(), 1)
 
 
-ALIKE = 0.6
-
-
 def _lines_in(block: Block) -> Counter[str]:
     inside = "".join(child.text for child in block.children) or "".join(block.lines[1:])
     lines = inside.split("\n")
@@ -444,9 +439,6 @@ def _inside(level: list[Block], key: str) -> list[Block]:
         found = Block(key, [])
         level.append(found)
     return found.children
-
-
-_RELATIVE = re.compile(r"\s*from \.\S* import")
 
 
 def _set_like(same: Block, block: Block) -> Block:

@@ -20,6 +20,15 @@ from .languages import CPP, MARKDOWN, PYTHON, TEXT, YAML, Language, language
 from .lines import Conflict, Merged
 from .matching import BothAroundError, align
 
+_LOOSE = re.compile(
+    r"then$|comment |header|docstring|empty|text|start|#(?!#* )|from |import |name |using |.* =$"
+)
+"""Blocks that are known by what they say, or that nobody misses."""
+_IMPORTED = re.compile(r"^\s*from \S+ import|[\s,]")
+"""What is no part of a name that is imported: it may have an import of its own."""
+_UNNAMED = re.compile(r"from |import |install |list ")
+"""Blocks of which there may be several with one key."""
+
 
 @dataclass
 class Outcome:
@@ -160,20 +169,6 @@ def _deleted(mine: Sequence[Block], old: Sequence[Block], new: Sequence[Block]) 
             yield from _deleted(*(found.children for found in inner))
         elif block.key in base and not _LOOSE.match(block.key):
             yield block_name(block.key)
-
-
-_LOOSE = re.compile(
-    r"then$|comment |header|docstring|empty|text|start|#(?!#* )|from |import |name |using |.* =$"
-)
-"""Blocks that are known by what they say, or that nobody misses."""
-
-
-_IMPORTED = re.compile(r"^\s*from \S+ import|[\s,]")
-"""What is no part of a name that is imported: it may have an import of its own."""
-
-
-_UNNAMED = re.compile(r"from |import |install |list ")
-"""Blocks of which there may be several with one key."""
 
 
 class _Merger:

@@ -14,6 +14,29 @@ from ..data import LOADER
 from .blocks import Block, Span, arrange, nested, numbered, squeezed, unicode
 from .lines import margin, split
 
+_COMMAND = re.compile(
+    r"""(?P<bracket> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] )
+      | (?P<comment> \#[^\n]* ) | (?P<escaped> \\. )
+      | (?P<string> "(?: \\. | [^"\\] )*" )
+      | (?P<name> [A-Za-z_]\w* )(?= \s*\( )
+      | (?P<sign> [()] )""",
+    re.VERBOSE | re.DOTALL,
+)
+_CMAKE_COMMENTS = re.compile(r"#\[(=*)\[.*?\]\1\]|#[^\n]*", re.DOTALL)
+_LISTS = "catkin_package|generate_messages|generate_dynamic_reconfigure_options|ament_export_\\w+"
+"""Commands that a file has once: their first argument, which a formatter moves, is an item."""
+_STATEMENTS = ("if", "foreach", "while", "function", "macro", "block")
+_FENCE = re.compile(r"[ >*-]*(`{3,}(?=[^`]*$)|~{3,})(.*)")
+_CMAKE_EXACT = re.compile(
+    r"""(?P<exact> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] | "(?: \\. | [^"\\] )*" ) | \#[^\n]*""",
+    re.VERBOSE | re.DOTALL,
+)
+_BESIDE = re.compile(rf"{_CMAKE_EXACT.pattern}|\s*(?P<sign>[()])\s*", _CMAKE_EXACT.flags)
+"""A parenthesis of a command, with the blanks beside it."""
+_CODE = re.compile(
+    r"(?P<exact>^[ ]*(?P<mark>`{3,}|~{3,}).*?^[ ]*(?P=mark)|`[^`\n]+`)", re.DOTALL | re.MULTILINE
+)
+
 
 def yaml_blocks(text: str) -> list[Block]:
     """Return the keys of a document, each with those below it."""
@@ -71,23 +94,6 @@ def _first_entry(text: str, member: yaml.Node, is_nested: bool) -> str:
     return "" if "\n" in text[start:until] else text[start:until] + rest
 
 
-_COMMAND = re.compile(
-    r"""(?P<bracket> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] )
-      | (?P<comment> \#[^\n]* ) | (?P<escaped> \\. )
-      | (?P<string> "(?: \\. | [^"\\] )*" )
-      | (?P<name> [A-Za-z_]\w* )(?= \s*\( )
-      | (?P<sign> [()] )""",
-    re.VERBOSE | re.DOTALL,
-)
-
-
-_CMAKE_COMMENTS = re.compile(r"#\[(=*)\[.*?\]\1\]|#[^\n]*", re.DOTALL)
-
-
-_LISTS = "catkin_package|generate_messages|generate_dynamic_reconfigure_options|ament_export_\\w+"
-"""Commands that a file has once: their first argument, which a formatter moves, is an item."""
-
-
 def cmake_blocks(text: str) -> list[Block]:
     """Return the commands of a file, each known by its name and its first argument."""
     lines = split(text)
@@ -114,9 +120,6 @@ def cmake_blocks(text: str) -> list[Block]:
     return arrange(lines, nested(spans, _role), 0, len(lines), _CMAKE_COMMENTS)
 
 
-_STATEMENTS = ("if", "foreach", "while", "function", "macro", "block")
-
-
 def _role(span: Span) -> tuple[str, str]:
     """Say which statement a command begins, goes on with or ends."""
     name = re.match(r"\w*", span.key)[0].lower()  # type: ignore[index]
@@ -126,9 +129,6 @@ def _role(span: Span) -> tuple[str, str]:
         return "if", "branch"
     statement = name.removeprefix("end")
     return (statement, "end") if name != statement in _STATEMENTS else ("", "")
-
-
-_FENCE = re.compile(r"[ >*-]*(`{3,}(?=[^`]*$)|~{3,})(.*)")
 
 
 def markdown_blocks(text: str) -> list[Block]:
@@ -220,12 +220,6 @@ def _comments(text: str) -> list[str]:
     return [squeezed(words) for words in re.findall(r"(?:^|(?<=\s))#([^\n]*)", text)]
 
 
-_CMAKE_EXACT = re.compile(
-    r"""(?P<exact> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] | "(?: \\. | [^"\\] )*" ) | \#[^\n]*""",
-    re.VERBOSE | re.DOTALL,
-)
-
-
 def cmake_key(text: str) -> str:
     """Return commands without blanks around their words, their names in small letters."""
     return squeezed(_lower(text))
@@ -241,15 +235,6 @@ def same_cmake(one: str, other: str) -> bool:
         _BESIDE.sub(lambda match: match["sign"] or match[0], _lower(text)) for text in (one, other)
     )
     return len({squeezed(text, _CMAKE_EXACT) for text in texts}) == 1
-
-
-_BESIDE = re.compile(rf"{_CMAKE_EXACT.pattern}|\s*(?P<sign>[()])\s*", _CMAKE_EXACT.flags)
-"""A parenthesis of a command, with the blanks beside it."""
-
-
-_CODE = re.compile(
-    r"(?P<exact>^[ ]*(?P<mark>`{3,}|~{3,}).*?^[ ]*(?P=mark)|`[^`\n]+`)", re.DOTALL | re.MULTILINE
-)
 
 
 def same_markdown(one: str, other: str) -> bool:

@@ -17,6 +17,13 @@ from typing import cast
 from .blocks import THEN, Block, Span, arrange, squeezed, unicode
 from .lines import Merged, split
 
+_ENDS = ("", " pass\n", "\nclass _: pass\n")
+"""What makes code of a text: nothing, or it is a head without its body, or decorators alone."""
+_WIDTH = 100
+"""Of a line with its end, as the linters of ROS allow it."""
+_CONTAINERS = (ast.ClassDef, ast.If, ast.Try, ast.With)
+_Part = tuple[str, int, list[ast.stmt]]
+
 
 def blocks(text: str) -> list[Block]:
     """Return the blocks of a module; those of a class, `if`, `try` or `with` are inside."""
@@ -36,10 +43,6 @@ def same(one: str, other: str) -> bool:
 def _words(text: str) -> list[str]:
     """Return what no formatter changes: the words, but for the prefixes of strings."""
     return [word for word in re.findall(r"[^\W\d]\w*", text.lower()) if len(word) > 2]
-
-
-_ENDS = ("", " pass\n", "\nclass _: pass\n")
-"""What makes code of a text: nothing, or it is a head without its body, or decorators alone."""
 
 
 @functools.lru_cache(maxsize=64)
@@ -234,10 +237,6 @@ def _laid_out(head: str, names: Sequence[str], comment: str, is_line: bool) -> s
     return f"{head}({comment}\n{inside}{indent})\n"
 
 
-_WIDTH = 100
-"""Of a line with its end, as the linters of ROS allow it."""
-
-
 def _imported(text: str) -> tuple[str, list[str], str] | None:
     """Return what stands before the names of an import, the names, and the comment at an end."""
     with contextlib.suppress(ValueError):
@@ -262,10 +261,6 @@ def with_imports(merged: Merged) -> Merged:
         re.sub(r"^\s*(\w+),$", rf"{head}\1", each) if isinstance(each, str) else each
         for each in merged
     ]
-
-
-_CONTAINERS = (ast.ClassDef, ast.If, ast.Try, ast.With)
-_Part = tuple[str, int, list[ast.stmt]]
 
 
 def _parts(statement: ast.stmt, lines: Sequence[str]) -> list[_Part]:

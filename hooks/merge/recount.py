@@ -37,6 +37,15 @@ _CLOSES = re.compile(r"end\w+ *\(.*\)|</.*>|\W+")
 """What ends something, and says not what."""
 Places = list[tuple[str, str]]
 _CMAKE = ("CMakeLists.txt", ".cmake")
+_STRING = r'"(?:\\.|[^"\\\n])*"'
+_COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+_NO_CODE = re.compile(
+    rf"(?m){_COMMENTS.pattern}|^[ \t]*#[ \t]*if[ \t]+0\b.*?^[ \t]*#[ \t]*endif", re.DOTALL
+)
+_WORDS = r"\b{}(?:if|foreach|while|function|macro|block)\s*\("
+_DEFINITION = re.compile(
+    r"(?m)^(?:\[\[[^\]\n]*\]\]\s*)*[A-Za-z_][^\n;={}#]*?\b(\w+)::(~?\w+)\s*\("
+)
 
 
 def _lower(text: str) -> str:
@@ -261,12 +270,6 @@ def _unbalanced(ignored: str, **pairs: tuple[str, str]) -> Callable[[str], set[s
     return find
 
 
-_STRING = r'"(?:\\.|[^"\\\n])*"'
-_COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
-_NO_CODE = re.compile(
-    rf"(?m){_COMMENTS.pattern}|^[ \t]*#[ \t]*if[ \t]+0\b.*?^[ \t]*#[ \t]*endif", re.DOTALL
-)
-_WORDS = r"\b{}(?:if|foreach|while|function|macro|block)\s*\("
 _SOUND: tuple[tuple[str | tuple[str, ...], Callable[[str], set[str]]], ...] = (
     (".py", _unbound),
     ((".yaml", ".yml"), _keys_twice),
@@ -322,11 +325,6 @@ def _halves(
             what = f"{'::'.join(name)} is but half there"
             wrong += ((path, what) for path in places if path in made)
     return wrong
-
-
-_DEFINITION = re.compile(
-    r"(?m)^(?:\[\[[^\]\n]*\]\]\s*)*[A-Za-z_][^\n;={}#]*?\b(\w+)::(~?\w+)\s*\("
-)
 
 
 def _defined(code: dict[str, str]) -> dict[tuple[str, str], str]:

@@ -20,6 +20,11 @@ ATTRIBUTE = re.compile(r"""(?P<name>[\w:.-]+)(?P<sign>\s*=\s*)(?P<value>"[^"]*"|
 _FILE = re.compile(r"/([\w.-]+\.(?:yaml|xml|launch))\b")
 COMMENTS = re.compile(r"<!--.*?-->", re.DOTALL)
 _NAMING = ("name", "from", "file", "param", "id", "exec", "type", "if", "unless")
+_EXACT = re.compile(
+    r"""<!--.*?--> | (?P<exact> <!\[CDATA\[.*?\]\]> )
+      | \s*=\s*(?P<value> "[^"]*" | '[^']*' )""",
+    re.VERBOSE | re.DOTALL,
+)
 
 
 def blocks(text: str) -> list[Block]:
@@ -30,13 +35,6 @@ def blocks(text: str) -> list[Block]:
         raise ValueError(str(error)) from error
     lines = split(text)
     return arrange(lines, _spans(text), 0, len(lines), COMMENTS)
-
-
-_EXACT = re.compile(
-    r"""<!--.*?--> | (?P<exact> <!\[CDATA\[.*?\]\]> )
-      | \s*=\s*(?P<value> "[^"]*" | '[^']*' )""",
-    re.VERBOSE | re.DOTALL,
-)
 
 
 def same(one: str, other: str) -> bool:
