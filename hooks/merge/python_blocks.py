@@ -75,23 +75,20 @@ def _defined(node: ast.AST, owner: str = "") -> Iterator[str]:
             yield from _defined(inner, owner)
 
 
-def imports(text: str, folder: Sequence[str]) -> Iterator[tuple[int, str]]:
-    """Yield the modules that a file in a folder may import, each with its line, from 0."""
-    for node in nodes(text):
-        if isinstance(node, ast.Import):
-            yield from ((node.lineno - 1, alias.name) for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            module = module_of(node, folder)
-            yield node.lineno - 1, module
-            yield from ((node.lineno - 1, f"{module}.{alias.name}") for alias in node.names)
+def imports(text: str, folder: Sequence[str]) -> Iterator[tuple[int, str, str]]:
+    """Yield the modules that a file in a folder may import, and what it imports of them.
 
-
-def imported(text: str, folder: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Yield the names that a file in a folder imports, each with what it stands for in full."""
+    Each with its line, from 0, and with the name that the file has of it, which whole modules
+    have not; none of no Python.
+    """
     with contextlib.suppress(ValueError):
-        for node in (each for each in nodes(text) if isinstance(each, ast.ImportFrom)):
-            module = module_of(node, folder)
-            yield from ((a.asname or a.name, f"{module}.{a.name}") for a in node.names)
+        for node in nodes(text):
+            if isinstance(node, ast.Import):
+                yield from ((node.lineno - 1, "", alias.name) for alias in node.names)
+            elif isinstance(node, ast.ImportFrom):
+                at, module = node.lineno - 1, module_of(node, folder)
+                yield at, "", module
+                yield from ((at, a.asname or a.name, f"{module}.{a.name}") for a in node.names)
 
 
 def module_of(node: ast.ImportFrom, folder: Sequence[str]) -> str:

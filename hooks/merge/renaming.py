@@ -24,7 +24,7 @@ from .depth import Shift, compose, shifts
 from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
 from .lines import split
 from .origins import SELF, Names, origins
-from .python_blocks import definitions, imported
+from .python_blocks import definitions, imports
 from .render import Renderer
 from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python
 from .tokens import Word, exchange, quoted, words
@@ -96,8 +96,8 @@ class Renaming:
             if language(path, "") is PYTHON:
                 module = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
                 is_own, folder = path not in self.paths, PurePosixPath(path).parent.parts
-                names = imported(file.written, folder) if is_own else ()
-                given |= {f"{module}.{name}": target for name, target in names}
+                names = imports(file.written, folder) if is_own else ()
+                given |= {f"{module}.{name}": target for _, name, target in names if name}
                 self.own |= {module} if is_own else set()
                 self.own |= {
                     f"{module}.{name}"
