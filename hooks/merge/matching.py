@@ -186,9 +186,8 @@ def _retitled(mine: Blocks, old: Blocks, new: Blocks) -> Blocks:
                 came.key = was.key
             same = titles.get(_title(block), key)
             block.key = same if same not in have else (was or block).key
-            if block.key != key:
-                known = (side for side in (*old, *new) if side.key == block.key)
-                match(block.children, *(each.children for each in known))
+            known = (side for side in (*old, *new) if side.key == block.key)
+            match(block.children, *(each.children for each in known))
     return mine
 
 

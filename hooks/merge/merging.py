@@ -6,7 +6,6 @@ version has it, and a block of the developer's own stays after the block it foll
 
 from __future__ import annotations
 
-import contextlib
 import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -76,20 +75,14 @@ def merge(
     if mine.text == new.text or (old and mine.text == old.text):
         return Outcome(lines.split(new.text))
     known = language(path, new.text)
-    if old and new.text == old.text:
-        outcome = Outcome(lines.split(mine.text))
-        with contextlib.suppress(ValueError, RecursionError):
-            if not of_people:
-                sides = align(mine.read(known), old.read(known), new.read(known))
-                outcome.missing = [*_deleted(*sides)]
-        return outcome
+    is_same = old is not None and new.text == old.text
     if known not in (TEXT, MARKDOWN) or old is not None:
         try:
             merger = _Merger(known, of_people)
             base = old.read(known) if old else []
             sides = align(mine.read(known), base, new.read(known), of_people)
             outcome = merger.outcome
-            outcome.merged = merger.sequence(*sides)
+            outcome.merged = [mine.text] if is_same else merger.sequence(*sides)
             if readable(known, outcome.merged):
                 outcome.missing = [] if of_people else [*_deleted(*sides)]
                 return outcome
@@ -111,10 +104,8 @@ def by_line(
     ours, base, theirs = (lines.split(version.text) for version in (mine, old, new))
 
     def same(one: str, other: str) -> bool:
-        is_moved = known in (PYTHON, YAML) and lines.depth(one.split("\n")) != lines.depth(
-            other.split("\n")
-        )
-        return not is_moved and known.same(one, other)
+        depths = {lines.depth(lines.split(text)) for text in (one, other)}
+        return (len(depths) == 1 or known not in (PYTHON, YAML)) and known.same(one, other)
 
     outcome = Outcome(lines.merge_lines(ours, base, theirs, known.key, same, of_people))
     could_be_read = readable(known, [mine.text])
