@@ -37,10 +37,6 @@ def _comments(sign: str) -> Callable[[list[str]], list[str]]:
     return lambda lines: ["comment" * line.lstrip().startswith(sign) for line in lines]
 
 
-def _row(line: str) -> str:
-    return outlines.row(line).rstrip()
-
-
 TEXT = Language(_lines, operator.eq, str.rstrip)
 PYTHON = Language(
     checked(python_blocks.blocks), python_blocks.same, _margin_counts, _comments("#")
@@ -55,7 +51,10 @@ CMAKE = Language(
     _comments("#"),
 )
 MARKDOWN = Language(
-    checked(outlines.markdown_blocks), outlines.same_markdown, _row, outlines.asides
+    checked(outlines.markdown_blocks),
+    outlines.same_markdown,
+    lambda line: outlines.row(line).rstrip(),
+    outlines.asides,
 )
 MESSAGE = Language(checked(outlines.message_blocks), operator.eq, str.rstrip)
 

@@ -194,7 +194,10 @@ class _Merger:
                 self.outcome.gone.append(block_name(key))
             else:
                 self.outcome.reworded += lines.split(theirs[key].text)
-            if is_comment(last) and last not in theirs and _touch(merged[end - 1 : end + 1]):
+            both = [
+                one for one in merged[end - 1 : end + 1] if isinstance(one, str) and one.strip()
+            ]
+            if is_comment(last) and last not in theirs and len(both) == 2:
                 merged.insert(end, "\n")  # or the comment would be about what follows it now
             last = key if merged[end:] else last
         return merged
@@ -297,11 +300,6 @@ class _Merger:
 
     def is_same(self, one: Block, other: Block) -> bool:
         return one.text == other.text or self.language.same(one.text, other.text)
-
-
-def _touch(merged: Merged) -> bool:
-    """Say whether there are two lines, and neither is empty."""
-    return len(merged) == 2 and all(isinstance(line, str) and line.strip() for line in merged)
 
 
 def _order(mine: list[str], old: list[str], new: list[str]) -> list[str]:

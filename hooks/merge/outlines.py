@@ -53,7 +53,7 @@ def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Itera
         return
     is_map = isinstance(node, yaml.MappingNode)
     entries = node.value if is_map else [(item, item) for item in node.value]
-    starts = [_line(text, key) for key, _ in entries]
+    starts = [text.count("\n", 0, key.start_mark.index) for key, _ in entries]
     if any(one >= other for one, other in itertools.pairwise(starts)):
         return  # a member is an alias, of which the parser says where the anchor is
     for (key, value), start, end in zip(entries, starts, [*starts[1:], until], strict=True):
@@ -195,11 +195,6 @@ def _meaning(text: str) -> list[object]:
             at = end
         found.append(facts)
     return [*found, *_comments(text[at:])]
-
-
-def _line(text: str, node: yaml.Node) -> int:
-    """Return the line that a node begins on, the first counted 0."""
-    return text[: node.start_mark.index].count("\n")
 
 
 def _ends(text: str, node: yaml.Node) -> int:
