@@ -45,10 +45,7 @@ CPP = Language(checked(cpp_blocks.blocks), cpp_blocks.same, squeezed, _comments(
 XML = Language(checked(xml_blocks.blocks), xml_blocks.same, squeezed)
 YAML = Language(checked(outlines.yaml_blocks), outlines.same_yaml, _margin_counts, _comments("#"))
 CMAKE = Language(
-    checked(outlines.cmake_blocks),
-    outlines.same_cmake,
-    outlines.cmake_key,
-    _comments("#"),
+    checked(outlines.cmake_blocks), outlines.same_cmake, outlines.cmake_key, _comments("#")
 )
 MARKDOWN = Language(
     checked(outlines.markdown_blocks),

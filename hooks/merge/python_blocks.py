@@ -156,11 +156,7 @@ def _spans(statements: Sequence[ast.stmt], lines: Sequence[str]) -> list[Span]:
 
 def _names(statement: ast.ImportFrom) -> tuple[Span, ...]:
     """Return what an import names, where each name has a line, or an import, of its own."""
-    lines = [
-        statement.lineno,
-        *(name.lineno for name in statement.names),
-        last_line(statement),
-    ]
+    lines = [statement.lineno, *(name.lineno for name in statement.names), last_line(statement)]
     if lines != sorted({*lines}) and not (len(statement.names) == 1 and lines[0] == lines[-1]):
         return ()
     return tuple(
