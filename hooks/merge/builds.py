@@ -105,6 +105,7 @@ class _Carrier:
 
     def __init__(self, texts: dict[str, str], ros: int) -> None:
         self.ros = ros
+        self.foreign = re.compile(_KNOWN["foreign"][3 - ros]).search
         self.new = CMAKE.blocks(texts.get(_CMAKE, ""))
         self.setup = split(texts.get(_SETUP, ""))
         self.has_cmake = _CMAKE in texts
@@ -170,7 +171,7 @@ class _Carrier:
         name = re.match(r"\w*", code)[0].lower()  # type: ignore[index]
         installed = _INSTALL.fullmatch(code)
         package = re.fullmatch(r"find_package\(\s*(\w+)[^()]*\)", code)
-        if name in self.own or re.search(_KNOWN["foreign"][3 - self.ros], code):
+        if name in self.own or self.foreign(code):
             return
         if package and self.ros == 1 and self._component(package[1]):
             self._note(number, block.text, package[1])
@@ -244,7 +245,7 @@ class _Carrier:
                 return name if self._listed(target, name, f".{folder[:-1]}") else ""
         if _name(key) in _PARTS:
             return self._part(key, item)
-        if re.search(_KNOWN["foreign"][3 - self.ros], item.name):
+        if self.foreign(item.name):
             return ""
         if _name(key) in _DEPENDENCIES[3 - self.ros]:
             return self._dependency(key, item)
@@ -259,7 +260,7 @@ class _Carrier:
         """Put a line of a generated command into the same command."""
         item = line.strip()
         command = next((block for block in new if block.key == key), None)
-        if re.search(_KNOWN["foreign"][3 - self.ros], self._translated(item)):
+        if self.foreign(self._translated(item)):
             return
         if command and replaced.strip() and replaced in command.lines:
             command.lines[command.lines.index(replaced)] = line
@@ -291,7 +292,7 @@ class _Carrier:
             return str(package)  # catkin links all of its components
         is_sort = key.startswith("add_") and re.fullmatch("[A-Z_]+", item.name)
         command = self._same_target(key)
-        if command is None or is_sort or re.search(_KNOWN["foreign"][3 - self.ros], item.name):
+        if command is None or is_sort or self.foreign(item.name):
             return ""
         lines = command.lines
         public = _index(lines, "  PUBLIC\n")

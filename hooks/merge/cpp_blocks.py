@@ -184,16 +184,9 @@ def _scope(tokens: Tokens, at: int) -> tuple[list[Span], int]:
             colon = at + texts.index(":")
             spans.append(Span(f"{token.text}:", token.line, tokens[colon].last + 1))
             at = colon + 1
-        elif (end := _macro(tokens, at)) and _is_close(tokens, end):
-            span, at = _item(tokens, end)
-            spans.append(replace(span, start=token.line))
-        elif end and _is_condition(tokens, end):  # which holds what the macro is about
-            spans.append(replace(_directive(tokens[end]), start=token.line))
-            at = end + 1
-        elif end:
-            key = squeezed(" ".join(token.text for token in tokens[at:end]))
-            spans.append(Span(key, token.line, tokens[end - 1].last + 1))
-            at = end
+        elif end := _macro(tokens, at):
+            span, at = _with_macro(tokens, at, end)
+            spans.append(span)
         else:
             span, at = _item(tokens, at)
             if span.key.startswith("namespace "):
@@ -220,18 +213,18 @@ def _reopened(spans: list[Span], other: Span) -> list[Span]:
     return [*spans[:at], Span(one.key, one.start, other.end)] if is_beside else [*spans, other]
 
 
-def _is_close(tokens: Tokens, at: int) -> bool:
-    """Say whether a function or a variable begins at a token, on the line after the one before."""
-    if at == len(tokens) or tokens[at].kind != "word" or _macro(tokens, at):
-        return False
-    is_next = tokens[at].line == tokens[at - 1].last + 1
-    return is_next and tokens[at].text not in (*_ACCESS, *_HOLDERS)
-
-
-def _is_condition(tokens: Tokens, at: int) -> bool:
-    """Say whether a condition begins at a token, on the line after the one before."""
-    is_start = at < len(tokens) and _part(tokens[at]) == "start"
-    return is_start and tokens[at].line == tokens[at - 1].last + 1
+def _with_macro(tokens: Tokens, at: int, end: int) -> tuple[Span, int]:
+    """Return a macro and what it is about: what begins on the next line, if anything does."""
+    start, last = tokens[at].line, tokens[end - 1].last
+    after = tokens[end] if end < len(tokens) and tokens[end].line == last + 1 else None
+    if after and _part(after) == "start":  # a condition
+        return replace(_directive(after), start=start), end + 1
+    is_word = after and after.kind == "word" and after.text not in (*_ACCESS, *_HOLDERS)
+    if is_word and not _macro(tokens, end):
+        span, at = _item(tokens, end)
+        return replace(span, start=start), at
+    key = squeezed(" ".join(token.text for token in tokens[at:end]))
+    return Span(key, start, last + 1), end
 
 
 def _macro(tokens: Tokens, at: int) -> int:
