@@ -120,22 +120,16 @@ def arrange(
     """
     blocks: list[Block] = []
     at = start
-    for span in _joined(spans):
-        above = _paragraphs(lines[at : span.start], comments)
-        loose, close = above[:-1], above[-1] if above else []
-        if close and not close[-1].strip():
-            loose, close = above, []
-        blocks += [_comment(part, at == start and not i) for i, part in enumerate(loose)]
-        if span.body is None:
-            blocks.append(Block(span.key, [*close, *lines[span.start : span.end]]))
-        else:
-            first, last = span.body
+    for span in (*_joined(spans), None):
+        above = _paragraphs(lines[at : span.start if span else end], comments)
+        close = above.pop() if span and above and above[-1][-1].strip() else []
+        blocks += [_comment(part, at == start and not i) for i, part in enumerate(above)]
+        if span:
+            first, last = span.body or (span.end, span.end)
             inner = arrange(lines, span.items, first, last, comments)
             head = [*close, *lines[span.start : first]]
-            blocks.append(Block(span.key, head, inner, list(lines[last : span.end])))
-        at = span.end
-    rest = _paragraphs(lines[at:end], comments)
-    blocks += [_comment(part, at == start and not i) for i, part in enumerate(rest)]
+            blocks.append(Block(span.key, head, inner, [*lines[last : span.end]]))
+            at = span.end
     return numbered(_close_gaps(blocks))
 
 

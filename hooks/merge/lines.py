@@ -240,9 +240,9 @@ def _ended_but_last(lines: Lines) -> Lines:
     return [*_ended(lines[:-1]), *lines[-1:]]
 
 
-def settled(merged: Merged) -> Lines:
-    """Return a merge with the developer's side of each conflict."""
-    parts = ([part] if isinstance(part, str) else part.mine for part in merged)
+def settled(merged: Merged, side: str = "mine") -> Lines:
+    """Return a merge with one side of each conflict, `mine` or `new`."""
+    parts = ([part] if isinstance(part, str) else getattr(part, side) for part in merged)
     return _ended_but_last([line for part in parts for line in part])
 
 

@@ -136,8 +136,7 @@ def readable(known: Language, merged: Merged) -> bool:
     """Say whether a merge is of its language, whichever side of its conflicts is chosen."""
     try:
         for side in ("mine", "new"):
-            parts = ([part] if isinstance(part, str) else getattr(part, side) for part in merged)
-            known.blocks(lines.text([line for part in parts for line in part]))
+            known.blocks("".join(lines.settled(merged, side)))
     except (ValueError, RecursionError):
         return False
     return True
