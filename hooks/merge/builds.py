@@ -14,7 +14,7 @@ from typing import NamedTuple
 from ..data import load_data
 from .blocks import Block
 from .languages import CMAKE
-from .launch import keys
+from .launch import deleted, keys
 from .lines import plain, split
 from .matching import Blocks, match
 from .package import Result
@@ -132,9 +132,7 @@ class _Carrier:
         else:
             blocks, base = CMAKE.blocks(mine), CMAKE.blocks(old)
             match(blocks, base)
-            gone = set(keys(base)) - set(keys(blocks))
-            has = set(keys(CMAKE.blocks(self.texts()[_CMAKE])))
-            self.back = sorted(key for key in gone & has if " " in key)
+            self.back = deleted(blocks, base, self.new)
             self.own = {name.lower() for name in _OWN.findall(mine)}
             self.made = {line.strip() for line in split(old) if line.lstrip().startswith("#")}
             self._commands(blocks, base, self.new, 1, is_top=True)

@@ -61,11 +61,15 @@ def carry(mine: Sequence[Block], old: Sequence[Block], new: str, ros: int) -> Ca
     lines = {line.strip() for block in old for line in split(block.text)}
     carrier = Carrier(XML.blocks(new), ros, lines)
     match(mine, old)
+    carrier.back = deleted(mine, old, carrier.new)
     carrier.children(mine, old, [], 1)
-    has = set(keys(XML.blocks(new)))
-    gone = Counter(keys(old)) - Counter(keys(mine))
-    carrier.back = sorted(key for key in gone if key in has and " " in key)
     return carrier
+
+
+def deleted(mine: Blocks, old: Blocks, new: Blocks) -> list[str]:
+    """Return what the developer has deleted, and the file of another ROS has."""
+    gone = Counter(keys(old)) - Counter(keys(mine))
+    return sorted(key for key in gone.keys() & {*keys(new)} if " " in key)
 
 
 def keys(blocks: Sequence[Block]) -> list[str]:
