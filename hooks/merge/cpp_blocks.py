@@ -80,13 +80,13 @@ def _directive(token: _Token) -> Span:
 
 def _role(span: Span) -> tuple[str, str]:
     """Say whether a directive begins a condition, goes on with it or ends it."""
-    match = re.match(r"#(\w+)", span.key)
-    part = _ROLES.get(match[1], "") if match else ""
+    part = _part(span.key)
     return ("if", part) if part else ("", "")
 
 
-def _part(token: _Token) -> str:
-    return _role(_directive(token))[1] if token.kind == "directive" else ""
+def _part(directive: str) -> str:
+    match = re.match(r"\s*#\s*(\w+)", directive)
+    return _ROLES.get(match[1], "") if match else ""
 
 
 def _whole(tokens: Tokens, at: int) -> tuple[Tokens, int]:
@@ -96,13 +96,13 @@ def _whole(tokens: Tokens, at: int) -> tuple[Tokens, int]:
     others belong to it. Of an `#if 0` there is nothing.
     """
     kept: Tokens = []
-    while at < len(tokens) and _part(tokens[at]) not in ("branch", "end"):
-        if not _part(tokens[at]):
+    while at < len(tokens) and _part(tokens[at].text) not in ("branch", "end"):
+        if not _part(tokens[at].text):
             kept.append(tokens[at])
             at += 1
             continue
         branches: list[Tokens] = []
-        while not branches or _part(tokens[at]) == "branch":
+        while not branches or _part(tokens[at].text) == "branch":
             head = tokens[at]
             inside, at = _whole(tokens, at + 1)
             if at == len(tokens):
@@ -133,7 +133,7 @@ def _with_conditions(spans: list[Span]) -> list[Span]:
     for start, (one, other) in enumerate(zip(heads, heads[1:], strict=False)):
         if one[:1] + other != ["#ifndef", "#define", *one[1:]]:
             continue
-        depths = accumulate(_DEPTHS.get(_role(span)[1], 0) for span in spans[start:])
+        depths = accumulate(_DEPTHS.get(_part(span.key), 0) for span in spans[start:])
         end = start + next((i for i, depth in enumerate(depths) if not depth), 0)
         if end > start + 2:  # else it is the default of a macro
             words = (spans[at] for at in (start, start + 1, end))  # known without the macro's name
@@ -199,7 +199,7 @@ def _scope(tokens: Tokens, at: int) -> tuple[list[Span], int]:
 def _reopened(spans: list[Span], other: Span) -> list[Span]:
     """Return items and a namespace; of one that is closed and opened again it makes one item."""
     at = max((i for i, span in enumerate(spans) if span.key == other.key), default=len(spans))
-    if at == len(spans) or any(_role(span)[1] for span in spans[at:]):
+    if at == len(spans) or any(_part(span.key) for span in spans[at:]):
         return [*spans, other]
     one = spans[at]
     if one.body and other.body:
@@ -217,7 +217,7 @@ def _with_macro(tokens: Tokens, at: int, end: int) -> tuple[Span, int]:
     """Return a macro and what it is about: what begins on the next line, if anything does."""
     start, last = tokens[at].line, tokens[end - 1].last
     after = tokens[end] if end < len(tokens) and tokens[end].line == last + 1 else None
-    if after and _part(after) == "start":  # a condition
+    if after and _part(after.text) == "start":  # a condition
         return replace(_directive(after), start=start), end + 1
     is_word = after and after.kind == "word" and after.text not in (*_ACCESS, *_HOLDERS)
     if is_word and not _macro(tokens, end):
@@ -251,7 +251,7 @@ def _item(tokens: Tokens, start: int) -> tuple[Span, int]:
     conditions = 0
     while at < len(tokens):
         text = tokens[at].text
-        part = _part(tokens[at])
+        part = _part(tokens[at].text)
         if text == "}" or (part in ("branch", "end") and not conditions):
             break
         conditions += (part == "start") - (part == "end")
