@@ -187,8 +187,8 @@ class _Merger:
             elif self.of_people and key in theirs and not self.is_same(theirs[key], base[key]):
                 merged += _disputed("", base[key].text, theirs[key].text)
             elif self.language is PYTHON and key in theirs and key.startswith("from "):
-                names = python_blocks.import_of_new(base[key].text, theirs[key].text)
-                merged += lines.split(names)
+                names = python_blocks.joined_import("", base[key].text, theirs[key].text)
+                merged += lines.split(names or "")
             elif key not in theirs:
                 self.outcome.gone.append(block_name(key))
             else:
