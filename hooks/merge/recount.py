@@ -301,13 +301,13 @@ def _halves(
     mine: Tree, old: Tree, new: Tree, found: Tree, result: Result, renaming: Renaming
 ) -> Places:
     """Return the functions of C++ that are but declared, or but defined, and were both."""
-    if any(path.endswith((".cpp", ".hpp")) for path in result.conflicts):
+    kinds = (".cpp", ".hpp")
+    if any(path.endswith(kinds) for path in result.conflicts):
         return []
-    before, ours = ({p: renaming.text(p, f.written) for p, f in t.items()} for t in (old, mine))
-    versions = [ours, before, *({p: f.written for p, f in t.items()} for t in (new, found))]
     codes = [
-        {p: _NO_CODE.sub("", text) for p, text in one.items() if p.endswith((".cpp", ".hpp"))}
-        for one in versions
+        {p: _NO_CODE.sub("", by.text(p, f.written)) for p, f in tree.items() if p.endswith(kinds)}
+        for by, trees in ((renaming, (mine, old)), (Renaming(), (new, found)))
+        for tree in trees
     ]
     defined = [_defined(code) for code in codes]
     wrong: Places = []
