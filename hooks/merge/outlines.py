@@ -14,15 +14,14 @@ from .blocks import Block, Span, arrange, nested, numbered, squeezed, unicode
 from .lines import margin, split
 
 _FLAGS = re.VERBOSE | re.DOTALL
-_SKIPPED = (
-    r"""(?P<exact> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] | "(?: \\. | [^"\\] )*" ) | \#[^\n]*"""
-)
+SKIPPED = r"""(?P<exact> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] | "(?: \\. | [^"\\] )*" )
+  | (?P<comment> \#[^\n]* )"""
 """What holds no command of CMake: texts, whose blanks count, and comments."""
-_CMAKE_EXACT = re.compile(_SKIPPED, _FLAGS)
+_CMAKE_EXACT = re.compile(SKIPPED, _FLAGS)
 _COMMAND = re.compile(
-    rf"{_SKIPPED} | \\. | (?P<name> [A-Za-z_]\w* )(?= \s*\( ) | (?P<sign> [()] )", _FLAGS
+    rf"{SKIPPED} | \\. | (?P<name> [A-Za-z_]\w* )(?= \s*\( ) | (?P<sign> [()] )", _FLAGS
 )
-_BESIDE = re.compile(rf"{_SKIPPED} | \s* (?P<sign> [()] ) \s*", _FLAGS)
+_BESIDE = re.compile(rf"{SKIPPED} | \s* (?P<sign> [()] ) \s*", _FLAGS)
 """A parenthesis of a command, with the blanks beside it."""
 _CMAKE_COMMENTS = re.compile(r"#\[(=*)\[.*?\]\1\]|#[^\n]*", re.DOTALL)
 _LISTS = "catkin_package|generate_messages|generate_dynamic_reconfigure_options|ament_export_\\w+"
