@@ -205,10 +205,8 @@ def _reopened(spans: list[Span], other: Span) -> list[Span]:
     if one.body and other.body:
         between = Span(f"{{ {one.key}", one.body[1], other.body[0])
         items = (*one.items, between, *other.items)
-        return [
-            *spans[:at],
-            Span(one.key, one.start, other.end, (one.body[0], other.body[1]), items),
-        ]
+        body = (one.body[0], other.body[1])
+        return [*spans[:at], Span(one.key, one.start, other.end, body, items)]
     is_beside = at == len(spans) - 1
     return [*spans[:at], Span(one.key, one.start, other.end)] if is_beside else [*spans, other]
 

@@ -16,6 +16,8 @@ from .renaming import Renaming
 from .tree import LINK, File, Tree, encode
 
 BOM = "\ufeff"
+_OF_BEFORE = ("removed", "gone")
+"""What is said of a file by its path of before."""
 _ALIKE = 0.6
 """Which part of its lines a file that has been moved still has."""
 
@@ -174,15 +176,9 @@ class _Package:
             # What a developer puts around code, the merge follows on the one side alone.
             other = merge(path, *versions[::-1], True)
             outcome = outcome if other.conflict else other
-        for name, key in (
-            ("removed", source),
-            ("missing", path),
-            ("own", path),
-            ("gone", source),
-            ("reworded", path),
-        ):
+        for name in ("removed", "missing", "own", "gone", "reworded"):
             if parts := getattr(outcome, name):
-                getattr(self.result, name)[key] = parts
+                getattr(self.result, name)[source if name in _OF_BEFORE else path] = parts
         if outcome.conflict:
             self.result.conflicts[path] = _stages(old, mine, new)
             self.result.rejected[path] = File(encode(lines.rejected(path, outcome.merged)))
