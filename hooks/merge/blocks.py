@@ -14,6 +14,17 @@ from dataclasses import dataclass, field
 
 from .lines import Lines
 
+THEN = "then"
+"""What the first branch of a condition is called."""
+NO_COMMENT = re.compile(r"(?!)")
+_QUOTED = re.compile(
+    r"""(?P<exact> "(?: \\. | [^"\\] )*"
+      | (?: (?<!\w) | (?<=\b[bfruBFRU]) ) '(?: \\. | '' | [^'\\] )*' )""",
+    re.VERBOSE | re.DOTALL,
+)
+"""What is between quotes; an apostrophe is none."""
+_PRIVATE = {code: code - 0xDC80 + 0xE080 for code in range(0xDC80, 0xDD00)}
+
 
 @dataclass
 class Block:
@@ -90,16 +101,9 @@ def _condition(spans: list[Span], is_branch: list[bool]) -> Span:
     return Span(first.key, first.start, last.end, (first.end, last.start), tuple(branches))
 
 
-THEN = "then"
-"""What the first branch of a condition is called."""
-
-
 def is_condition(block: Block) -> bool:
     """Say whether a block has branches."""
     return bool(block.children) and block.children[0].key == THEN
-
-
-NO_COMMENT = re.compile(r"(?!)")
 
 
 def arrange(
@@ -116,22 +120,16 @@ def arrange(
     """
     blocks: list[Block] = []
     at = start
-    for span in _joined(spans):
-        above = _paragraphs(lines[at : span.start], comments)
-        loose, close = above[:-1], above[-1] if above else []
-        if close and not close[-1].strip():
-            loose, close = above, []
-        blocks += [_comment(part, at == start and not i) for i, part in enumerate(loose)]
-        if span.body is None:
-            blocks.append(Block(span.key, [*close, *lines[span.start : span.end]]))
-        else:
-            first, last = span.body
+    for span in (*_joined(spans), None):
+        above = _paragraphs(lines[at : span.start if span else end], comments)
+        close = above.pop() if span and above and above[-1][-1].strip() else []
+        blocks += [_comment(part, at == start and not i) for i, part in enumerate(above)]
+        if span:
+            first, last = span.body or (span.end, span.end)
             inner = arrange(lines, span.items, first, last, comments)
             head = [*close, *lines[span.start : first]]
-            blocks.append(Block(span.key, head, inner, list(lines[last : span.end])))
-        at = span.end
-    rest = _paragraphs(lines[at:end], comments)
-    blocks += [_comment(part, at == start and not i) for i, part in enumerate(rest)]
+            blocks.append(Block(span.key, head, inner, [*lines[last : span.end]]))
+            at = span.end
     return numbered(_close_gaps(blocks))
 
 
@@ -235,14 +233,6 @@ def checked(blocks: Callable[[str], list[Block]]) -> Callable[[str], list[Block]
     return lambda text: [block.copy() for block in check(text)]
 
 
-_QUOTED = re.compile(
-    r"""(?P<exact> "(?: \\. | [^"\\] )*"
-      | (?: (?<!\w) | (?<=\b[bfruBFRU]) ) '(?: \\. | '' | [^'\\] )*' )""",
-    re.VERBOSE | re.DOTALL,
-)
-"""What is between quotes; an apostrophe is none."""
-
-
 @functools.lru_cache(maxsize=8192)
 def squeezed(text: str, quoted: re.Pattern[str] = _QUOTED) -> str:
     """Return a text without the blanks around its words, and with one sort of quotes.
@@ -268,9 +258,6 @@ def one_sort(quoted: str) -> str:
     """Return a quoted text between the one sort of quotes, where that means the same."""
     inner = quoted[1:-1]
     return f'"{inner}"' if quoted[0] == "'" and not re.search("[\"']", inner) else quoted
-
-
-_PRIVATE = {code: code - 0xDC80 + 0xE080 for code in range(0xDC80, 0xDD00)}
 
 
 def unicode(text: str) -> str:

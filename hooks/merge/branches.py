@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 from itertools import permutations
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Any
 
 from packaging.version import InvalidVersion, Version
@@ -19,7 +19,7 @@ from ..package import SUFFIX
 from . import git
 from .indentation import indented
 from .lines import plain, split
-from .package import ALIKE, Result, likeness
+from .package import Result, moves
 from .proof import Proof
 from .renaming import plan_renames
 from .render import Renderer, recorded_answers
@@ -32,6 +32,9 @@ _UNDER_WAY = {
     "REBASE_HEAD": "rebase-merge",
 }
 """What names the commit that git is about to join, and what is there while it is."""
+_GITS_MARKS = ("<<<<<<< ", "=======", ">>>>>>> ", "||||||| ")
+AROUND = 3
+"""How many lines tell the place of a change."""
 
 
 @dataclass(frozen=True)
@@ -238,9 +241,6 @@ class Joiner:
                     yield path, number, line
 
 
-_GITS_MARKS = ("<<<<<<< ", "=======", ">>>>>>> ", "||||||| ")
-
-
 def _lines(file: File) -> list[str]:
     return plain(file.written).split("\n")
 
@@ -272,10 +272,10 @@ def people(mine: Tree, old: Tree, new: Tree) -> Versions:
         {path: file for path, file in tree.items() if not path.endswith(SUFFIX)}
         for tree in (mine, old, new)
     )
-    moves = {path: to for path, to in _moves(old, mine).items() if to not in new}
-    old, new = ({moves.get(p, p): file for p, file in tree.items()} for tree in (old, new))
-    moves = {path: to for path, to in _moves(old, new).items() if to not in mine}
-    old, mine = ({moves.get(p, p): file for p, file in tree.items()} for tree in (old, mine))
+    for _ in range(2):
+        moved = {path: to for path, to in _moves(old, mine).items() if to not in new}
+        old, new = ({moved.get(p, p): file for p, file in tree.items()} for tree in (old, new))
+        mine, new = new, mine
     return Versions(mine, old, new, of_people=True)
 
 
@@ -283,19 +283,7 @@ def _moves(old: Tree, side: Tree) -> dict[str, str]:
     """Return the files that a developer has given another name; a link may lead there."""
     is_link = {path for path, file in side.items() if file.mode == LINK}
     away = [path for path in old if path not in side or path in is_link]
-    own = [path for path in side if path not in old]
-    likely = [
-        (alike, path, target)
-        for path in away
-        for target in own
-        if PurePosixPath(path).suffix == PurePosixPath(target).suffix
-        and (alike := likeness(old[path], side[target])) > ALIKE
-    ]
-    found: dict[str, str] = {}
-    for _, path, target in sorted(likely, reverse=True):
-        if path not in found and target not in found.values():
-            found[path] = target
-    return found
+    return moves(old, side, away, side.keys() - old.keys())
 
 
 def _keep_conflicts(result: Result, side: Side, moved: Mapping[str, str]) -> None:
@@ -381,10 +369,6 @@ def _last_making(package: Path, answers_file: str) -> tuple[str, list[str]]:
             return commit, parents
         commit = [*same, *parents][0]
     return "", []
-
-
-AROUND = 3
-"""How many lines tell the place of a change."""
 
 
 def _stale(found: Tree, made: Tree, befores: Sequence[tuple[Tree, Tree]]) -> set[str]:

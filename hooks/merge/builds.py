@@ -14,7 +14,7 @@ from typing import NamedTuple
 from ..data import load_data
 from .blocks import Block
 from .languages import CMAKE
-from .launch import keys
+from .launch import deleted, keys
 from .lines import plain, split
 from .matching import Blocks, match
 from .package import Result
@@ -70,13 +70,10 @@ def carry_build_files(
     mine: Tree, old: Tree, new: Tree, renaming: Renaming, result: Result, ros: int
 ) -> None:
     """Make build files those of a ROS, `ros`, with what was written into the other ones."""
-    paths = [
-        path
-        for path in (_CMAKE, _SETUP)
-        if path in mine and path in old and mine[path] != old[path]
-        if mine[path].text is not None
-    ]
-    files = {path: new[path] for path in (_CMAKE, _SETUP) if path in new}
+    names = (_CMAKE, _SETUP)
+    both = [path for path in names if path in mine and path in old]
+    paths = [p for p in both if mine[p] != old[p] and mine[p].text is not None]
+    files = {path: new[path] for path in names if path in new}
     try:
         carrier = _Carrier({path: file.written for path, file in files.items()}, ros)
         found = {}
@@ -89,7 +86,7 @@ def carry_build_files(
     except (ValueError, RecursionError):
         return  # the merge by block stands
     for path in paths:
-        result.carried[path] = ([_CMAKE, _SETUP], found[path])
+        result.carried[path] = ([*names], found[path])
         for said in (result.conflicts, result.rejected, result.settled, result.removed):
             said.pop(path, None)
     for path, file in files.items() if paths else ():
@@ -108,6 +105,7 @@ class _Carrier:
 
     def __init__(self, texts: dict[str, str], ros: int) -> None:
         self.ros = ros
+        self.foreign = re.compile(_KNOWN["foreign"][3 - ros]).search
         self.new = CMAKE.blocks(texts.get(_CMAKE, ""))
         self.setup = split(texts.get(_SETUP, ""))
         self.has_cmake = _CMAKE in texts
@@ -118,6 +116,9 @@ class _Carrier:
         """The functions and macros of the developer's, which stay behind."""
         self.made: set[str] = set()
         """The comments of the model's, which are about its own commands."""
+
+    def _named(self, *keys: str) -> Block | None:
+        return next((block for block in self.new if block.key in keys), None)
 
     def texts(self) -> dict[str, str]:
         return {_CMAKE: "".join(b.text for b in self.new), _SETUP: "".join(self.setup)}
@@ -131,9 +132,7 @@ class _Carrier:
         else:
             blocks, base = CMAKE.blocks(mine), CMAKE.blocks(old)
             match(blocks, base)
-            gone = set(keys(base)) - set(keys(blocks))
-            has = set(keys(CMAKE.blocks(self.texts()[_CMAKE])))
-            self.back = sorted(key for key in gone & has if " " in key)
+            self.back = deleted(blocks, base, self.new)
             self.own = {name.lower() for name in _OWN.findall(mine)}
             self.made = {line.strip() for line in split(old) if line.lstrip().startswith("#")}
             self._commands(blocks, base, self.new, 1, is_top=True)
@@ -170,7 +169,7 @@ class _Carrier:
         name = re.match(r"\w*", code)[0].lower()  # type: ignore[index]
         installed = _INSTALL.fullmatch(code)
         package = re.fullmatch(r"find_package\(\s*(\w+)[^()]*\)", code)
-        if name in self.own or re.search(_KNOWN["foreign"][3 - self.ros], code):
+        if name in self.own or self.foreign(code):
             return
         if package and self.ros == 1 and self._component(package[1]):
             self._note(number, block.text, package[1])
@@ -244,7 +243,7 @@ class _Carrier:
                 return name if self._listed(target, name, f".{folder[:-1]}") else ""
         if _name(key) in _PARTS:
             return self._part(key, item)
-        if re.search(_KNOWN["foreign"][3 - self.ros], item.name):
+        if self.foreign(item.name):
             return ""
         if _name(key) in _DEPENDENCIES[3 - self.ros]:
             return self._dependency(key, item)
@@ -259,7 +258,7 @@ class _Carrier:
         """Put a line of a generated command into the same command."""
         item = line.strip()
         command = next((block for block in new if block.key == key), None)
-        if re.search(_KNOWN["foreign"][3 - self.ros], self._translated(item)):
+        if self.foreign(self._translated(item)):
             return
         if command and replaced.strip() and replaced in command.lines:
             command.lines[command.lines.index(replaced)] = line
@@ -291,7 +290,7 @@ class _Carrier:
             return str(package)  # catkin links all of its components
         is_sort = key.startswith("add_") and re.fullmatch("[A-Z_]+", item.name)
         command = self._same_target(key)
-        if command is None or is_sort or re.search(_KNOWN["foreign"][3 - self.ros], item.name):
+        if command is None or is_sort or self.foreign(item.name):
             return ""
         lines = command.lines
         public = _index(lines, "  PUBLIC\n")
@@ -303,12 +302,11 @@ class _Carrier:
         """Return the command of now about the parts of a target."""
         name, _, target = re.sub(r" #\d+$", "", key).partition(" ")
         names = _PARTS[:1] if name in _PARTS[:1] else _PARTS[1:]
-        same = [f"{one} {target}" for one in names]
-        return next((block for block in self.new if block.key in same), None)
+        return self._named(*(f"{one} {target}" for one in names))
 
     def _listed(self, key: str, name: str, suffix: str) -> bool:
         """Put a file into the list of those like it; without a list, make one if it has a use."""
-        command = next((block for block in self.new if block.key == key), None)
+        command = self._named(key)
         if command is None:
             users = (i for i, b in enumerate(self.new) if b.key.startswith("generate_messages"))
             if (at := next(users, None)) is None:
@@ -329,7 +327,7 @@ class _Carrier:
         """Find a package, and link every target of a node with it, as catkin does."""
         name, key = item.name, f"find_package {item.name}"
         text = f"find_package({name} REQUIRED){item.comment}"
-        if not any(block.key == key for block in self.new):
+        if not self._named(key):
             self.new.insert(self._below_packages(), Block(key, [f"{text}\n"]))
             for command in self.new:
                 public = _index(command.lines, "  PUBLIC\n")
@@ -339,7 +337,7 @@ class _Carrier:
 
     def _component(self, name: str) -> bool:
         """Make a package a component of catkin, if it can be one."""
-        catkin = next((b for b in self.new if b.key == "find_package catkin"), None)
+        catkin = self._named("find_package catkin")
         if catkin is None or not re.fullmatch(_KNOWN["components"], name):
             return False
         if not self._has_component(name) and len(catkin.lines) > 1:
@@ -347,7 +345,7 @@ class _Carrier:
         return self._has_component(name)
 
     def _has_component(self, name: str) -> bool:
-        catkin = next((b for b in self.new if b.key == "find_package catkin"), None)
+        catkin = self._named("find_package catkin")
         return catkin is not None and f"  {name}\n" in catkin.lines
 
     def _as_entry(self, installed: re.Match[str]) -> str:
@@ -370,7 +368,7 @@ class _Carrier:
     def _entry(self, number: int, line: str) -> None:
         """Put a line of setup.py about what is installed into CMake, or into setup.py."""
         found = _ENTRY.fullmatch(line.strip())
-        directory = next((b for b in self.new if b.key == "install DIRECTORY"), None)
+        directory = self._named("install DIRECTORY")
         if not found or directory is None:
             return
         whole, base, folder, files = found.groups()

@@ -32,6 +32,14 @@ _TOKEN = re.compile(
 )
 _OPEN, _CLOSE = "([{", ")]}"
 _ACCESS = ("public", "private", "protected", "signals", "Q_SIGNALS")
+_COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+_ROLES = dict.fromkeys(("if", "ifdef", "ifndef"), "start")
+_ROLES |= dict.fromkeys(("elif", "elifdef", "elifndef", "else"), "branch") | {"endif": "end"}
+_DEPTHS = {"start": 1, "end": -1}
+_MACRO = re.compile(r"[A-Z][A-Z0-9]*_?[A-Z0-9_]+")
+_AFTER_HEAD = ("const", "noexcept", "override", "final", "throw", "mutable", "volatile")
+_HOLDERS = ("namespace", "class", "struct")
+_ATTRIBUTE = re.compile(r"__\w+|alignas|noexcept|throw|decltype|requires|explicit")
 
 
 @dataclass(frozen=True)
@@ -44,9 +52,6 @@ class _Token:
 
 
 Tokens = list[_Token]
-
-
-_COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
 
 def blocks(text: str) -> list[Block]:
@@ -75,17 +80,13 @@ def _directive(token: _Token) -> Span:
 
 def _role(span: Span) -> tuple[str, str]:
     """Say whether a directive begins a condition, goes on with it or ends it."""
-    match = re.match(r"#(\w+)", span.key)
-    part = _ROLES.get(match[1], "") if match else ""
+    part = _part(span.key)
     return ("if", part) if part else ("", "")
 
 
-_ROLES = dict.fromkeys(("if", "ifdef", "ifndef"), "start")
-_ROLES |= dict.fromkeys(("elif", "elifdef", "elifndef", "else"), "branch") | {"endif": "end"}
-
-
-def _part(token: _Token) -> str:
-    return _role(_directive(token))[1] if token.kind == "directive" else ""
+def _part(directive: str) -> str:
+    match = re.match(r"\s*#\s*(\w+)", directive)
+    return _ROLES.get(match[1], "") if match else ""
 
 
 def _whole(tokens: Tokens, at: int) -> tuple[Tokens, int]:
@@ -95,13 +96,13 @@ def _whole(tokens: Tokens, at: int) -> tuple[Tokens, int]:
     others belong to it. Of an `#if 0` there is nothing.
     """
     kept: Tokens = []
-    while at < len(tokens) and _part(tokens[at]) not in ("branch", "end"):
-        if not _part(tokens[at]):
+    while at < len(tokens) and _part(tokens[at].text) not in ("branch", "end"):
+        if not _part(tokens[at].text):
             kept.append(tokens[at])
             at += 1
             continue
         branches: list[Tokens] = []
-        while not branches or _part(tokens[at]) == "branch":
+        while not branches or _part(tokens[at].text) == "branch":
             head = tokens[at]
             inside, at = _whole(tokens, at + 1)
             if at == len(tokens):
@@ -132,7 +133,7 @@ def _with_conditions(spans: list[Span]) -> list[Span]:
     for start, (one, other) in enumerate(zip(heads, heads[1:], strict=False)):
         if one[:1] + other != ["#ifndef", "#define", *one[1:]]:
             continue
-        depths = accumulate(_DEPTHS.get(_role(span)[1], 0) for span in spans[start:])
+        depths = accumulate(_DEPTHS.get(_part(span.key), 0) for span in spans[start:])
         end = start + next((i for i, depth in enumerate(depths) if not depth), 0)
         if end > start + 2:  # else it is the default of a macro
             words = (spans[at] for at in (start, start + 1, end))  # known without the macro's name
@@ -141,9 +142,6 @@ def _with_conditions(spans: list[Span]) -> list[Span]:
             before, inside, rest = (nested(part, _role) for part in parts)
             return [*before, first, second, *inside, last, *rest]
     return nested(spans, _role)
-
-
-_DEPTHS = {"start": 1, "end": -1}
 
 
 def same(one: str, other: str) -> bool:
@@ -186,16 +184,9 @@ def _scope(tokens: Tokens, at: int) -> tuple[list[Span], int]:
             colon = at + texts.index(":")
             spans.append(Span(f"{token.text}:", token.line, tokens[colon].last + 1))
             at = colon + 1
-        elif (end := _macro(tokens, at)) and _is_close(tokens, end):
-            span, at = _item(tokens, end)
-            spans.append(replace(span, start=token.line))
-        elif end and _is_condition(tokens, end):  # which holds what the macro is about
-            spans.append(replace(_directive(tokens[end]), start=token.line))
-            at = end + 1
-        elif end:
-            key = squeezed(" ".join(token.text for token in tokens[at:end]))
-            spans.append(Span(key, token.line, tokens[end - 1].last + 1))
-            at = end
+        elif end := _macro(tokens, at):
+            span, at = _with_macro(tokens, at, end)
+            spans.append(span)
         else:
             span, at = _item(tokens, at)
             if span.key.startswith("namespace "):
@@ -208,36 +199,30 @@ def _scope(tokens: Tokens, at: int) -> tuple[list[Span], int]:
 def _reopened(spans: list[Span], other: Span) -> list[Span]:
     """Return items and a namespace; of one that is closed and opened again it makes one item."""
     at = max((i for i, span in enumerate(spans) if span.key == other.key), default=len(spans))
-    if at == len(spans) or any(_role(span)[1] for span in spans[at:]):
+    if at == len(spans) or any(_part(span.key) for span in spans[at:]):
         return [*spans, other]
     one = spans[at]
     if one.body and other.body:
         between = Span(f"{{ {one.key}", one.body[1], other.body[0])
         items = (*one.items, between, *other.items)
-        return [
-            *spans[:at],
-            Span(one.key, one.start, other.end, (one.body[0], other.body[1]), items),
-        ]
+        body = (one.body[0], other.body[1])
+        return [*spans[:at], Span(one.key, one.start, other.end, body, items)]
     is_beside = at == len(spans) - 1
     return [*spans[:at], Span(one.key, one.start, other.end)] if is_beside else [*spans, other]
 
 
-def _is_close(tokens: Tokens, at: int) -> bool:
-    """Say whether a function or a variable begins at a token, on the line after the one before."""
-    if at == len(tokens) or tokens[at].kind != "word" or _macro(tokens, at):
-        return False
-    is_next = tokens[at].line == tokens[at - 1].last + 1
-    return is_next and tokens[at].text not in (*_ACCESS, *_HOLDERS)
-
-
-def _is_condition(tokens: Tokens, at: int) -> bool:
-    """Say whether a condition begins at a token, on the line after the one before."""
-    is_start = at < len(tokens) and _part(tokens[at]) == "start"
-    return is_start and tokens[at].line == tokens[at - 1].last + 1
-
-
-_MACRO = re.compile(r"[A-Z][A-Z0-9]*_?[A-Z0-9_]+")
-_AFTER_HEAD = ("const", "noexcept", "override", "final", "throw", "mutable", "volatile")
+def _with_macro(tokens: Tokens, at: int, end: int) -> tuple[Span, int]:
+    """Return a macro and what it is about: what begins on the next line, if anything does."""
+    start, last = tokens[at].line, tokens[end - 1].last
+    after = tokens[end] if end < len(tokens) and tokens[end].line == last + 1 else None
+    if after and _part(after.text) == "start":  # a condition
+        return replace(_directive(after), start=start), end + 1
+    is_word = after and after.kind == "word" and after.text not in (*_ACCESS, *_HOLDERS)
+    if is_word and not _macro(tokens, end):
+        span, at = _item(tokens, end)
+        return replace(span, start=start), at
+    key = squeezed(" ".join(token.text for token in tokens[at:end]))
+    return Span(key, start, last + 1), end
 
 
 def _macro(tokens: Tokens, at: int) -> int:
@@ -264,7 +249,7 @@ def _item(tokens: Tokens, start: int) -> tuple[Span, int]:
     conditions = 0
     while at < len(tokens):
         text = tokens[at].text
-        part = _part(tokens[at])
+        part = _part(tokens[at].text)
         if text == "}" or (part in ("branch", "end") and not conditions):
             break
         conditions += (part == "start") - (part == "end")
@@ -315,9 +300,6 @@ def _holds_items(tokens: Tokens) -> bool:
     return any(word in head for word in _HOLDERS) or ("extern" in head and head[-1][0] == '"')
 
 
-_HOLDERS = ("namespace", "class", "struct")
-
-
 def _closing(tokens: Tokens, at: int) -> int:
     depth = 0
     for index in range(at, len(tokens)):
@@ -325,9 +307,6 @@ def _closing(tokens: Tokens, at: int) -> int:
         if not depth:
             return index
     raise ValueError(f"line {tokens[at].line + 1}: {tokens[at].text} that nothing closes")
-
-
-_ATTRIBUTE = re.compile(r"__\w+|alignas|noexcept|throw|decltype|requires|explicit")
 
 
 def _head(texts: list[str]) -> list[str]:

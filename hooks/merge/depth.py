@@ -60,17 +60,16 @@ def _raise(above: Sequence[str], path: str) -> Shift:
             return None
         column = nodes[-1][1]
         rest = [lines[number] for number in places if number > head[0] and number not in head]
-        own = {n for n, keys in zip(head, names, strict=True) if _is_own(lines[n], keys)}
+        own = {  # another key than these, or something behind it
+            number
+            for number, keys in zip(head, names, strict=True)
+            if _key(lines[number]) not in keys or not lines[number].rstrip().endswith(":")
+        }
         behind = [number + 1 for number in sorted(beside | own) if lines[number].strip()]
         start = [lines[number] for number in places if number < head[0]]
         return "".join([*start, *(line[min(column, margin(line)) :] for line in rest)]), behind
 
     return shift
-
-
-def _is_own(line: str, keys: Sequence[str]) -> bool:
-    """Say whether a line has another key than these, or something behind it."""
-    return _key(line) not in keys or not line.rstrip().endswith(":")
 
 
 def _names(key: str, path: str) -> list[str]:

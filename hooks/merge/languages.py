@@ -37,10 +37,6 @@ def _comments(sign: str) -> Callable[[list[str]], list[str]]:
     return lambda lines: ["comment" * line.lstrip().startswith(sign) for line in lines]
 
 
-def _row(line: str) -> str:
-    return outlines.row(line).rstrip()
-
-
 TEXT = Language(_lines, operator.eq, str.rstrip)
 PYTHON = Language(
     checked(python_blocks.blocks), python_blocks.same, _margin_counts, _comments("#")
@@ -49,13 +45,13 @@ CPP = Language(checked(cpp_blocks.blocks), cpp_blocks.same, squeezed, _comments(
 XML = Language(checked(xml_blocks.blocks), xml_blocks.same, squeezed)
 YAML = Language(checked(outlines.yaml_blocks), outlines.same_yaml, _margin_counts, _comments("#"))
 CMAKE = Language(
-    checked(outlines.cmake_blocks),
-    outlines.same_cmake,
-    outlines.cmake_key,
-    _comments("#"),
+    checked(outlines.cmake_blocks), outlines.same_cmake, outlines.cmake_key, _comments("#")
 )
 MARKDOWN = Language(
-    checked(outlines.markdown_blocks), outlines.same_markdown, _row, outlines.asides
+    checked(outlines.markdown_blocks),
+    outlines.same_markdown,
+    lambda line: outlines.row(line).rstrip(),
+    outlines.asides,
 )
 MESSAGE = Language(checked(outlines.message_blocks), operator.eq, str.rstrip)
 

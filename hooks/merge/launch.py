@@ -21,12 +21,9 @@ from .matching import Blocks, match, set_beside
 from .package import Result
 from .renaming import Renaming
 from .tree import File, Tree, encode
+from .xml_blocks import ATTRIBUTE, COMMENTS, MARKUP
 
 _KNOWN = load_data("launch.yaml")
-_TAG = re.compile(r"""<(?P<tag>[\w:.-]+)(?P<inside>(?:"[^"]*"|'[^']*'|[^'">])*)>""")
-_ANY_TAG = re.compile(_TAG.pattern.replace("<", "<(?P<end>/?)", 1))
-_COMMENT = re.compile(r"(<!--.*?-->)", re.DOTALL)
-_ATTRIBUTE = re.compile(r"""([\w:.-]+)(\s*=\s*)("[^"]*"|'[^']*')""")
 _SUBSTITUTION = re.compile(r"\$\(\s*([\w-]+)")
 INNER = ("include",)
 """Elements whose inside is about another file."""
@@ -64,11 +61,15 @@ def carry(mine: Sequence[Block], old: Sequence[Block], new: str, ros: int) -> Ca
     lines = {line.strip() for block in old for line in split(block.text)}
     carrier = Carrier(XML.blocks(new), ros, lines)
     match(mine, old)
+    carrier.back = deleted(mine, old, carrier.new)
     carrier.children(mine, old, [], 1)
-    has = set(keys(XML.blocks(new)))
-    gone = Counter(keys(old)) - Counter(keys(mine))
-    carrier.back = sorted(key for key in gone if key in has and " " in key)
     return carrier
+
+
+def deleted(mine: Blocks, old: Blocks, new: Blocks) -> list[str]:
+    """Return what the developer has deleted, and the file of another ROS has."""
+    gone = Counter(keys(old)) - Counter(keys(mine))
+    return sorted(key for key in gone.keys() & {*keys(new)} if " " in key)
 
 
 def keys(blocks: Sequence[Block]) -> list[str]:
@@ -119,7 +120,7 @@ class Carrier:
     ) -> None:
         """Insert an element; `beside` is what stands before it, and behind it."""
         own = split(block.text)
-        while own[0].strip() in self.generated and not _TAG.match(own[0].strip()):
+        while own[0].strip() in self.generated and not re.match(r"\s*<\w", own[0]):
             number += 1
             del own[0]  # of a comment above, which is about a generated element
         text = translate("".join(own), self.ros, around[-1].key.split()[0] if around else "")
@@ -184,7 +185,7 @@ class Carrier:
                     text = _with_attribute(text, name, value)
             same.lines = split(text)
         for i, line in enumerate(block.lines if found else ()):
-            given = {name for name, _, _ in _ATTRIBUTE.findall(_COMMENT.sub("", line))}
+            given = {name for name, *_ in ATTRIBUTE.findall(COMMENTS.sub("", line))}
             new = [f"{n}={v}" for name, (n, v) in changed.items() if name in given]
             if new:
                 self.lines[number + i] = tuple(new)
@@ -206,18 +207,22 @@ def translate(text: str, ros: int, around: str = "node") -> str:
     open_ = [around]
 
     def tag(match: re.Match[str]) -> str:
-        if match["end"]:
+        if match["close"]:
             return f"</{_tag(open_.pop(), open_[-1], ros)[1]}>"
+        if not match["open"]:
+            return match[0]
         known, name = _tag(match["tag"], open_[-1], ros)
-        inside = _ATTRIBUTE.sub(
-            lambda m: "{}{}{}".format(*_attribute_with(known, m, ros)), match["inside"]
-        )
+
+        def attribute(found: re.Match[str]) -> str:
+            as_what, value = _attribute(known, found["name"], found["value"], ros)
+            return f"{as_what}{found['sign']}{value}"
+
+        inside = ATTRIBUTE.sub(attribute, match["attributes"])
         if not inside.endswith("/"):
             open_.append(match["tag"])
         return f"<{name}{inside}>"
 
-    parts = _COMMENT.split(text)
-    return "".join(part if part.startswith("<!--") else _ANY_TAG.sub(tag, part) for part in parts)
+    return MARKUP.sub(tag, text)
 
 
 def _tag(tag: str, around: str, ros: int) -> tuple[str, str]:
@@ -229,11 +234,6 @@ def _tag(tag: str, around: str, ros: int) -> tuple[str, str]:
     if known not in _KNOWN["tags"] or not name or (ros == 1 and tag in beside):
         raise ForeignError
     return known, name
-
-
-def _attribute_with(tag: str, match: re.Match[str], ros: int) -> tuple[str, str, str]:
-    name, value = _attribute(tag, match[1], match[3], ros)
-    return name, match[2], value
 
 
 def _attribute(tag: str, name: str, value: str, ros: int) -> tuple[str, str]:
@@ -264,18 +264,21 @@ def _attribute(tag: str, name: str, value: str, ros: int) -> tuple[str, str]:
 
 def _attributes(text: str) -> dict[str, str]:
     """Return those of an element, and not those of others in its line."""
-    tag = _TAG.search(_COMMENT.sub("", text))
-    return {name: value for name, _, value in _ATTRIBUTE.findall(tag["inside"])} if tag else {}
+    tag = _first_tag(text)
+    return {name: value for name, _, value in ATTRIBUTE.findall(tag["attributes"] if tag else "")}
+
+
+def _first_tag(text: str) -> re.Match[str] | None:
+    return next((match for match in MARKUP.finditer(text) if match["open"]), None)
 
 
 def _with_attribute(text: str, name: str, value: str) -> str:
     """Return an element, below its comments, with an attribute in the place of the one it has."""
-    *comments, text = re.split(r"(?<=-->)", text)
+    found = _first_tag(text)
+    if found is None:
+        return text
     form = rf"""(?<=\s){re.escape(name)}\s*=\s*("[^"]*"|'[^']*')"""
-
-    def tag(match: re.Match[str]) -> str:
-        if re.search(form, match[0]):
-            return re.sub(form, lambda _: f"{name}={value}", match[0])
-        return re.sub(r"\s*(/?>)$", lambda m: f" {name}={value}{m[1]}", match[0])
-
-    return "".join(comments) + _TAG.sub(tag, text, count=1)
+    tag, count = re.subn(form, lambda _: f"{name}={value}", found[0])
+    if not count:
+        tag = re.sub(r"\s*(/?>)$", lambda m: f" {name}={value}{m[1]}", tag)
+    return text[: found.start()] + tag + text[found.end() :]

@@ -7,7 +7,7 @@ may change beside one that the other side changed. Only changes of the same line
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 from itertools import pairwise
@@ -32,7 +32,7 @@ class Conflict:
     new: Lines
 
 
-Merged = list["str | Conflict"]
+Merged = Sequence["str | Conflict"]
 _Matches = list[tuple[int, int, int]]
 
 
@@ -81,6 +81,29 @@ def merge_lines(
     Lines of one `key` count as one line: the developer's form of it stays. Where both sides
     changed lines and one of them changed nothing but their form, `same`, the other one counts.
     """
+
+    def settle(group: list[_Change], start: int, end: int) -> Merged:
+        """Return what changes that meet come to.
+
+        Of lines that the new version inserts where the developer has them already, one is enough;
+        what two developers have written in one place may have lines in common.
+        """
+        sides = [[one for one in group if one.is_mine is side] for side in (True, False)]
+        ours, theirs = (_apply(side, stable, start, end) for side in sides)
+        if not all(sides):
+            return ours if sides[0] else theirs
+        if list(map(key, ours)) == list(map(key, theirs)) or same("".join(ours), "".join(theirs)):
+            return ours
+        if start == end:  # both insertions stay, the model's first (decision 24)
+            have = set() if of_people else {key(line) for line in ours}
+            return [*_ended(line for line in theirs if key(line) not in have), *ours]
+        before = "".join(old[start:end])
+        if same("".join(ours), before):
+            return theirs
+        if same("".join(theirs), before):
+            return ours
+        return [Conflict(ours, old[start:end], theirs)]
+
     ours, theirs = (_matches(old, side, key) for side in (mine, new))
     sides = [*_changes(mine, ours, True)], [*_changes(new, theirs, False)]
     changes = sorted(
@@ -88,7 +111,7 @@ def merge_lines(
         key=lambda change: (change.start, change.end, change.is_mine),
     )
     stable = _stable(old, (new, theirs), (mine, ours))
-    merged: Merged = []
+    merged: list[str | Conflict] = []
     at = 0
     while changes:
         start, end = changes[0].start, changes[0].end
@@ -99,7 +122,7 @@ def merge_lines(
             start = min(change.start for change in group)
             end = max(change.end for change in group)
         merged += stable[at:start]
-        merged += _settle(group, stable, old, start, end, key, same, of_people)
+        merged += settle(group, start, end)
         at = end
     return [*merged, *stable[at:]]
 
@@ -165,39 +188,6 @@ def _stable(old: Lines, *sides: tuple[Lines, _Matches]) -> Lines:
     return lines
 
 
-def _settle(
-    group: list[_Change],
-    stable: Lines,
-    old: Lines,
-    start: int,
-    end: int,
-    key: Key,
-    same: Same,
-    of_people: bool,
-) -> Merged:
-    """Return what changes that meet come to.
-
-    Of lines that the new version inserts where the developer has them already, one is enough; what
-    two developers have written in one place may have lines in common.
-    """
-    mine = [change for change in group if change.is_mine]
-    new = [change for change in group if not change.is_mine]
-    if not mine or not new:
-        return list(_apply(group, stable, start, end))
-    ours, theirs = _apply(mine, stable, start, end), _apply(new, stable, start, end)
-    if list(map(key, ours)) == list(map(key, theirs)) or same("".join(ours), "".join(theirs)):
-        return list(ours)
-    if start == end:  # both insertions stay, the model's first (decision 24)
-        have = set() if of_people else {key(line) for line in ours}
-        return [*_ended(line for line in theirs if key(line) not in have), *ours]
-    before = "".join(old[start:end])
-    if same("".join(ours), before):
-        return list(theirs)
-    if same("".join(theirs), before):
-        return list(ours)
-    return [Conflict(list(ours), list(old[start:end]), list(theirs))]
-
-
 def _apply(changes: list[_Change], stable: Lines, start: int, end: int) -> Lines:
     lines: Lines = []
     for change in sorted(changes, key=lambda change: (change.start, change.end)):
@@ -236,7 +226,7 @@ def _apart(conflict: Conflict) -> Merged:
         for start, first, size in SequenceMatcher(None, mine, new, False).get_matching_blocks()
         if sum(bool(re.search(r"\w", line)) for line in mine[start : start + size]) >= FEW
     ]
-    pieces: Merged = []
+    pieces: list[str | Conflict] = []
     at = last = 0
     for start, first, size in [*common, (len(mine), len(new), 0)]:
         if at < start or last < first:
@@ -250,9 +240,9 @@ def _ended_but_last(lines: Lines) -> Lines:
     return [*_ended(lines[:-1]), *lines[-1:]]
 
 
-def settled(merged: Merged) -> Lines:
-    """Return a merge with the developer's side of each conflict."""
-    parts = ([part] if isinstance(part, str) else part.mine for part in merged)
+def settled(merged: Merged, side: str = "mine") -> Lines:
+    """Return a merge with one side of each conflict, `mine` or `new`."""
+    parts = ([part] if isinstance(part, str) else getattr(part, side) for part in merged)
     return _ended_but_last([line for part in parts for line in part])
 
 

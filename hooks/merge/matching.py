@@ -17,6 +17,10 @@ from .python_blocks import is_same_import
 
 Blocks = Sequence[Block]
 _NUMBER = re.compile(r" #\d+$")
+_MAY_OPEN = re.compile(r"#?if|namespace |group ")
+_HEADING = re.compile(r"#+ ")
+ALIKE = 0.6
+_RELATIVE = re.compile(r"\s*from \.\S* import")
 
 
 class BothAroundError(ValueError):
@@ -47,12 +51,7 @@ def opened(mine: Blocks, old: Blocks, new: Blocks) -> tuple[list[Block], list[Bl
 
     What is new in a namespace comes in one of its own: code out of it may name that each time.
     """
-    base, theirs = ([*_opened(side, mine, old)] for side in (old, new))
-    match(theirs, base)
-    return base, theirs
-
-
-_MAY_OPEN = re.compile(r"#?if|namespace |group ")
+    return [*_opened(old, mine, old)], [*_opened(new, mine, old)]
 
 
 def _opened(side: Blocks, mine: Blocks, old: Blocks) -> Iterator[Block]:
@@ -95,9 +94,6 @@ def identify(blocks: Blocks, old: Blocks, new: Blocks) -> list[Block]:
     """Return the developer's blocks with the keys of what they are in other versions."""
     match(blocks, old, new)
     return _unsplit(_retitled(blocks, old, new), old, new)
-
-
-_HEADING = re.compile(r"#+ ")
 
 
 def _rejoined(mine: Blocks, *versions: Blocks) -> list[Block]:
@@ -190,9 +186,8 @@ def _retitled(mine: Blocks, old: Blocks, new: Blocks) -> Blocks:
                 came.key = was.key
             same = titles.get(_title(block), key)
             block.key = same if same not in have else (was or block).key
-            if block.key != key:
-                known = (side for side in (*old, *new) if side.key == block.key)
-                match(block.children, *(each.children for each in known))
+            known = (side for side in (*old, *new) if side.key == block.key)
+            match(block.children, *(each.children for each in known))
     return mine
 
 
@@ -278,9 +273,6 @@ def _likeness(one: Block, other: Block) -> float:
     """Return which part of the lines in a condition another one has."""
     ours, theirs = map(_lines_in, (one, other))
     return (ours & theirs).total() / max(ours.total(), 1)
-
-
-ALIKE = 0.6
 
 
 def _lines_in(block: Block) -> Counter[str]:
@@ -446,9 +438,6 @@ def _inside(level: list[Block], key: str) -> list[Block]:
         found = Block(key, [])
         level.append(found)
     return found.children
-
-
-_RELATIVE = re.compile(r"\s*from \.\S* import")
 
 
 def _set_like(same: Block, block: Block) -> Block:

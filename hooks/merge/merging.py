@@ -6,7 +6,6 @@ version has it, and a block of the developer's own stays after the block it foll
 
 from __future__ import annotations
 
-import contextlib
 import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -20,12 +19,21 @@ from .languages import CPP, MARKDOWN, PYTHON, TEXT, YAML, Language, language
 from .lines import Conflict, Merged
 from .matching import BothAroundError, align
 
+_LOOSE = re.compile(
+    r"then$|comment |header|docstring|empty|text|start|#(?!#* )|from |import |name |using |.* =$"
+)
+"""Blocks that are known by what they say, or that nobody misses."""
+_IMPORTED = re.compile(r"^\s*from \S+ import|[\s,]")
+"""What is no part of a name that is imported: it may have an import of its own."""
+_UNNAMED = re.compile(r"from |import |install |list ")
+"""Blocks of which there may be several with one key."""
+
 
 @dataclass
 class Outcome:
     """What the merge of a file gave."""
 
-    merged: Merged
+    merged: Merged = field(default_factory=list)
     removed: list[str] = field(default_factory=list)
     """The edited blocks that left, because the new version has no such thing (decision 23)."""
     missing: list[str] = field(default_factory=list)
@@ -65,25 +73,19 @@ def merge(
     so that neither gives way to the other.
     """
     if mine.text == new.text or (old and mine.text == old.text):
-        return Outcome(lines.split(new.text))  # type: ignore[arg-type]
+        return Outcome(lines.split(new.text))
     known = language(path, new.text)
-    if old and new.text == old.text:
-        outcome = Outcome(lines.split(mine.text))  # type: ignore[arg-type]
-        with contextlib.suppress(ValueError, RecursionError):
-            if not of_people:
-                sides = align(mine.read(known), old.read(known), new.read(known))
-                outcome.missing = [*_deleted(*sides)]
-        return outcome
+    is_same = old is not None and new.text == old.text
     if known not in (TEXT, MARKDOWN) or old is not None:
         try:
             merger = _Merger(known, of_people)
             base = old.read(known) if old else []
             sides = align(mine.read(known), base, new.read(known), of_people)
-            merged = merger.sequence(*sides)
-            if readable(known, merged):
-                missing = [] if of_people else [*_deleted(*sides)]
-                said = (merger.own, merger.gone, merger.reworded)
-                return Outcome(merged, merger.removed, missing, *said)
+            outcome = merger.outcome
+            outcome.merged = [mine.text] if is_same else merger.sequence(*sides)
+            if readable(known, outcome.merged):
+                outcome.missing = [] if of_people else [*_deleted(*sides)]
+                return outcome
         except BothAroundError:
             outcome = by_line(path, mine, old, new, of_people)
             return outcome if outcome.conflict else conflict(path, mine, old, new)
@@ -102,13 +104,11 @@ def by_line(
     ours, base, theirs = (lines.split(version.text) for version in (mine, old, new))
 
     def same(one: str, other: str) -> bool:
-        is_moved = known in (PYTHON, YAML) and lines.depth(one.split("\n")) != lines.depth(
-            other.split("\n")
-        )
-        return not is_moved and known.same(one, other)
+        depths = {lines.depth(lines.split(text)) for text in (one, other)}
+        return (len(depths) == 1 or known not in (PYTHON, YAML)) and known.same(one, other)
 
     outcome = Outcome(lines.merge_lines(ours, base, theirs, known.key, same, of_people))
-    could_be_read = readable(known, [*lines.split(mine.text)])
+    could_be_read = readable(known, [mine.text])
     is_known = known not in (CPP, PYTHON) or (of_people and could_be_read)
     if not is_known and _names(known, old) != _names(known, new):
         return conflict(path, mine, old, new)  # lines alone do not tell whose a body is
@@ -121,8 +121,11 @@ def conflict(
     path: str, mine: Version, old: Version | None, new: Version, of_people: bool = False
 ) -> Outcome:
     """Leave all of a file to the developer."""
-    texts = (mine.text, old.text if old else "", new.text)
-    return Outcome([Conflict(*map(lines.split, texts))])
+    return Outcome(_disputed(mine.text, old.text if old else "", new.text))
+
+
+def _disputed(*texts: str) -> Merged:
+    return [Conflict(*map(lines.split, texts))]
 
 
 Way = Callable[[str, Version, "Version | None", Version, bool], Outcome]
@@ -133,8 +136,7 @@ def readable(known: Language, merged: Merged) -> bool:
     """Say whether a merge is of its language, whichever side of its conflicts is chosen."""
     try:
         for side in ("mine", "new"):
-            parts = ([part] if isinstance(part, str) else getattr(part, side) for part in merged)
-            known.blocks(lines.text([line for part in parts for line in part]))
+            known.blocks("".join(lines.settled(merged, side)))
     except (ValueError, RecursionError):
         return False
     return True
@@ -159,34 +161,16 @@ def _deleted(mine: Sequence[Block], old: Sequence[Block], new: Sequence[Block]) 
             yield block_name(block.key)
 
 
-_LOOSE = re.compile(
-    r"then$|comment |header|docstring|empty|text|start|#(?!#* )|from |import |name |using |.* =$"
-)
-"""Blocks that are known by what they say, or that nobody misses."""
-
-
-_IMPORTED = re.compile(r"^\s*from \S+ import|[\s,]")
-"""What is no part of a name that is imported: it may have an import of its own."""
-
-
-_UNNAMED = re.compile(r"from |import |install |list ")
-"""Blocks of which there may be several with one key."""
-
-
 class _Merger:
     def __init__(self, known: Language, of_people: bool) -> None:
-        self.language, self.of_people = known, of_people
-        self.removed: list[str] = []
-        self.own: list[str] = []
-        self.gone: list[str] = []
-        self.reworded: list[str] = []
+        self.language, self.of_people, self.outcome = known, of_people, Outcome()
 
     def sequence(
         self, mine: Sequence[Block], old: Sequence[Block], new: Sequence[Block]
     ) -> Merged:
         """Merge the blocks of a file, a class, an element."""
         ours, base, theirs = ({block.key: block for block in side} for side in (mine, old, new))
-        merged: Merged = []
+        merged: list[str | Conflict] = []
         last = ""
         for key in _order(list(ours), list(base), list(theirs)):
             end = len(merged)
@@ -201,15 +185,18 @@ class _Merger:
             elif key not in base:
                 merged += lines.split(theirs[key].text)
             elif self.of_people and key in theirs and not self.is_same(theirs[key], base[key]):
-                merged += self.disputed("", base[key].text, theirs[key].text)
+                merged += _disputed("", base[key].text, theirs[key].text)
             elif self.language is PYTHON and key in theirs and key.startswith("from "):
-                names = python_blocks.import_of_new(base[key].text, theirs[key].text)
-                merged += lines.split(names)
+                names = python_blocks.joined_import("", base[key].text, theirs[key].text)
+                merged += lines.split(names or "")
             elif key not in theirs:
-                self.gone.append(block_name(key))
+                self.outcome.gone.append(block_name(key))
             else:
-                self.reworded += lines.split(theirs[key].text)
-            if is_comment(last) and last not in theirs and _touch(merged[end - 1 : end + 1]):
+                self.outcome.reworded += lines.split(theirs[key].text)
+            both = [
+                one for one in merged[end - 1 : end + 1] if isinstance(one, str) and one.strip()
+            ]
+            if is_comment(last) and last not in theirs and len(both) == 2:
                 merged.insert(end, "\n")  # or the comment would be about what follows it now
             last = key if merged[end:] else last
         return merged
@@ -223,16 +210,16 @@ class _Merger:
         if self.language is PYTHON and name.startswith("from ") and name in old and name in new:
             made = new[name].text
             left = python_blocks.joined_import(mine.text, old[name].text + made, made)
-            return list(lines.split(mine.text if left is None else left))
+            return lines.split(mine.text if left is None else left)
         if self.language is PYTHON and mine.children and not name.startswith("from "):
             inner = [line for child in mine.children for line in self.alone(child, old, new)]
             text = lines.text([*mine.lines, *inner, *mine.tail])
             if text == mine.text or readable(PYTHON, [textwrap.dedent(text)]):
-                return list(lines.split(text))
+                return lines.split(text)
             if not lines.text(inner).strip():
-                self.removed.append(block_name(mine.key))
+                self.outcome.removed.append(block_name(mine.key))
                 return []
-        return list(lines.split(mine.text))
+        return lines.split(mine.text)
 
     def left(self, mine: Block, old: Block) -> Merged:
         """Take out a block that the new version has no longer."""
@@ -241,13 +228,9 @@ class _Merger:
         if is_name or self.is_same(mine, old):
             return []
         if self.of_people:
-            return self.disputed(mine.text, old.text, "")
-        self.removed.append(block_name(mine.key))
+            return _disputed(mine.text, old.text, "")
+        self.outcome.removed.append(block_name(mine.key))
         return []
-
-    def disputed(self, mine: str, old: str, new: str) -> Merged:
-        """Leave a block to the developer."""
-        return [lines.Conflict(*map(lines.split, (mine, old, new)))]
 
     def block(self, mine: Block, old: Block | None, new: Block) -> Merged:
         """Merge one block; where there was none before, both stay, or what has one name once.
@@ -258,23 +241,23 @@ class _Merger:
             old = Block(mine.key, mine.lines, [], mine.tail)
             if not (mine.children and new.children):
                 if self.is_same(mine, new):
-                    return list(lines.split(mine.text))
+                    return lines.split(mine.text)
                 if _UNNAMED.match(mine.key):
-                    return list(lines.split(new.text + mine.text))
+                    return lines.split(new.text + mine.text)
                 if self.of_people:
-                    return self.disputed(mine.text, "", new.text)
-                self.own.append(block_name(mine.key))
-                return list(lines.split(mine.text))
+                    return _disputed(mine.text, "", new.text)
+                self.outcome.own.append(block_name(mine.key))
+                return lines.split(mine.text)
             new = Block(new.key, mine.lines, new.children, mine.tail)
         if self.is_same(new, old):
-            return list(lines.split(new.text if mine.text == old.text else mine.text))
+            return lines.split(new.text if mine.text == old.text else mine.text)
         is_import = self.language is PYTHON and mine.key.startswith("from ") and not mine.children
         is_joined = is_import and mine.text.count("\n") == 1
         if self.is_same(mine, old) and not is_joined:
-            return list(lines.split(new.text))
+            return lines.split(new.text)
         names = python_blocks.joined_import(mine.text, old.text, new.text) if is_import else None
         if names is not None:
-            return list(lines.split(names))
+            return lines.split(names)
         is_leaf = not new.children and new.lines and new.lines != old.lines
         if not mine.children or is_leaf:
             return self.lines(*(lines.split(block.text) for block in (mine, old, new)))
@@ -294,8 +277,8 @@ class _Merger:
         mine = Block(mine.key, head, mine.children, mine.tail)
         merged = self.block(mine, old, Block(mine.key, []))
         found = textwrap.dedent(lines.text(merged))
-        if self.language is PYTHON and not readable(PYTHON, [*lines.split(found)]):
-            self.removed.append(block_name(mine.key))
+        if self.language is PYTHON and not readable(PYTHON, [found]):
+            self.outcome.removed.append(block_name(mine.key))
             return []
         return merged
 
@@ -311,16 +294,11 @@ class _Merger:
         bare = lines.merge_lines(mine, old, new, known.key, known.same)
         if lines.conflicts(bare):
             return merged
-        self.reworded += [line for kind, line in came if kind in gone]
+        self.outcome.reworded += [line for kind, line in came if kind in gone]
         return bare
 
     def is_same(self, one: Block, other: Block) -> bool:
         return one.text == other.text or self.language.same(one.text, other.text)
-
-
-def _touch(merged: Merged) -> bool:
-    """Say whether there are two lines, and neither is empty."""
-    return len(merged) == 2 and all(isinstance(line, str) and line.strip() for line in merged)
 
 
 def _order(mine: list[str], old: list[str], new: list[str]) -> list[str]:

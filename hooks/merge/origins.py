@@ -103,12 +103,7 @@ class Origins:
 
 
 def origins(
-    known: Language,
-    text: str,
-    roots: Names,
-    names: Names,
-    classes: Names,
-    holders: Names = (),
+    known: Language, text: str, roots: Names, names: Names, classes: Names, holders: Names = ()
 ) -> Origins:
     """Read where the names of a file come from.
 
@@ -131,11 +126,7 @@ def origins(
 
 
 def _python(
-    found: Origins,
-    tree: Sequence[ast.AST],
-    roots: Names,
-    names: Names,
-    classes: Names,
+    found: Origins, tree: Sequence[ast.AST], roots: Names, names: Names, classes: Names
 ) -> None:
     defined: list[_Class] = []
     for node in tree:

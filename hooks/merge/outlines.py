@@ -6,13 +6,31 @@ import functools
 import itertools
 import re
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 import yaml
 
 from ..data import LOADER
 from .blocks import Block, Span, arrange, nested, numbered, squeezed, unicode
 from .lines import margin, split
+
+_FLAGS = re.VERBOSE | re.DOTALL
+SKIPPED = r"""(?P<exact> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] | "(?: \\. | [^"\\] )*" )
+  | (?P<comment> \#[^\n]* )"""
+"""What holds no command of CMake: texts, whose blanks count, and comments."""
+_CMAKE_EXACT = re.compile(SKIPPED, _FLAGS)
+_COMMAND = re.compile(
+    rf"{SKIPPED} | \\. | (?P<name> [A-Za-z_]\w* )(?= \s*\( ) | (?P<sign> [()] )", _FLAGS
+)
+_BESIDE = re.compile(rf"{SKIPPED} | \s* (?P<sign> [()] ) \s*", _FLAGS)
+"""A parenthesis of a command, with the blanks beside it."""
+_CMAKE_COMMENTS = re.compile(r"#\[(=*)\[.*?\]\1\]|#[^\n]*", re.DOTALL)
+_LISTS = "catkin_package|generate_messages|generate_dynamic_reconfigure_options|ament_export_\\w+"
+"""Commands that a file has once: their first argument, which a formatter moves, is an item."""
+_STATEMENTS = ("if", "foreach", "while", "function", "macro", "block")
+_FENCE = re.compile(r"[ >*-]*(`{3,}(?=[^`]*$)|~{3,})(.*)")
+_CODE = re.compile(
+    r"(?P<exact>^[ ]*(?P<mark>`{3,}|~{3,}).*?^[ ]*(?P=mark)|`[^`\n]+`)", re.DOTALL | re.MULTILINE
+)
 
 
 def yaml_blocks(text: str) -> list[Block]:
@@ -34,12 +52,12 @@ def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Itera
         return
     is_map = isinstance(node, yaml.MappingNode)
     entries = node.value if is_map else [(item, item) for item in node.value]
-    starts = [_line(text, key) for key, _ in entries]
+    starts = [text.count("\n", 0, key.start_mark.index) for key, _ in entries]
     if any(one >= other for one, other in itertools.pairwise(starts)):
         return  # a member is an alias, of which the parser says where the anchor is
     for (key, value), start, end in zip(entries, starts, [*starts[1:], until], strict=True):
         column = margin(lines[start])
-        is_here = _index(value.start_mark) >= _index(key.start_mark)  # no alias of another
+        is_here = value.start_mark.index >= key.start_mark.index  # no alias of another
         # In a text a number sign begins no comment.
         written = _ends(text, value) if isinstance(value, yaml.ScalarNode) else start
         while not (line := lines[end - 1].lstrip()) or (
@@ -65,27 +83,10 @@ def _first_entry(text: str, member: yaml.Node, is_nested: bool) -> str:
     """
     entry = member.value[0] if is_nested else member
     parts = entry if isinstance(entry, tuple) else (entry,)
-    start = text.rfind("\n", 0, _index(member.start_mark)) + 1
-    until = max(_index(part.end_mark) for part in parts)
+    start = text.rfind("\n", 0, member.start_mark.index) + 1
+    until = max(part.end_mark.index for part in parts)
     rest = re.split(r"\s#|\n", text[until:])[0]  # of an alias
     return "" if "\n" in text[start:until] else text[start:until] + rest
-
-
-_COMMAND = re.compile(
-    r"""(?P<bracket> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] )
-      | (?P<comment> \#[^\n]* ) | (?P<escaped> \\. )
-      | (?P<string> "(?: \\. | [^"\\] )*" )
-      | (?P<name> [A-Za-z_]\w* )(?= \s*\( )
-      | (?P<sign> [()] )""",
-    re.VERBOSE | re.DOTALL,
-)
-
-
-_CMAKE_COMMENTS = re.compile(r"#\[(=*)\[.*?\]\1\]|#[^\n]*", re.DOTALL)
-
-
-_LISTS = "catkin_package|generate_messages|generate_dynamic_reconfigure_options|ament_export_\\w+"
-"""Commands that a file has once: their first argument, which a formatter moves, is an item."""
 
 
 def cmake_blocks(text: str) -> list[Block]:
@@ -114,9 +115,6 @@ def cmake_blocks(text: str) -> list[Block]:
     return arrange(lines, nested(spans, _role), 0, len(lines), _CMAKE_COMMENTS)
 
 
-_STATEMENTS = ("if", "foreach", "while", "function", "macro", "block")
-
-
 def _role(span: Span) -> tuple[str, str]:
     """Say which statement a command begins, goes on with or ends."""
     name = re.match(r"\w*", span.key)[0].lower()  # type: ignore[index]
@@ -126,9 +124,6 @@ def _role(span: Span) -> tuple[str, str]:
         return "if", "branch"
     statement = name.removeprefix("end")
     return (statement, "end") if name != statement in _STATEMENTS else ("", "")
-
-
-_FENCE = re.compile(r"[ >*-]*(`{3,}(?=[^`]*$)|~{3,})(.*)")
 
 
 def markdown_blocks(text: str) -> list[Block]:
@@ -189,7 +184,8 @@ def _meaning(text: str) -> list[object]:
         if isinstance(event, yaml.DocumentStartEvent):
             facts += [event.explicit, event.version]
         if isinstance(event, yaml.ScalarEvent):
-            start, end = _index(event.start_mark), _index(event.end_mark)
+            marks = (event.start_mark, event.end_mark)
+            start, end = (mark.index for mark in marks)  # type: ignore[union-attr]
             found += _comments(text[at:start])
             if event.style in ("|", ">"):
                 found += _comments(text[start:end].split("\n")[0])
@@ -200,30 +196,14 @@ def _meaning(text: str) -> list[object]:
     return [*found, *_comments(text[at:])]
 
 
-def _line(text: str, node: yaml.Node) -> int:
-    """Return the line that a node begins on, the first counted 0."""
-    return text[: _index(node.start_mark)].count("\n")
-
-
 def _ends(text: str, node: yaml.Node) -> int:
     """Return how many lines there are up to the end of a node."""
-    return len(split(text[: _index(node.end_mark)]))
-
-
-def _index(mark: Any) -> int:
-    """Return which character a mark of the parser stands for, in a text it has been given."""
-    return int(mark.index)
+    return len(split(text[: node.end_mark.index]))
 
 
 def _comments(text: str) -> list[str]:
     """Return the comments between two values."""
     return [squeezed(words) for words in re.findall(r"(?:^|(?<=\s))#([^\n]*)", text)]
-
-
-_CMAKE_EXACT = re.compile(
-    r"""(?P<exact> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] | "(?: \\. | [^"\\] )*" ) | \#[^\n]*""",
-    re.VERBOSE | re.DOTALL,
-)
 
 
 def cmake_key(text: str) -> str:
@@ -241,15 +221,6 @@ def same_cmake(one: str, other: str) -> bool:
         _BESIDE.sub(lambda match: match["sign"] or match[0], _lower(text)) for text in (one, other)
     )
     return len({squeezed(text, _CMAKE_EXACT) for text in texts}) == 1
-
-
-_BESIDE = re.compile(rf"{_CMAKE_EXACT.pattern}|\s*(?P<sign>[()])\s*", _CMAKE_EXACT.flags)
-"""A parenthesis of a command, with the blanks beside it."""
-
-
-_CODE = re.compile(
-    r"(?P<exact>^[ ]*(?P<mark>`{3,}|~{3,}).*?^[ ]*(?P=mark)|`[^`\n]+`)", re.DOTALL | re.MULTILINE
-)
 
 
 def same_markdown(one: str, other: str) -> bool:

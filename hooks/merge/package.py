@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import posixpath
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 from types import MappingProxyType
@@ -16,7 +16,9 @@ from .renaming import Renaming
 from .tree import LINK, File, Tree, encode
 
 BOM = "\ufeff"
-ALIKE = 0.6
+_OF_BEFORE = ("removed", "gone")
+"""What is said of a file by its path of before."""
+_ALIKE = 0.6
 """Which part of its lines a file that has been moved still has."""
 
 
@@ -67,36 +69,33 @@ def merge_package(
     `ways` says of some paths how they are merged, where not by block. `of_people`: the new version
     is another developer's.
     """
-    return _Package(mine, old, new, renaming, is_kept, ways, of_people).result
+    sources = {renaming.path(path): path for path in (*old, *mine)}
+    ours, base = ({renaming.path(p): file for p, file in tree.items()} for tree in (mine, old))
+    package = _Package(ours, base, new, renaming, sources, ways, of_people)
+    package.follow_moves()
+    for path in sorted({*ours, *base, *new}):
+        package.file(path, is_kept(path))
+    result = package.result
+    for path, source in sources.items():
+        if path != source and path in result.tree and source in mine:
+            result.moved[source] = path
+    return result
 
 
+@dataclass
 class _Package:
-    def __init__(
-        self,
-        mine: Tree,
-        old: Tree,
-        new: Tree,
-        renaming: Renaming,
-        is_kept: Callable[[str], bool],
-        ways: Mapping[str, Way],
-        of_people: bool,
-    ) -> None:
-        self.new, self.renaming, self.result = new, renaming, Result()
-        self.ways, self.of_people = ways, of_people
-        self.source = {renaming.path(path): path for path in old} | {
-            renaming.path(path): path for path in mine
-        }
-        self.old = {renaming.path(path): file for path, file in old.items()}
-        self.mine = {renaming.path(path): file for path, file in mine.items()}
-        self.origin = self.result.origins
-        self._follow_moves()
-        for path in sorted({*self.mine, *self.old, *new}):
-            self._file(path, is_kept(path))
-        for path, source in self.source.items():
-            if path != source and path in self.result.tree and source in mine:
-                self.result.moved[source] = path
+    """Three versions by the paths of after the update; `source` has those of before it."""
 
-    def _follow_moves(self) -> None:
+    mine: Tree
+    old: Tree
+    new: Tree
+    renaming: Renaming
+    source: Mapping[str, str]
+    ways: Mapping[str, Way]
+    of_people: bool
+    result: Result = field(default_factory=Result)
+
+    def follow_moves(self) -> None:
         """Find the files that the developer has moved; a link may lead there."""
         away = [path for path in self.old if path in self.new and path not in self.mine]
         own = [path for path in self.mine if path not in self.old and path not in self.new]
@@ -107,26 +106,18 @@ class _Package:
                 if led in own and one in self.old and one in self.new:
                     self._follow(one, led)
                     own.remove(led)
-        likely = [
-            (PurePosixPath(target).name == PurePosixPath(path).name, alike, path, target)
-            for path in away
-            for target in own
-            if PurePosixPath(target).suffix == PurePosixPath(path).suffix
-            and (alike := likeness(self.old[path], self.mine[target])) > ALIKE
-        ]
-        for *_, path, target in sorted(likely, reverse=True):
-            if path in self.old and target in own:
-                self._follow(path, target)
-                own.remove(target)
+        away = [path for path in away if path in self.old]
+        for path, target in moves(self.old, self.mine, away, own).items():
+            self._follow(path, target)
 
     def _follow(self, path: str, target: str) -> None:
         """Take the developer's file at `target` for the one that the model makes at `path`."""
         self.old[target] = self.old.pop(path)
         self.new = {**self.new, target: self.new[path]}
         del self.new[path]
-        self.origin[target] = self.source[path]
+        self.result.origins[target] = self.source[path]
 
-    def _file(self, path: str, is_kept: bool) -> None:
+    def file(self, path: str, is_kept: bool) -> None:
         mine, old, new = (tree.get(path) for tree in (self.mine, self.old, self.new))
         result = self.result
         if self.of_people and old and (mine is None) != (new is None):
@@ -148,8 +139,7 @@ class _Package:
         """Leave a file out that one developer has deleted, unless the other has edited it."""
         file = mine or new
         if file and file != old:
-            stages = {1: old, 2: mine, 3: new}
-            self.result.conflicts[path] = {n: one.data for n, one in stages.items() if one}
+            self.result.conflicts[path] = _stages(old, mine, new)
             self.result.tree[path] = self.result.settled[path] = file
 
     def _leaves(self, source: str, mine: File, old: File) -> None:
@@ -167,7 +157,7 @@ class _Package:
         if len(texts) < len(files):
             return self._opaque(path, mine, old, new)
         source = self.source[path]
-        origin = self.origin.get(path, source)
+        origin = self.result.origins.get(path, source)
         forms = [_form(text) for text in texts]
         ours, base, theirs = (
             text.removeprefix(mark).replace(ends, "\n")
@@ -186,18 +176,11 @@ class _Package:
             # What a developer puts around code, the merge follows on the one side alone.
             other = merge(path, *versions[::-1], True)
             outcome = outcome if other.conflict else other
-        for name, key in (
-            ("removed", source),
-            ("missing", path),
-            ("own", path),
-            ("gone", source),
-            ("reworded", path),
-        ):
+        for name in ("removed", "missing", "own", "gone", "reworded"):
             if parts := getattr(outcome, name):
-                getattr(self.result, name)[key] = parts
+                getattr(self.result, name)[source if name in _OF_BEFORE else path] = parts
         if outcome.conflict:
-            stages = {2: mine.data, 3: new.data} | ({1: old.data} if old else {})
-            self.result.conflicts[path] = stages
+            self.result.conflicts[path] = _stages(old, mine, new)
             self.result.rejected[path] = File(encode(lines.rejected(path, outcome.merged)))
             settled = "".join(lines.settled(outcome.merged)).replace("\n", ends)
             self.result.settled[path] = File(encode(mark + settled), mode)
@@ -216,9 +199,13 @@ class _Package:
         if mine.mode == LINK and not self.of_people:
             self.result.missing[path] = [""]
         elif new != old:
-            versions = {2: mine.data, 3: new.data} | ({1: old.data} if old else {})
-            self.result.conflicts[path] = versions
+            self.result.conflicts[path] = _stages(old, mine, new)
         return mine
+
+
+def _stages(*versions: File | None) -> dict[int, bytes]:
+    """Return the base, the developer's and the new version of a file as git numbers them."""
+    return {number: file.data for number, file in enumerate(versions, 1) if file}
 
 
 def _form(text: str) -> tuple[str, str]:
@@ -227,7 +214,26 @@ def _form(text: str) -> tuple[str, str]:
     return BOM if text.startswith(BOM) else "", "\r\n" if is_windows else "\n"
 
 
-def likeness(one: File, other: File) -> float:
+def moves(old: Tree, mine: Tree, away: Iterable[str], own: Collection[str]) -> dict[str, str]:
+    """Return which files of `old` that are `away` are which of the developer's `own`.
+
+    Those that are most like them; of another name, where none has the same one.
+    """
+    likely = [
+        (PurePosixPath(target).name == PurePosixPath(path).name, alike, path, target)
+        for path in away
+        for target in own
+        if PurePosixPath(target).suffix == PurePosixPath(path).suffix
+        and (alike := _likeness(old[path], mine[target])) > _ALIKE
+    ]
+    found: dict[str, str] = {}
+    for *_, path, target in sorted(likely, reverse=True):
+        if path not in found and target not in found.values():
+            found[path] = target
+    return found
+
+
+def _likeness(one: File, other: File) -> float:
     """Return which part of the lines of a file another one has."""
     if one.text is None or other.text is None:
         return float(one == other)

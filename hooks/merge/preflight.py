@@ -13,7 +13,7 @@ from typing import Any
 
 from packaging.version import InvalidVersion, Version
 
-from ..changes import check_names_before, marked
+from ..changes import check_names_before
 from ..dictionary import Dictionary
 from ..faults import SpecError
 from ..package import SUFFIX
@@ -21,7 +21,7 @@ from .branches import under_way
 from .git import changed, is_repository, tracked, untracked
 from .renaming import plan_renames
 from .render import Renderer, recorded_answers
-from .tree import LINK, SUBMODULE, TOO_LARGE, is_too_large, read_paths
+from .tree import SUBMODULE, TOO_LARGE, is_too_large, read_paths
 
 
 def check(
@@ -36,8 +36,8 @@ def check(
 
     `places` has where the elements of the spec are, as `Model.places` gives it.
     `moved` has the new paths of files that the new version of the model renames.
-    The new version is rendered to see which files it would write, and that it can be rendered at
-    all; the old one where that is needed.
+    Both versions are rendered to see which files they write, and that they can be rendered at all;
+    the merge needs these renders, too.
     """
     spec = new_answers["spec"]
     answers = recorded_answers(package, renderer.answers_file)
@@ -46,16 +46,11 @@ def check(
         refuse_version_of_others(answers, renderer)
         check_names_before(recorded, spec, dictionary, places)
     modes = tracked(package) if is_repository(package) else {}
-    renamed = bool(moved) or any(
-        mark.before != mark.after for mark in marked(recorded, spec, dictionary)[1]
-    )
-    at_risk = not modes or bool(untracked(package)) or LINK in modes.values()
-    at_risk = at_risk or any(is_too_large(package / path) for path in modes)
     refuse_names(modes)
     touched = {renderer.answers_file, *renderer.fresh(new_answers).tree}
     refuse_places(package, touched)
     moves: dict[str, str] = {}
-    if answers and (at_risk or renamed):
+    if answers:
         old = renderer.recorded(answers)
         touched |= set(old.tree)
         _refuse_large(package, old.tree)
@@ -93,9 +88,7 @@ def refuse_join(package: Path, answers: Mapping[str, Any], renderer: Renderer) -
     modes = tracked(package)
     refuse_names(modes)
     refuse_places(package, paths)
-    for path in paths:
-        _refuse_links(package, path, set(modes))
-    _refuse_untracked(package, paths)
+    _refuse_unknown(package, paths, set(modes))
 
 
 def refuse_copy(
@@ -133,9 +126,7 @@ def refuse(package: Path, paths: Iterable[str], moves: dict[str, str]) -> None:
             "no-repository",
         )
     modes = tracked(package)
-    for path in paths:
-        _refuse_links(package, path, set(modes))
-    _refuse_untracked(package, paths)
+    _refuse_unknown(package, paths, set(modes))
     edited = sorted(set(changed(package)) & set(paths))
     if edited:
         what = f"{_some(edited)}: changed since the last commit; commit or stash first"
@@ -193,7 +184,10 @@ def _refuse_large(package: Path, paths: Iterable[str]) -> None:
             )
 
 
-def _refuse_untracked(package: Path, paths: Iterable[str]) -> None:
+def _refuse_unknown(package: Path, paths: Iterable[str], known: set[str]) -> None:
+    """Insist that git has what is written over, be it through a link."""
+    for path in paths:
+        _refuse_links(package, path, known)
     others = untracked(package)
     folders = tuple(path for path in others if path.endswith("/"))
     missing = [path for path in paths if path in set(others) or path.startswith(folders)]

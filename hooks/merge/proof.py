@@ -120,7 +120,7 @@ def _prove_file(
     generated = {*split(old), *gone}
     _read_back(proof, (path, target), known, lines, there, shown, generated, removed, of_people)
     changed = found is not None and target not in result.conflicts and text != ours
-    if changed and readable(known, [ours]) and not readable(known, [text]):
+    if changed and not readable(known, [text]):
         proof.lost.append((target, "cannot be read any more"))
 
 

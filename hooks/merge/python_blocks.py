@@ -15,7 +15,14 @@ from collections.abc import Iterator, Sequence
 from typing import cast
 
 from .blocks import THEN, Block, Span, arrange, squeezed, unicode
-from .lines import Conflict, split
+from .lines import Merged, split
+
+_ENDS = ("", " pass\n", "\nclass _: pass\n")
+"""What makes code of a text: nothing, or it is a head without its body, or decorators alone."""
+_WIDTH = 100
+"""Of a line with its end, as the linters of ROS allow it."""
+_CONTAINERS = (ast.ClassDef, ast.If, ast.Try, ast.With)
+_Part = tuple[str, int, list[ast.stmt]]
 
 
 def blocks(text: str) -> list[Block]:
@@ -36,10 +43,6 @@ def same(one: str, other: str) -> bool:
 def _words(text: str) -> list[str]:
     """Return what no formatter changes: the words, but for the prefixes of strings."""
     return [word for word in re.findall(r"[^\W\d]\w*", text.lower()) if len(word) > 2]
-
-
-_ENDS = ("", " pass\n", "\nclass _: pass\n")
-"""What makes code of a text: nothing, or it is a head without its body, or decorators alone."""
 
 
 @functools.lru_cache(maxsize=64)
@@ -72,23 +75,20 @@ def _defined(node: ast.AST, owner: str = "") -> Iterator[str]:
             yield from _defined(inner, owner)
 
 
-def imports(text: str, folder: Sequence[str]) -> Iterator[tuple[int, str]]:
-    """Yield the modules that a file in a folder may import, each with its line, from 0."""
-    for node in nodes(text):
-        if isinstance(node, ast.Import):
-            yield from ((node.lineno - 1, alias.name) for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            module = module_of(node, folder)
-            yield node.lineno - 1, module
-            yield from ((node.lineno - 1, f"{module}.{alias.name}") for alias in node.names)
+def imports(text: str, folder: Sequence[str]) -> Iterator[tuple[int, str, str]]:
+    """Yield the modules that a file in a folder may import, and what it imports of them.
 
-
-def imported(text: str, folder: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Yield the names that a file in a folder imports, each with what it stands for in full."""
+    Each with its line, from 0, and with the name that the file has of it, which whole modules
+    have not; none of no Python.
+    """
     with contextlib.suppress(ValueError):
-        for node in (each for each in nodes(text) if isinstance(each, ast.ImportFrom)):
-            module = module_of(node, folder)
-            yield from ((a.asname or a.name, f"{module}.{a.name}") for a in node.names)
+        for node in nodes(text):
+            if isinstance(node, ast.Import):
+                yield from ((node.lineno - 1, "", alias.name) for alias in node.names)
+            elif isinstance(node, ast.ImportFrom):
+                at, module = node.lineno - 1, module_of(node, folder)
+                yield at, "", module
+                yield from ((at, a.asname or a.name, f"{module}.{a.name}") for a in node.names)
 
 
 def module_of(node: ast.ImportFrom, folder: Sequence[str]) -> str:
@@ -156,11 +156,7 @@ def _spans(statements: Sequence[ast.stmt], lines: Sequence[str]) -> list[Span]:
 
 def _names(statement: ast.ImportFrom) -> tuple[Span, ...]:
     """Return what an import names, where each name has a line, or an import, of its own."""
-    lines = [
-        statement.lineno,
-        *(name.lineno for name in statement.names),
-        last_line(statement),
-    ]
+    lines = [statement.lineno, *(name.lineno for name in statement.names), last_line(statement)]
     if lines != sorted({*lines}) and not (len(statement.names) == 1 and lines[0] == lines[-1]):
         return ()
     return tuple(
@@ -181,12 +177,14 @@ def _import(key: str, start: int, end: int, names: tuple[Span, ...], spans: list
 def joined_import(mine: str, old: str, new: str) -> str | None:
     """Merge the names that an import has in three versions, laid out as in the developer's.
 
-    None where one of them is no single import of names, or has comments between these.
+    None where one of them is no single import of names, or has comments between these. The
+    developer may have none, an empty text.
     """
-    sides = [_imported(text) for text in (mine, old, new)]
-    if None in sides:
+    sides = _imported(mine or old, old, new)
+    if not sides:
         return None
-    (mine_head, ours, own), (old_head, base, was), (new_head, theirs, now) = filter(None, sides)
+    (mine_head, ours, own), (old_head, base, was), (new_head, theirs, now) = sides
+    ours = ours if mine else []
     head = new_head if mine_head == old_head else mine_head
     comment = now if own == was else own
     gone = {*base} - {*theirs}
@@ -196,7 +194,14 @@ def joined_import(mine: str, old: str, new: str) -> str | None:
         return mine
     if ours == sorted(ours, key=str.lower):
         names.sort(key=str.lower)
-    return _laid_out(head, names, comment, is_line=mine.count("\n") == 1)
+    if not names:
+        return ""
+    line = f"{head}{', '.join(names)}{comment}\n"
+    if mine.count("\n") < 2 and len(line) <= _WIDTH:
+        return line
+    indent = head[: -len(head.lstrip())]
+    inside = "".join(f"{indent}    {name},\n" for name in names)
+    return f"{head}({comment}\n{inside}{indent})\n"
 
 
 def is_same_import(one: str, other: str) -> bool:
@@ -204,55 +209,36 @@ def is_same_import(one: str, other: str) -> bool:
 
     Not of messages: those of one name are others in each package.
     """
-    sides = [_imported(text) for text in (one, other)]
-    if None in sides:
+    sides = _imported(one, other)
+    if not sides:
         return False
-    (head, ours, _), (before, theirs, _) = filter(None, sides)
+    (head, ours, _), (before, theirs, _) = sides
     modules = [text.split()[1].rpartition(".")[2] for text in (head, before)]
     is_module = modules[0] == modules[1] and modules[0] not in ("msg", "srv", "action")
     return is_module and ({*ours} >= {*theirs} or {*ours} <= {*theirs})
 
 
-def import_of_new(old: str, new: str) -> str:
-    """Return an import of the names that the new version alone imports."""
-    sides = [_imported(text) for text in (old, new)]
-    if None in sides:
-        return ""
-    (_, base, _), (head, theirs, _) = filter(None, sides)
-    return _laid_out(head, [name for name in theirs if name not in base], "", is_line=True)
+def _imported(*texts: str) -> list[tuple[str, list[str], str]]:
+    """Return what stands before the names of imports, the names, and the comments at an end.
 
-
-def _laid_out(head: str, names: Sequence[str], comment: str, is_line: bool) -> str:
-    """Return an import of some names, in a line where it is to be one and has room."""
-    if not names:
-        return ""
-    line = f"{head}{', '.join(names)}{comment}\n"
-    if is_line and len(line) <= _WIDTH:
-        return line
-    indent = head[: -len(head.lstrip())]
-    inside = "".join(f"{indent}    {name},\n" for name in names)
-    return f"{head}({comment}\n{inside}{indent})\n"
-
-
-_WIDTH = 100
-"""Of a line with its end, as the linters of ROS allow it."""
-
-
-def _imported(text: str) -> tuple[str, list[str], str] | None:
-    """Return what stands before the names of an import, the names, and the comment at an end."""
+    Nothing where one of them is no single import of names, or has comments between these.
+    """
+    imports: list[tuple[str, list[str], str]] = []
     with contextlib.suppress(ValueError):
-        statements = parse(textwrap.dedent(text)).body
-        comments = re.findall(r"#.*", text)
-        between = "".join(text.rstrip("\n").split("\n")[1:-1])
-        found = [each for each in statements if isinstance(each, ast.ImportFrom)]
-        if found == statements and len(comments) < 2 and "#" not in between:
+        for text in texts:
+            statements = parse(textwrap.dedent(text)).body
+            comments = re.findall(r"#.*", text)
+            between = "".join(text.rstrip("\n").split("\n")[1:-1])
+            found = [each for each in statements if isinstance(each, ast.ImportFrom)]
             head = re.match(r"\s*from\s+\S+\s+import\s", text)
+            if not head or found != statements or len(comments) > 1 or "#" in between:
+                return []
             names = [ast.unparse(alias) for each in found for alias in each.names]
-            return head and (head[0], names, "".join(f"  {each}" for each in comments))
-    return None
+            imports.append((head[0], names, "".join(f"  {each}" for each in comments)))
+    return imports if len(imports) == len(texts) else []
 
 
-def with_imports(merged: list[str | Conflict]) -> list[str | Conflict]:
+def with_imports(merged: Merged) -> Merged:
     """Give each name an import of its own, where others have one."""
     heads = (re.match(r"\s*from \S+ import ", each) for each in merged if isinstance(each, str))
     head = next((found[0] for found in heads if found), None)
@@ -262,10 +248,6 @@ def with_imports(merged: list[str | Conflict]) -> list[str | Conflict]:
         re.sub(r"^\s*(\w+),$", rf"{head}\1", each) if isinstance(each, str) else each
         for each in merged
     ]
-
-
-_CONTAINERS = (ast.ClassDef, ast.If, ast.Try, ast.With)
-_Part = tuple[str, int, list[ast.stmt]]
 
 
 def _parts(statement: ast.stmt, lines: Sequence[str]) -> list[_Part]:

@@ -6,6 +6,7 @@ The class is in what declares or makes the object; where there is none, nobody c
 from __future__ import annotations
 
 import ast
+import functools
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
@@ -126,6 +127,7 @@ class Code(NamedTuple):
     """The bracket that each is in."""
 
 
+@functools.lru_cache(maxsize=64)
 def code(text: str) -> Code:
     """Read a file of C++, but for brackets of arrays."""
     tokens = [one for one in tokenize(text) if one.kind in ("word", "sign")]

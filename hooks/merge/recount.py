@@ -37,6 +37,15 @@ _CLOSES = re.compile(r"end\w+ *\(.*\)|</.*>|\W+")
 """What ends something, and says not what."""
 Places = list[tuple[str, str]]
 _CMAKE = ("CMakeLists.txt", ".cmake")
+_STRING = r'"(?:\\.|[^"\\\n])*"'
+_COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+_NO_CODE = re.compile(
+    rf"(?m){_COMMENTS.pattern}|^[ \t]*#[ \t]*if[ \t]+0\b.*?^[ \t]*#[ \t]*endif", re.DOTALL
+)
+_WORDS = r"\b{}(?:if|foreach|while|function|macro|block)\s*\("
+_DEFINITION = re.compile(
+    r"(?m)^(?:\[\[[^\]\n]*\]\]\s*)*[A-Za-z_][^\n;={}#]*?\b(\w+)::(~?\w+)\s*\("
+)
 
 
 def _lower(text: str) -> str:
@@ -261,12 +270,6 @@ def _unbalanced(ignored: str, **pairs: tuple[str, str]) -> Callable[[str], set[s
     return find
 
 
-_STRING = r'"(?:\\.|[^"\\\n])*"'
-_COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
-_NO_CODE = re.compile(
-    rf"(?m){_COMMENTS.pattern}|^[ \t]*#[ \t]*if[ \t]+0\b.*?^[ \t]*#[ \t]*endif", re.DOTALL
-)
-_WORDS = r"\b{}(?:if|foreach|while|function|macro|block)\s*\("
 _SOUND: tuple[tuple[str | tuple[str, ...], Callable[[str], set[str]]], ...] = (
     (".py", _unbound),
     ((".yaml", ".yml"), _keys_twice),
@@ -298,13 +301,13 @@ def _halves(
     mine: Tree, old: Tree, new: Tree, found: Tree, result: Result, renaming: Renaming
 ) -> Places:
     """Return the functions of C++ that are but declared, or but defined, and were both."""
-    if any(path.endswith((".cpp", ".hpp")) for path in result.conflicts):
+    kinds = (".cpp", ".hpp")
+    if any(path.endswith(kinds) for path in result.conflicts):
         return []
-    before, ours = ({p: renaming.text(p, f.written) for p, f in t.items()} for t in (old, mine))
-    versions = [ours, before, *({p: f.written for p, f in t.items()} for t in (new, found))]
     codes = [
-        {p: _NO_CODE.sub("", text) for p, text in one.items() if p.endswith((".cpp", ".hpp"))}
-        for one in versions
+        {p: _NO_CODE.sub("", by.text(p, f.written)) for p, f in tree.items() if p.endswith(kinds)}
+        for by, trees in ((renaming, (mine, old)), (Renaming(), (new, found)))
+        for tree in trees
     ]
     defined = [_defined(code) for code in codes]
     wrong: Places = []
@@ -322,11 +325,6 @@ def _halves(
             what = f"{'::'.join(name)} is but half there"
             wrong += ((path, what) for path in places if path in made)
     return wrong
-
-
-_DEFINITION = re.compile(
-    r"(?m)^(?:\[\[[^\]\n]*\]\]\s*)*[A-Za-z_][^\n;={}#]*?\b(\w+)::(~?\w+)\s*\("
-)
 
 
 def _defined(code: dict[str, str]) -> dict[tuple[str, str], str]:

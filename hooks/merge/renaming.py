@@ -24,7 +24,7 @@ from .depth import Shift, compose, shifts
 from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
 from .lines import split
 from .origins import SELF, Names, origins
-from .python_blocks import definitions, imported
+from .python_blocks import definitions, imports
 from .render import Renderer
 from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python
 from .tokens import Word, exchange, quoted, words
@@ -92,23 +92,27 @@ class Renaming:
     def know(self, mine: Tree) -> None:
         """Read what the developer's own modules define, or hand on, and all of their C++."""
         given: dict[str, str] = {}
+        inner: dict[str, set[str]] = {}  # by each name, itself and what is in it
+
+        def own(name: str) -> None:
+            self.own.add(name)
+            for dot in re.finditer(r"\.|$", name):
+                inner.setdefault(name[: dot.start()], set()).add(name)
+
         for path, file in mine.items() if self.names else ():
             if language(path, "") is PYTHON:
                 module = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
                 is_own, folder = path not in self.paths, PurePosixPath(path).parent.parts
-                names = imported(file.written, folder) if is_own else ()
-                given |= {f"{module}.{name}": target for name, target in names}
-                self.own |= {module} if is_own else set()
-                self.own |= {
-                    f"{module}.{name}"
-                    for name in definitions(file.written)
-                    if is_own or ("." in name and name.partition(".")[0] not in self.classes)
-                }
+                names = imports(file.written, folder) if is_own else ()
+                given |= {f"{module}.{name}": target for _, name, target in names if name}
+                for name in ("", *definitions(file.written)):
+                    if is_own or ("." in name and name.partition(".")[0] not in self.classes):
+                        own(f"{module}.{name}".rstrip("."))
             elif language(path, "") is CPP:
                 self.scopes |= {d for d in self._scopes(path, file.written) if is_shared(d)}
         for name, target in given.items():
-            ends = [f"{each}." for each in self.own if f"{each}.".startswith(f"{target}.")]
-            self.own |= {name + end.removeprefix(target).rstrip(".") for end in ends}
+            for each in [*inner.get(target, ())]:
+                own(name + each[len(target) :])
 
     def _scopes(self, path: str, text: str) -> Declared:
         """Return what a file of C++ declares that the model's have nowhere, or elsewhere."""

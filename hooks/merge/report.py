@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
@@ -49,21 +49,18 @@ def report(
     files += more
     files += _unnamed(after, proof.left)
     others = [f"missing   {path}{part and ': '}{part}" for path, part in _missing(after, result)]
-    others += [
-        f"back      {path}: {part}, which you had deleted"
-        for path, parts in sorted(result.back.items())
-        for part in parts
-    ]
-    others += [
-        f"yours     {path}: {part}, which the model makes now, too: compare"
-        for path, parts in sorted(result.own.items())
-        for part in parts
-    ]
+    own = "which the model makes now, too: compare"
+    others += [f"back      {part}, which you had deleted" for part in _parts(result.back)]
+    others += [f"yours     {part}, {own}" for part in _parts(result.own)]
     others += [f"still     {use}" for use in uses]
     others += [f"CONFLICT  {path}" for path in conflicts]
     if not changes and not files and not conflicts:
         others.append("Nothing has changed.")
     return Report([*changes, *files, *others, proof.sentence], conflicts)
+
+
+def _parts(found: Mapping[str, list[str]]) -> Iterator[str]:
+    return (f"{path}: {part}" for path, parts in sorted(found.items()) for part in parts)
 
 
 def _files(package: Path, before: Tree, after: Tree, result: Result) -> Iterator[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import contextlib
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from typing import NamedTuple
 from xml.parsers import expat
 
@@ -41,9 +41,9 @@ def settings(known: Language, text: str, packages: Collection[str]) -> Iterator[
         elif known is XML:
             yield from _of_xml(text, packages)
         elif known is PYTHON:
-            calls = (each for each in python_blocks.nodes(text) if isinstance(each, ast.Call))
-            for call in calls:
-                yield from _of_call(call, packages)
+            for given, package, program in node_calls(text):
+                if package in packages:
+                    yield from _of_call(given, str(program.value))
 
 
 def dotted(name: str) -> str:
@@ -111,12 +111,17 @@ def _of_xml(text: str, packages: Collection[str]) -> Iterator[Setting]:
     yield from found
 
 
-def _of_call(call: ast.Call, packages: Collection[str]) -> Iterator[Setting]:
-    """Yield what `Node(package=..., executable=..., parameters=[], remappings=[])` gives."""
-    given = {each.arg: each.value for each in call.keywords}
-    package, node = (getattr(given.get(each), "value", None) for each in ("package", "executable"))
-    if package not in packages or not isinstance(node, str):
-        return
+def node_calls(text: str) -> Iterator[tuple[dict[str | None, ast.expr], str, ast.Constant]]:
+    """Yield the arguments of calls like `Node(package=..., executable=...)`, and these two."""
+    for call in python_blocks.nodes(text):
+        given = {each.arg: each.value for each in getattr(call, "keywords", ())}
+        match given:
+            case {"package": ast.Constant(str(package)), "executable": ast.Constant() as program}:
+                yield given, package, program
+
+
+def _of_call(given: Mapping[str | None, ast.expr], node: str) -> Iterator[Setting]:
+    """Yield what `Node(..., parameters=[], remappings=[])` gives a node."""
     for list_, type_ in (("parameters", ast.Dict), ("remappings", ast.Tuple)):
         for item in ast.walk(given[list_]) if list_ in given else ():
             if isinstance(item, type_):

@@ -7,13 +7,13 @@ from collections.abc import Callable, Container, Iterator
 from typing import NamedTuple
 
 from .languages import CMAKE, CPP, PYTHON, Language
+from .outlines import SKIPPED
 
 _PYTHON = re.compile(
     r"""
     (?P<comment> \#[^\n]* )
-  | (?P<string> \b(?P<prefix>[rRbBuUfF]{0,2})
+  | (?P<string> (?P<prefix> \b[rRbBuUfF]{1,2} )?
         (?P<quotes> \"\"\" | ''' | " | ' ) (?: \\. | (?!(?P=quotes)). )*? (?P=quotes) )
-  | (?P<plain> (?P<mark> \"\"\" | ''' | " | ' ) (?: \\. | (?!(?P=mark)). )*? (?P=mark) )
   | (?P<word> [A-Za-z_]\w* )
   | (?P<sign> \S )
     """,
@@ -31,9 +31,7 @@ _CPP = re.compile(
     re.VERBOSE | re.DOTALL | re.MULTILINE,
 )
 _CMAKE = re.compile(
-    r"""(?P<plain> \#?\[(?P<mark>=*)\[.*?\](?P=mark)\] | "(?: \\. | [^"\\] )*" )
-      | (?P<comment> \#[^\n]* ) | (?P<word> [A-Za-z_]\w* ) | (?P<sign> \S )""",
-    re.VERBOSE | re.DOTALL,
+    rf"{SKIPPED} | (?P<word> [A-Za-z_]\w* ) | (?P<sign> \S )", re.VERBOSE | re.DOTALL
 )
 _FIELDS = re.compile(r"(\{\{|\}\}|\{(?:[^{}]|\{[^{}]*\})*\})")
 """What is code in an f-string; doubled braces are none."""
@@ -87,7 +85,7 @@ def exchange(
             chain = (*chain, match[0]) if match[0] not in ("from", "import") else ()
         elif kind == "include":
             found = _path(found, by, line)
-        elif kind == "string" and "f" in match["prefix"].lower():
+        elif kind == "string" and "f" in (match["prefix"] or "").lower():
             pieces = _FIELDS.split(found)
             pieces[1::2] = [exchange(known, part, by, among, line) for part in pieces[1::2]]
             found = "".join(pieces)
@@ -110,7 +108,7 @@ def quoted(known: Language, text: str) -> set[int]:
     found: set[int] = set()
     pattern = _PATTERNS.get(known)
     for match in pattern.finditer(text) if pattern else ():
-        if match.lastgroup in ("string", "plain") and "\n" in match[0]:
+        if match.lastgroup in ("string", "plain", "exact") and "\n" in match[0]:
             first = text.count("\n", 0, match.start())
             found |= {*range(first + 1, first + match[0].count("\n") + 1)}
     return found

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import contextlib
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator
@@ -16,7 +15,7 @@ from .languages import CMAKE, CPP, PYTHON, XML, Language, language
 from .lines import plain, split
 from .origins import Names, origins
 from .renaming import Renaming
-from .settings import EVERY, Setting, dotted, settings
+from .settings import EVERY, Setting, dotted, node_calls, settings
 from .tokens import words
 from .tree import File, Tree
 
@@ -154,9 +153,8 @@ def _imports(path: str, text: str) -> Iterator[tuple[int, str, str, str]]:
             line = text.count("\n", 0, match.start(1))
             yield line, match[1].partition("/")[0], match[1], match[1]
     elif known is PYTHON:
-        with contextlib.suppress(ValueError):
-            for line, module in python_blocks.imports(text, PurePosixPath(path).parent.parts):
-                yield line, module.partition(".")[0], module, module.replace(".", "/") + ".py"
+        for line, _, module in python_blocks.imports(text, PurePosixPath(path).parent.parts):
+            yield line, module.partition(".")[0], module, module.replace(".", "/") + ".py"
     elif known is CMAKE:
         for line, said in enumerate(split(text)):
             for word in re.findall(r"\w+", said.partition("#")[0]):
@@ -235,13 +233,9 @@ def _started(text: str, nodes: set[tuple[str, str]]) -> Iterator[tuple[int, str]
     `nodes` are packages, each with a program.
     """
     with contextlib.suppress(ValueError):
-        for call in python_blocks.nodes(text):
-            if isinstance(call, ast.Call):
-                values = ((each.arg, each.value) for each in call.keywords)
-                given = {name: item for name, item in values if isinstance(item, ast.Constant)}
-                package, program = given.get("package"), given.get("executable")
-                if package and program and (package.value, program.value) in nodes:
-                    yield program.lineno - 1, str(program.value)
+        for _, package, program in node_calls(text):
+            if (package, program.value) in nodes:
+                yield program.lineno - 1, str(program.value)
 
 
 def _attributes(tree: Tree) -> set[tuple[str, str, str]]:

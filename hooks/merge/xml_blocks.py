@@ -9,19 +9,22 @@ from xml.parsers import expat
 from .blocks import Block, Span, arrange, collapsed, one_sort, squeezed
 from .lines import split
 
-_MARKUP = re.compile(
+MARKUP = re.compile(
     r"""(?P<other> <!--.*?--> | <\?.*?\?> | <!\[CDATA\[.*?\]\]>
       | <!DOCTYPE[^>[]*\[.*?\]\s*> | <![^>]*> )
       | (?P<close> </[^>]+> )
       | (?P<open> <(?P<tag>[^\s/>]+) (?P<attributes> (?: "[^"]*" | '[^']*' | [^>"'] )* ) > )""",
     re.VERBOSE | re.DOTALL,
 )
-_ATTRIBUTE = re.compile(r"""([\w:.-]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
+ATTRIBUTE = re.compile(r"""(?P<name>[\w:.-]+)(?P<sign>\s*=\s*)(?P<value>"[^"]*"|'[^']*')""")
 _FILE = re.compile(r"/([\w.-]+\.(?:yaml|xml|launch))\b")
+COMMENTS = re.compile(r"<!--.*?-->", re.DOTALL)
 _NAMING = ("name", "from", "file", "param", "id", "exec", "type", "if", "unless")
-
-
-_COMMENTS = re.compile(r"<!--.*?-->", re.DOTALL)
+_EXACT = re.compile(
+    r"""<!--.*?--> | (?P<exact> <!\[CDATA\[.*?\]\]> )
+      | \s*=\s*(?P<value> "[^"]*" | '[^']*' )""",
+    re.VERBOSE | re.DOTALL,
+)
 
 
 def blocks(text: str) -> list[Block]:
@@ -31,14 +34,7 @@ def blocks(text: str) -> list[Block]:
     except expat.ExpatError as error:
         raise ValueError(str(error)) from error
     lines = split(text)
-    return arrange(lines, _spans(text), 0, len(lines), _COMMENTS)
-
-
-_EXACT = re.compile(
-    r"""<!--.*?--> | (?P<exact> <!\[CDATA\[.*?\]\]> )
-      | \s*=\s*(?P<value> "[^"]*" | '[^']*' )""",
-    re.VERBOSE | re.DOTALL,
-)
+    return arrange(lines, _spans(text), 0, len(lines), COMMENTS)
 
 
 def same(one: str, other: str) -> bool:
@@ -76,17 +72,17 @@ def exchange(text: str, by: Callable[[str, str, str], str]) -> str:
         name = f"{match['tag']} of {attributes['pkg']}" if "pkg" in attributes else name
 
         def attribute(found: re.Match[str]) -> str:
-            which = 3 if found[2] is None else 2
-            head = found[0][: found.start(which) - found.start()]
-            return f"{head}{by(name, found[1], found[which])}{found[0][-1]}"
+            quote, value = found["value"][0], found["value"][1:-1]
+            new = by(name, found["name"], value)
+            return f"{found['name']}{found['sign']}{quote}{new}{quote}"
 
-        return f"<{match['tag']}{_ATTRIBUTE.sub(attribute, match['attributes'])}>"
+        return f"<{match['tag']}{ATTRIBUTE.sub(attribute, match['attributes'])}>"
 
-    return _MARKUP.sub(element, text)
+    return MARKUP.sub(element, text)
 
 
 def _attributes(text: str) -> dict[str, str]:
-    return {name: one or other for name, one, other in _ATTRIBUTE.findall(text)}
+    return {name: value[1:-1] for name, _, value in ATTRIBUTE.findall(text)}
 
 
 def keys(text: str) -> set[str]:
@@ -103,7 +99,7 @@ def _keys(span: Span) -> Iterator[str]:
 def _spans(text: str) -> list[Span]:
     top: list[Span] = []
     open_: list[tuple[re.Match[str], list[Span]]] = []
-    for match in _MARKUP.finditer(text):
+    for match in MARKUP.finditer(text):
         if match["open"]:
             open_.append((match, []))
         if match["close"] or (match["open"] and match["attributes"].rstrip().endswith("/")):
