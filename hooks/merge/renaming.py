@@ -113,7 +113,9 @@ class Renaming:
     def _scopes(self, path: str, text: str) -> Declared:
         """Return what a file of C++ declares that the model's have nowhere, or elsewhere."""
         names = self._exact() - {name for _, name in self.made.get(path, ())}
-        return declared(text, names).difference(*self.made.values())
+        spaces = self.packages.keys() if path not in self.paths else set()
+        own = declared(text, names, spaces).difference(*self.made.values())
+        return own - {((), space) for space in spaces}
 
     def _exact(self) -> set[str]:
         """Return all identifiers that are exchanged somewhere."""
@@ -194,7 +196,7 @@ class Renaming:
         is_marked = MARK not in text
         if is_marked and known is CPP:
             own = self.scopes | self._scopes(path, text)
-            text = marked_in_cpp(text, own, set().union(*self.made.values()), exact)
+            text = marked_in_cpp(text, own, set().union(*self.made.values()), names)
         elif is_marked and known is PYTHON:
             with contextlib.suppress(ValueError):
                 text = marked_in_python(path, text, self.own, exact, members, self.classes)
@@ -222,6 +224,7 @@ class Renaming:
             if word.text in self.packages and not word.chain and is_ours:
                 is_module = sign == "import" and not lines[word.line].startswith("from ")
                 is_root = word.after == "::" or sign in ("namespace", "from") or is_module
+                is_root = is_root or lines[word.line].startswith("namespace ")
                 is_use = word.line not in origin.from_imports
                 is_root = is_root or (is_use and word.text in origin.modules)
                 is_root = is_root or (known is CMAKE and holder.lower() == "project")

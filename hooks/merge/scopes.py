@@ -79,16 +79,20 @@ def _chain(signs: list[str], end: int) -> Path:
     return (*signs[max(at, 0) : end : 2],)
 
 
-def declared(text: str, names: Collection[str]) -> Declared:
-    """Return which of some names a file declares: types, and what its namespaces have."""
-    read = code(text) if any(name in text for name in names) else Code([], [], {}, {})
-    return {found for found in _declared(read, scopes(read)) if found[1] in names}
+def declared(text: str, names: Collection[str], spaces: Collection[str] = ()) -> Declared:
+    """Return which of some names a file declares: types, and what its namespaces have.
+
+    Of `spaces`, which only namespaces and types have.
+    """
+    both = {*names, *spaces}
+    read = code(text) if any(name in text for name in both) else Code([], [], {}, {})
+    within = scopes(read)
+    opened = ((path[:-1], path[-1]) for path, kind, *_ in within.values() if kind and path)
+    found = {each for each in _declared(read, within) if each[1] in names}
+    return found | {each for each in opened if each[1] in both}
 
 
 def _declared(read: Code, within: dict[int | None, Scope]) -> Iterator[tuple[Path, str]]:
-    for path, kind, *_ in within.values():
-        if kind and path:
-            yield path[:-1], path[-1]
     signs, is_given = ["", "", *read.signs, ""], False
     for at, sign in enumerate(read.signs):
         friend, before, _, after = signs[at : at + 4]

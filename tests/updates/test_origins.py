@@ -437,6 +437,10 @@ OF_PACKAGE = {
     "arm = 1\n": "arm = 1\n",
     "namespace arm\n{\narm::A arm;\n}\n": "namespace robot\n{\nrobot::A arm;\n}\n",
     "namespace arm {auto f() -> arm::A;}\n": "namespace robot {auto f() -> robot::A;}\n",
+    "namespace own\n{\nnamespace arm {class A;}\narm::A a;\n}\nown::arm::A a;\narm::A b;\n": (
+        "namespace own\n{\nnamespace arm {class A;}\narm::A a;\n}\nown::arm::A a;\nrobot::A b;\n"
+    ),
+    "namespace own = arm;\narm::A a;\n": "namespace own = robot;\nrobot::A a;\n",
     "link(arm arm::core)\n": "link(arm robot::core)\n",
 }
 
