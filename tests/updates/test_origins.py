@@ -139,6 +139,17 @@ OURS = {
         "def f(config: A):\n    config.factor\n"
     ),
     "config = fetch(config)\nconfig.gain\n": "config = fetch(config)\nconfig.factor\n",
+    "from .reach_interface import ReachData\n\n__all__ = [\n    'f', \"ReachData\",\n]\n"
+    "__all__ += ('ReachData', ReachData)\n": (
+        "from .grasp_interface import GraspData\n\n__all__ = [\n    'f', \"GraspData\",\n]\n"
+        "__all__ += ('GraspData', GraspData)\n"
+    ),
+    "from .reach_interface import InGoal\n\n\ndef f(a: 'InGoal' = \"InGoal\") -> 'list[InGoal]':\n"
+    "    b: '''InGoal''' = \"InGoal\"\n    c: Literal['InGoal'] = None\n    'InGoal'\n": (
+        "from .grasp_interface import InTarget\n\n\n"
+        "def f(a: 'InTarget' = \"InGoal\") -> 'list[InTarget]':\n"
+        "    b: '''InTarget''' = \"InGoal\"\n    c: Literal['InGoal'] = None\n    'InGoal'\n"
+    ),
 }
 CPP_FOREIGN = [
     "#include <vendor/reach_interface.hpp>\nvendor::ReachConfig a;\nReachConfig b;\n",

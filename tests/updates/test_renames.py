@@ -464,7 +464,9 @@ def test_pattern_of_files_with_the_name_is_listed(line, is_said):
 
 def test_names_of_a_renamed_project_are_listed():
     """The model writes ${PROJECT_NAME}; of what has another name it is none."""
-    text = "project({})\nadd_library(${{PROJECT_NAME}}_reach a.cpp)\nexport(go_${{PROJECT_NAME}})\n"
+    text = (
+        "project({})\nadd_library(${{PROJECT_NAME}}_reach a.cpp)\nexport(go_${{PROJECT_NAME}})\n"
+    )
     old, marked, new = (
         {"CMakeLists.txt": File(encode(text.format(name)))} for name in ("arm", "zq0x", "leg")
     )
