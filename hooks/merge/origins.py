@@ -250,6 +250,7 @@ def _bindings(tree: Iterable[ast.AST]) -> Iterator[tuple[str, ast.expr]]:
 
 _INCLUDE = re.compile(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"](\w+|\.\.?)/')
 _USING = re.compile(r"\busing\s+(?:(namespace)\s+)?(?:(\w+)\s*=\s*)?(?:::)?(\w+)(?:::(\w+))*\s*;")
+_ALIAS = re.compile(r"\bnamespace\s+(\w+)\s*=\s*(?:::)?(\w+)")
 
 
 def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Names) -> None:
@@ -259,11 +260,12 @@ def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Names) 
         re.search(rf"\bnamespace\s+(?:{spaces})\b|(?<![\w:])(?:{spaces})::", text)
     )
     for kind, alias, root, last in _USING.findall(text):
-        if root not in {*roots, *classes, "std"}:
+        if root not in {*roots, *classes, *names, "std"}:
             is_user = is_user and not kind
             found.foreign |= {alias or last} - {""}
     if is_user:
-        found.ours |= {*names} | {*re.findall(rf"\bnamespace\s+(\w+)\s*=\s*(?:{spaces})::", text)}
+        found.ours |= {*names}
+        found.ours |= {name for name, root in _ALIAS.findall(text) if root in {*roots, *names}}
     found.types = {*classes} | {*roots}
     read = code(text)
     own = [*_cpp_classes(read)]

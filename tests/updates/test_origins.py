@@ -234,6 +234,17 @@ CPP_OURS = {
     "namespace a = lab::reach_types;\na::InGoal b;\n": (
         "namespace a = lab::grasp_types;\na::InTarget b;\n"
     ),
+    "namespace lab {\nusing reach_types::InGoal;\nnamespace t = reach_types;\nInGoal a;\n"
+    "t::InGoal b;\n}\n": (
+        "namespace lab {\nusing grasp_types::InTarget;\nnamespace t = grasp_types;\nInTarget a;\n"
+        "t::InTarget b;\n}\n"
+    ),
+    "namespace lab {\nusing InGoal = reach_types::InGoal;\nInGoal a;\n}\nlab::InGoal b;\n": (
+        "namespace lab {\nusing InGoal = grasp_types::InTarget;\nInGoal a;\n}\nlab::InGoal b;\n"
+    ),
+    "#include <lab/mine.hpp>\nnamespace a = ::lab;\na::ReachData b;\n": (
+        "#include <lab/mine.hpp>\nnamespace a = ::lab;\na::GraspData b;\n"
+    ),
     "lab::reach_types::InGoal a;\n": "lab::grasp_types::InTarget a;\n",
     "lab::ReachHarness h;\nh.data.in_goal = h.config.gain;\nh.impl.receive_say(1);\n": (
         "lab::GraspHarness h;\nh.data.in_target = h.config.factor;\nh.impl.receive_speak(1);\n"
