@@ -23,7 +23,7 @@ from .blocks import Block, collapsed, every
 from .depth import Shift, compose, shifts
 from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
 from .lines import split
-from .origins import SELF, Names, origins
+from .origins import SELF, Class, Names, classes_in, origins, related
 from .python_blocks import definitions, imported
 from .render import Renderer
 from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python
@@ -70,8 +70,10 @@ class Renaming:
     """By file of XML, what becomes of the value of an attribute of a generated element."""
     vocabulary: dict[str, set[str]] = field(default_factory=dict)
     """By file, the words that these lines have by themselves: they are members of nothing."""
-    classes: set[str] = field(default_factory=set)
-    """Those of the package."""
+    classes: dict[str, set[str]] = field(default_factory=dict)
+    """Those of the package, with their words."""
+    kin: dict[str, set[str]] = field(default_factory=dict)
+    """The developer's classes that derive from one of these, or the other way, with its words."""
     roots: set[str] = field(default_factory=set)
     """What imports and includes call the package."""
     holders: Names = ()
@@ -92,8 +94,11 @@ class Renaming:
     def know(self, mine: Tree) -> None:
         """Read what the developer's own modules define, or hand on, and all of their C++."""
         given: dict[str, str] = {}
+        classes: list[Class] = []
         for path, file in mine.items() if self.names else ():
-            if language(path, "") is PYTHON:
+            known = language(path, "")
+            classes += classes_in(known, file.written, self.roots)
+            if known is PYTHON:
                 module = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
                 is_own, folder = path not in self.paths, PurePosixPath(path).parent.parts
                 names = imported(file.written, folder) if is_own else ()
@@ -104,11 +109,13 @@ class Renaming:
                     for name in definitions(file.written)
                     if is_own or ("." in name and name.partition(".")[0] not in self.classes)
                 }
-            elif language(path, "") is CPP:
+            elif known is CPP:
                 self.scopes |= {d for d in self._scopes(path, file.written) if is_shared(d)}
         for name, target in given.items():
             ends = [f"{each}." for each in self.own if f"{each}.".startswith(f"{target}.")]
             self.own |= {name + end.removeprefix(target).rstrip(".") for end in ends}
+        kin = related(classes, self.classes)
+        self.kin = {name: kin[name] for name, *_ in classes if name in kin}
 
     def _scopes(self, path: str, text: str) -> Declared:
         """Return what a file of C++ declares that the model's have nowhere, or elsewhere."""
@@ -202,7 +209,8 @@ class Renaming:
                 text = marked_in_python(path, text, self.own, exact, members, self.classes)
         lines = [line.strip() for line in split(text)]
         roots = self.roots | self.packages.keys()
-        origin = origins(known, text, roots, exact.keys(), self.classes, self.holders)
+        classes = {**self.kin, **self.classes}
+        origin = origins(known, text, roots, exact.keys(), classes, self.holders)
         is_made = [line in generated for line in lines]
         vocabulary = (self.vocabulary.get(path, set()) & exact.keys()) | roots
 
@@ -416,8 +424,11 @@ def plan(
         plain = {
             w.text for w in found if not w.chain or w.before[1] == "::" or w.chain[-1] in SELF
         }
-        classes = {w.text for w in found if w.before[1] in ("class", "struct")}
-        renaming.classes |= {reader.both(word)[0] for word in classes}
+        lines = split(old[before].written)
+        for name, _, places in classes_in(known, old[before].written):
+            if name not in renaming.classes or not before.startswith("test/"):  # no stand-in
+                inside = "".join(lines[places.start : places.stop])
+                renaming.classes.setdefault(name, set()).update(re.findall(r"\w+", inside))
         renaming.vocabulary[before] = {reader.both(word)[0] for word in plain}
         renaming.generated[before] = reader.lines(text)
         renaming.heads[before] = _heads(known, renaming.generated[before])

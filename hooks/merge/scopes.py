@@ -65,7 +65,11 @@ def _opened(head: list[str], around: str, at: int) -> tuple[Path, str, set[str]]
         end = next((i for i, word in enumerate(rest) if word in (":", "<")), len(rest))
         words = [word for word in rest[:end] if word != "final"]
         kind = "enum" if "enum" in head else "class"
-        return _chain(words, len(words)) or ("",), kind, {*rest[end:]}
+        return (
+            _chain(words, len(words)) or ("",),
+            kind,
+            {*" ".join(rest[end:]).replace(" :: ", "::").split()},
+        )
     open_ = [i for i, word in enumerate(head) if word == "("] if around else []
     names = [_chain(head, i) for i in open_ if head[:i].count("<") == head[:i].count(">")][:1]
     return (*(name for chain in names for name in chain[:-1]), str(at)), "", set()

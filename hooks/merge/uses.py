@@ -78,7 +78,7 @@ def uses_of_left(
         return {word for word in before - after - bare if re.fullmatch(form, word)}
 
     roots = {part for path in old for part in PurePosixPath(path).parts[:-1]}
-    made = {word for file in old.values() for word in _CLASS.findall(file.written)}
+    made = {word: {word} for file in old.values() for word in _CLASS.findall(file.written)}
     texts = _texts_of_left(components, old, new)
     after, left = _words(new), lost()
     left_of = {owner: lost(owner) - left for owner, _ in gone}

@@ -98,6 +98,21 @@ OURS = {
     "from lab.reach_impl import ReachImpl\n\nimpl = ReachImpl()\nimpl.receive_say(1)\n": (
         "from lab.grasp_impl import GraspImpl\n\nimpl = GraspImpl()\nimpl.receive_speak(1)\n"
     ),
+    "from .reach_impl import ReachImpl\n\nimpl = ReachImpl()\nimpl.gain = impl.in_goal\n"
+    "a = impl\na.gain + a.receive_say(1)\n": (
+        "from .grasp_impl import GraspImpl\n\nimpl = GraspImpl()\nimpl.gain = impl.in_goal\n"
+        "a = impl\na.gain + a.receive_speak(1)\n"
+    ),
+    "from .reach_impl import ReachImpl\n\n\nclass A(ReachImpl):\n    def receive_say(self, m):\n"
+    "        super().receive_say(m)\n        self.receive_say(self.gain, self.in_goal)\n"
+    "        use(receive_say, m.receive_say, x().receive_say)\n\n\nA().receive_say(1)\n"
+    "def f(a: A, b):\n    a.receive_say(b.receive_say(a.gain))\n": (
+        "from .grasp_impl import GraspImpl\n\n\nclass A(GraspImpl):\n"
+        "    def receive_speak(self, m):\n        super().receive_speak(m)\n"
+        "        self.receive_speak(self.gain, self.in_goal)\n"
+        "        use(receive_say, m.receive_say, x().receive_say)\n\n\nA().receive_say(1)\n"
+        "def f(a: A, b):\n    a.receive_speak(b.receive_say(a.gain))\n"
+    ),
     "def f(d: 'ReachData'):\n    d.in_goal\n": "def f(d: 'ReachData'):\n    d.in_target\n",
     "from lab import reach_ros\n\nreach_ros.main()\n": (
         "from lab import grasp_ros\n\ngrasp_ros.main()\n"
@@ -257,6 +272,9 @@ CPP_OURS = {
     ),
     "lab::ReachHarness h;\nauto & g = h;\ng.data.in_goal;\n": (
         "lab::GraspHarness h;\nauto & g = h;\ng.data.in_target;\n"
+    ),
+    "lab::ReachHarness h;\nh.impl.gain = h.config.gain;\nlab::ReachImpl i;\ni.gain = 1;\n": (
+        "lab::GraspHarness h;\nh.impl.gain = h.config.factor;\nlab::GraspImpl i;\ni.gain = 1;\n"
     ),
     "lab::ReachConfig a{.gain = 1};\n": "lab::GraspConfig a{.factor = 1};\n",
     "void f() {data_  // mine\n  .in_goal;}\n": "void f() {data_  // mine\n  .in_target;}\n",
@@ -442,6 +460,55 @@ def test_names_that_own_modules_define(pairs, text, wanted):
     }
     renaming.know(tree_of({**old, **own}))
     assert renaming.text("lab/tools.py", text) == (wanted or text)
+
+
+OF_RELATIVES = {
+    "lab/sub.py": (
+        "from .mixin import Mixin\nfrom .reach_impl import ReachImpl\n\n\n"
+        "class Sub(Mixin, ReachImpl):\n"
+        "    def receive_say(self, m):\n        super().receive_say(m)\n"
+    ),
+    "lab/sub2.py": (
+        "from lab.sub import Sub\n\n\nclass Sub2(Sub):\n    def receive_say(self):\n        a\n"
+    ),
+    "lab/mixin.py": "class Mixin:\n    def receive_say(self, m):\n        self.gain = 1\n",
+    "lab/use.py": "from .sub2 import Sub2\n\nsub = Sub2()\nsub.receive_say(a.receive_say)\n",
+    "lab/other.py": (
+        "from vendor import Base\n\n\nclass Other(Base):\n    def receive_say(self, m):\n"
+        "        super().receive_say(m)\n\n\nclass A:\n    def receive_say(self):\n        a\n"
+    ),
+    "lab/other2.py": (
+        "from vendor import ReachImpl\n\n\nclass Other2(ReachImpl):\n"
+        "    def receive_say(self, m):\n        super().receive_say(m)\n"
+    ),
+    "include/lab/sub.hpp": (
+        "namespace lab {\nclass Sub final : public a::Base<A>, public ReachImpl\n{\n"
+        "  void receive_say(A a);\n};\nclass Sub2 : Sub {};\n}\n"
+    ),
+    "src/sub.cpp": (
+        "namespace lab {\nvoid Sub::receive_say(A a)\n{\n"
+        "  ReachImpl::receive_say(a); this->receive_say(a);\n}\n}\n"
+    ),
+    "src/use.cpp": "#include <lab/sub.hpp>\nlab::Sub2 a;\na.receive_say(b.receive_say);\n",
+    "src/other.cpp": (
+        "namespace lab {\nclass Other : public vendor::ReachImpl {};\n"
+        "void Other::receive_say(A a)\n{\n  this->receive_say(a);\n}\n}\n"
+    ),
+}
+
+
+def test_classes_that_are_related_to_the_models_in_other_files(pairs):
+    """A class derived from the logic has its callbacks, and so has what that one derives from."""
+    for model in OWN:
+        own = {p: text for p, text in OF_RELATIVES.items() if p.endswith(".py") == ("py" in model)}
+        renaming = replace(pairs[model].renaming, _texts={}, own=set(), scopes=set(), kin={})
+        for files in (renaming.in_file, renaming.members):
+            files |= dict.fromkeys(own, files[OWN[model]])
+        renaming.know(tree_of({**pairs[model].old, **own}))
+        for path, text in own.items():
+            wanted = re.sub(r"(?<![(][ab]\.)\breceive_say", "receive_speak", text)
+            wanted = wanted.replace("Reach", "Grasp").replace("reach", "grasp")
+            assert renaming.text(path, text) == (text if "other" in path else wanted), path
 
 
 OF_PACKAGE = {
