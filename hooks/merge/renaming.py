@@ -165,7 +165,8 @@ class Renaming:
     def text(self, path: str, text: str) -> str:
         """Return a file with its identifiers exchanged."""
         if (path, text) not in self._texts:
-            self._texts[path, text] = self._shifted(path, self._exchanged(path, text))
+            exchanged = _referred(path, self._exchanged(path, text), self.packages)
+            self._texts[path, text] = self._shifted(path, exchanged)
         return self._texts[path, text]
 
     def _shifted(self, path: str, text: str) -> str:
@@ -338,6 +339,20 @@ def rename(
         if not shows or block.text != same.text or GONE in key:
             block.key = key
         rename(block.children, same.children, keys, shows)
+
+
+_REFERENCE = (
+    r"package://|\$\(find(?:-pkg-\w+)? +|\b(?:get_package_\w+|FindPackage\w+)\([\"']"
+    r"|\bpkg: *[\"']?|\b(?:pkg|package)=[\"']|\bros(?:2 )?(?:launch|run) +"
+)
+"""What stands before the name of a package where ROS looks for one by it."""
+
+
+def _referred(path: str, text: str, packages: Mapping[str, str]) -> str:
+    """Exchange the names of packages that need no origin; in an interface those of types."""
+    start = "^" if path.endswith((".msg", ".srv", ".action")) else _REFERENCE
+    pattern = rf"(?m)({start})({'|'.join(map(re.escape, packages))})(?![\w.-])"
+    return re.sub(pattern, lambda m: m[1] + packages[m[2]], text) if packages else text
 
 
 _ABOVE_PARAMETERS = r"[^\n]*\n(?:\s*#[^\n]*\n)*\s+ros__parameters:"

@@ -540,6 +540,43 @@ def test_name_of_the_package(text, wanted):
     assert Renaming(packages={"arm": "robot"}).text(path, text) == wanted
 
 
+REFERRED = [
+    ("a.urdf", '<robot name="arm"><mesh filename="package://{}/arm.stl"/></robot>\n'),
+    (
+        "a.launch.xml",
+        '<node pkg="{}" exec="arm" name="arm"/>\n<a file="$(find-pkg-share {})/a"/>\n',
+    ),
+    (
+        "a.launch",
+        "<include file='$(find {})/launch/arm.launch'/>\n<node pkg='arm_msgs' type='arm'/>\n",
+    ),
+    (
+        "a.launch.py",
+        "Node(package='{}', name='arm')\nshare = FindPackageShare(\"{}\")\narm = 'arm'\n",
+    ),
+    ("a.py", "get_package_share_directory('{}')\nget_package_share_directory('arms')\nf('arm')\n"),
+    ("a.cpp", 'auto a = b::get_package_share_directory("{}");\nauto arm = c("arm");\n'),
+    (
+        "a.launch.yaml",
+        'launch:\n- node:\n    pkg: "{}"\n    exec: arm\n- arm: $(find-pkg-share {})\n',
+    ),
+    ("config/a.yaml", "arm:\n  mesh: package://{}/arm\n  other: package://arm-tools/arm\n"),
+    (
+        "README.md",
+        "The arm: `ros2 launch {} arm.launch.xml`, `roslaunch {} a`, `ros2 run {} arm`.\n",
+    ),
+    ("a.msg", "{}/Arm arm\n{}/msg/Arm[3] arms  # arm/Arm\narm_msgs/Arm a\n"),
+    ("a.txt", "vendor://arm/x find arm\n"),
+]
+
+
+@pytest.mark.parametrize(("path", "form"), REFERRED)
+def test_package_where_ros_looks_for_one_by_its_name(path, form):
+    """An address, a substitution of a launch file, a command: no other word of the text."""
+    text = form.format(*["arm"] * 3)
+    assert Renaming(packages={"arm": "robot"}).text(path, text) == form.format(*["robot"] * 3)
+
+
 IN_LOGIC = {
     "self.receive_say(message)": "self.receive_speak(message)",
     "data.in_goal.data": "data.in_target.data",
