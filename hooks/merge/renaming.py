@@ -344,14 +344,15 @@ def rename(
 _REFERENCE = (
     r"package://|\$\(find(?:-pkg-\w+)? +|\b(?:get_package_\w+|FindPackage\w+)\([\"']"
     r"|\bpkg: *[\"']?|\b(?:pkg|package)=[\"']|\bros(?:2 )?(?:launch|run) +"
+    r"|\b(?:import_module|patch)\([\"']|[\"'][\w.-]+ *= *(?=[\w.]+:)"
 )
-"""What stands before the name of a package where ROS looks for one by it."""
+"""What stands before the name of a package where ROS, or Python, looks for one by it."""
 
 
 def _referred(path: str, text: str, packages: Mapping[str, str]) -> str:
     """Exchange the names of packages that need no origin; in an interface those of types."""
     start = "^" if path.endswith((".msg", ".srv", ".action")) else _REFERENCE
-    pattern = rf"(?m)({start})({'|'.join(map(re.escape, packages))})(?![\w.-])"
+    pattern = rf"(?m)({start})({'|'.join(map(re.escape, packages))})(?![\w-])"
     return re.sub(pattern, lambda m: m[1] + packages[m[2]], text) if packages else text
 
 

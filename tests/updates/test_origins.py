@@ -567,6 +567,8 @@ REFERRED = [
     ),
     ("a.msg", "{}/Arm arm\n{}/msg/Arm[3] arms  # arm/Arm\narm_msgs/Arm a\n"),
     ("a.txt", "vendor://arm/x find arm\n"),
+    ("setup.py", "['own={}.own:main', 'b = arms.b:c', 'arm = v.arm:d', \"arm = {}.x.y:z\"]\n"),
+    ("b.py", "import_module('{}.x')\nmock.patch(\"{}.x.y\")\nget_parameter('arm.x', 'a=arm')\n"),
 ]
 
 
