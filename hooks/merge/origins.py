@@ -47,25 +47,22 @@ class Origins:
 
     types: set[str] = field(default_factory=set)
     """Names of the package that another class of the developer's may use, too."""
-    others: set[int] = field(default_factory=set)
-    """Lines of such classes, whose members are their own."""
-    inherited: dict[int, set[str]] = field(default_factory=dict)
-    """By line of a class that is related to the package's, the words that it has of those."""
-    mixed: set[int] = field(default_factory=set)
-    """Lines of classes that derive from others, too."""
+    within: dict[int, set[str]] = field(default_factory=dict)
+    """By line of a class, the words that it has of the package's, `super` where all bases are."""
     classes: dict[str, set[str]] = field(default_factory=dict)
     """Those of the package, and what is related to them, with their words."""
 
-    def relate(self, found: Iterable[Class], classes: Classes) -> set[str]:
-        """Take what a file says of classes; return those that are related to the package's."""
+    def relate(self, found: Iterable[Class], classes: Classes, names: Names = ()) -> set[str]:
+        """Take what a file says of classes; return those that are related to the package's.
+
+        These have `names`, too: all that stand by themselves are exchanged.
+        """
         known = [*found]
-        self.classes = {name: {*words} for name, words in related(known, classes).items()}
+        self.classes = {name: {*words, *names} for name, words in related(known, classes).items()}
         for name, bases, lines in known:
-            if name in self.classes:
-                self.inherited |= dict.fromkeys(lines, self.classes[name])
-                self.mixed |= {*lines} if "" in bases else set()
-            else:
-                self.others |= {*lines}
+            words = self.classes.get(name, set())
+            outer = {"super"} if words and "" not in bases else set()
+            self.within |= dict.fromkeys(lines, words | outer)
         return {*self.classes}
 
     def hold(self, name: str, classes: Names) -> None:
@@ -97,12 +94,13 @@ class Origins:
             return True
         if word.before[1] == "->" and word.chain[-1:] in BEFORE_TYPE and word.text in self.types:
             word = word._replace(chain=())
-        is_super = word.chain == ("super", ")") and word.line not in self.mixed
+        within = self.within.get(word.line)
+        is_super = word.chain == ("super", ")") and "super" in (within or ())
         if is_super or (word.before[1] == "def" and not word.chain):
             word = word._replace(chain=SELF[:1])
         if (word.chain or (word.text,))[0] in self.foreign:
             return False
-        if word.line in self.others and (not word.chain or word.chain[-1] in SELF):
+        if within == set() and (not word.chain or word.chain[-1] in SELF):
             is_space = word.after == "::" and word.text in self.ours
             return not word.chain and (is_space or word.text in self.types)
         if not word.chain:
@@ -111,7 +109,7 @@ class Origins:
         if holder == ")":
             return self._has_returned(word.chain, word.line)
         if holder in SELF:
-            return word.text in known or word.text in self.inherited.get(word.line, ())
+            return word.text in known or word.text in (within or ())
         if all(part in known or part in self.ours for part in word.chain):
             return word.text in self.classes.get(holder, {word.text})
         first, *others = word.chain
@@ -323,10 +321,8 @@ def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Classes
         found.ours |= {name for name, root in _ALIAS.findall(text) if root in {*roots, *names}}
     found.types = {*classes} | {*roots}
     read = code(text)
-    kin = found.relate(_cpp_classes(read, roots), classes)
+    kin = found.relate(_cpp_classes(read, roots), classes, names)
     found.ours |= kin if is_user else set()
-    for words in found.classes.values():
-        words |= {*names}  # one of its own is renamed, too, wherever it stands by itself
     types = "|".join(map(re.escape, {*classes} - found.foreign)) or "(?!)"
     ours = rf"(?<![\w:])(?:(?:::)?(?:{spaces})::){'?' * is_user}({types})\b"
     declared = rf"{ours}[\s&*>)]*(?:const\b)?[\s&*]*\b(\w+)\b(?!\s*::)"

@@ -113,6 +113,15 @@ OURS = {
         "        use(receive_say, m.receive_say, x().receive_say)\n\n\nA().receive_say(1)\n"
         "def f(a: A, b):\n    a.receive_speak(b.receive_say(a.gain))\n"
     ),
+    "from v import V\nfrom .reach_impl import ReachImpl\n\n\nclass T:\n"
+    "    class A(V, ReachImpl):\n        def receive_say(self):\n"
+    "            super().receive_say(self.receive_say)\n\n"
+    "    def receive_say(self):\n        self.receive_say(super().receive_say)\n": (
+        "from v import V\nfrom .grasp_impl import GraspImpl\n\n\nclass T:\n"
+        "    class A(V, GraspImpl):\n        def receive_speak(self):\n"
+        "            super().receive_say(self.receive_speak)\n\n"
+        "    def receive_say(self):\n        self.receive_say(super().receive_say)\n"
+    ),
     "def f(d: 'ReachData'):\n    d.in_goal\n": "def f(d: 'ReachData'):\n    d.in_target\n",
     "from lab import reach_ros\n\nreach_ros.main()\n": (
         "from lab import grasp_ros\n\ngrasp_ros.main()\n"
