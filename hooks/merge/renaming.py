@@ -97,7 +97,8 @@ class Renaming:
         classes: list[Class] = []
         for path, file in mine.items() if self.names else ():
             known = language(path, "")
-            classes += classes_in(known, file.written, self.roots)
+            if path.endswith((".py", ".hpp", ".h")) and not path.startswith("test/"):
+                classes += classes_in(known, file.written, self.roots)  # other files see them
             if known is PYTHON:
                 module = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
                 is_own, folder = path not in self.paths, PurePosixPath(path).parent.parts
@@ -115,7 +116,11 @@ class Renaming:
             ends = [f"{each}." for each in self.own if f"{each}.".startswith(f"{target}.")]
             self.own |= {name + end.removeprefix(target).rstrip(".") for end in ends}
         kin = related(classes, self.classes)
-        self.kin = {name: kin[name] for name, *_ in classes if name in kin}
+        self.kin = {n: kin[n] for n, *_ in classes if n in kin and n not in self.classes}
+        for name in [*self.own]:
+            owner, _, last = name.rpartition(".")
+            if last in self.kin.get(owner.rpartition(".")[2], ()):
+                self.own.remove(name)
 
     def _scopes(self, path: str, text: str) -> Declared:
         """Return what a file of C++ declares that the model's have nowhere, or elsewhere."""

@@ -481,7 +481,10 @@ OF_RELATIVES = {
         "from lab.sub import Sub\n\n\nclass Sub2(Sub):\n    def receive_say(self):\n        a\n"
     ),
     "lab/mixin.py": "class Mixin:\n    def receive_say(self, m):\n        self.gain = 1\n",
-    "lab/use.py": "from .sub2 import Sub2\n\nsub = Sub2()\nsub.receive_say(a.receive_say)\n",
+    "lab/use.py": (
+        "from .sub2 import Sub2\n\nsub = Sub2()\nsub.receive_say(a.receive_say)\n"
+        "Sub2.receive_say(sub)\n"
+    ),
     "lab/other.py": (
         "from vendor import Base\n\n\nclass Other(Base):\n    def receive_say(self, m):\n"
         "        super().receive_say(m)\n\n\nclass A:\n    def receive_say(self):\n        a\n"
@@ -490,6 +493,11 @@ OF_RELATIVES = {
         "from vendor import ReachImpl\n\n\nclass Other2(ReachImpl):\n"
         "    def receive_say(self, m):\n        super().receive_say(m)\n"
     ),
+    "test/a.py": (
+        "from lab.reach_impl import ReachImpl\n\n\nclass Spy(ReachImpl):\n"
+        "    def receive_say(self):\n        a\n"
+    ),
+    "lab/other3.py": "class Spy:\n    def receive_say(self):\n        a\n",
     "include/lab/sub.hpp": (
         "namespace lab {\nclass Sub final : public a::Base<A>, public ReachImpl\n{\n"
         "  void receive_say(A a);\n};\nclass Sub2 : Sub {};\n}\n"
@@ -499,6 +507,8 @@ OF_RELATIVES = {
         "  ReachImpl::receive_say(a); this->receive_say(a);\n}\n}\n"
     ),
     "src/use.cpp": "#include <lab/sub.hpp>\nlab::Sub2 a;\na.receive_say(b.receive_say);\n",
+    "src/own.cpp": "namespace lab {\nstruct Spy : ReachImpl {\n  void receive_say(A a);\n};\n}\n",
+    "src/other2.cpp": "namespace lab {\nstruct Spy {\n  void receive_say(A a);\n};\n}\n",
     "src/other.cpp": (
         "namespace lab {\nclass Other : public vendor::ReachImpl {};\n"
         "void Other::receive_say(A a)\n{\n  this->receive_say(a);\n}\n}\n"
