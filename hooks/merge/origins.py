@@ -8,7 +8,7 @@ from __future__ import annotations
 import ast
 import contextlib
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from .languages import CPP, PYTHON, Language
@@ -19,6 +19,8 @@ from .tokens import BEFORE_TYPE, Word
 
 SELF = ("self", "cls", "this")
 Names = Collection[str]
+Classes = Mapping[str, set[str]]
+"""Classes, each with the words that it has."""
 
 
 @dataclass
@@ -29,8 +31,9 @@ class Origins:
     modules: set[str] = field(default_factory=set)
     """Those of ours that an import of a whole module gives."""
     foreign: set[str] = field(default_factory=set)
-    holders: set[str] = field(default_factory=set)
-    """Names of objects whose classes are of the package."""
+    holders: dict[str, set[str] | None] = field(default_factory=dict)
+    """Names of objects whose classes are of the package, with the words that these have: none are
+    any."""
     known_holders: Names = ()
     """Names that such objects have in any file, as the dictionary says."""
     lent: Lent = field(default_factory=lambda: Lent(()))
@@ -44,8 +47,28 @@ class Origins:
 
     types: set[str] = field(default_factory=set)
     """Names of the package that another class of the developer's may use, too."""
-    others: set[int] = field(default_factory=set)
-    """Lines of such classes, whose members are their own."""
+    within: dict[int, set[str]] = field(default_factory=dict)
+    """By line of a class, the words that it has of the package's, `super` where all bases are."""
+    classes: dict[str, set[str]] = field(default_factory=dict)
+    """Those of the package, and what is related to them, with their words."""
+
+    def relate(self, found: Iterable[Class], classes: Classes, names: Names = ()) -> set[str]:
+        """Take what a file says of classes; return those that are related to the package's.
+
+        These have `names`, too: all that stand by themselves are exchanged.
+        """
+        known = [*found]
+        self.classes = {name: {*words, *names} for name, words in related(known, classes).items()}
+        for name, bases, lines in known:
+            words = self.classes.get(name, set())
+            outer = {"super"} if words and "" not in bases else set()
+            self.within |= dict.fromkeys(lines, words | outer)
+        return {*self.classes}
+
+    def hold(self, name: str, classes: Names) -> None:
+        """Note that objects of some classes of the package have a name."""
+        if (words := self.holders.setdefault(name, set())) is not None:
+            words.update(*(self.classes[each] for each in classes))
 
     def is_holder(self, name: str, line: int) -> bool:
         """Say whether an object is of a class of the package, in a line."""
@@ -71,9 +94,13 @@ class Origins:
             return True
         if word.before[1] == "->" and word.chain[-1:] in BEFORE_TYPE and word.text in self.types:
             word = word._replace(chain=())
+        within = self.within.get(word.line)
+        is_super = word.chain == ("super", ")") and "super" in (within or ())
+        if is_super or (word.before[1] == "def" and not word.chain):
+            word = word._replace(chain=SELF[:1])
         if (word.chain or (word.text,))[0] in self.foreign:
             return False
-        if word.line in self.others and (not word.chain or word.chain[-1] in SELF):
+        if within == set() and (not word.chain or word.chain[-1] in SELF):
             is_space = word.after == "::" and word.text in self.ours
             return not word.chain and (is_space or word.text in self.types)
         if not word.chain:
@@ -82,15 +109,19 @@ class Origins:
         if holder == ")":
             return self._has_returned(word.chain, word.line)
         if holder in SELF:
-            return word.text in known
+            return word.text in known or word.text in (within or ())
         if all(part in known or part in self.ours for part in word.chain):
-            return True
+            return word.text in self.classes.get(holder, {word.text})
         first, *others = word.chain
         is_own = not others or (
             len(others) == 1 and (first in SELF or self.is_holder(first, word.line))
         )
         is_logic = first in self.holders and others == ["impl"]  # of a harness of tests
-        return is_logic or (is_own and self.is_holder(holder, word.line))
+        words = self.holders.get(holder)
+        is_member = words is None or word.text in words
+        if is_logic:
+            return word.text in self.ours
+        return is_own and is_member and self.is_holder(holder, word.line)
 
     def _has_returned(self, chain: tuple[str, ...], line: int) -> bool:
         """Say whether calls, one of what another has returned, give a harness of tests or data."""
@@ -103,7 +134,7 @@ class Origins:
 
 
 def origins(
-    known: Language, text: str, roots: Names, names: Names, classes: Names, holders: Names = ()
+    known: Language, text: str, roots: Names, names: Names, classes: Classes, holders: Names = ()
 ) -> Origins:
     """Read where the names of a file come from.
 
@@ -112,7 +143,7 @@ def origins(
         text: all of a file.
         roots: the package's own modules, or folders of headers.
         names: what is looked for.
-        classes: the classes of the package.
+        classes: the classes of the package, and those of the developer's that are related to them.
         holders: what the dictionary says that objects of these classes are called.
 
     """
@@ -126,9 +157,27 @@ def origins(
 
 
 def _python(
-    found: Origins, tree: Sequence[ast.AST], roots: Names, names: Names, classes: Names
+    found: Origins, tree: Sequence[ast.AST], roots: Names, names: Names, classes: Classes
 ) -> None:
-    defined: list[_Class] = []
+    _imports(found, tree, roots, names)
+    found.types = found.ours
+    kin = found.relate(_python_classes(tree, found.foreign), classes)
+    bindings = [*_bindings(tree)]
+    aliases = {name for name, value in bindings if last_word(value) in kin}
+    found.lent = lent_in_python(tree, (kin - found.foreign) | aliases, found.foreign)
+    ours = kin - found.foreign
+    for target, value in bindings:
+        word, made = last_word(value), {*type_words(value)} & ours
+        if made:
+            found.hold(target, made)
+        elif isinstance(value, ast.Name | ast.Attribute) and (
+            found.is_holder(word, value.lineno - 1) or word == _CYCLE
+        ):
+            found.holders[target] = found.holders.get(word)
+    found.keywords = _keywords(found, tree, ours)
+
+
+def _imports(found: Origins, tree: Iterable[ast.AST], roots: Names, names: Names) -> None:
     for node in tree:
         if isinstance(node, ast.ImportFrom):
             is_ours = bool(node.level) or (node.module or "").split(".")[0] in roots
@@ -146,24 +195,7 @@ def _python(
                 (found.ours if is_ours else found.foreign).update(bound)
                 found.modules |= bound if is_ours else set()
                 found.imports[line] = is_ours or found.imports.get(line, False)
-        elif isinstance(node, ast.ClassDef):
-            bases = {word for base in node.bases for word in type_words(base)}
-            lines = range(node.lineno - 1, last_line(node))
-            defined.append((node.name, bases, lines))
     found.foreign -= found.ours
-    found.types = found.ours
-    kin = _kin(defined, classes)
-    found.others = _others(defined, kin)
-    bindings = [*_bindings(tree)]
-    aliases = {name for name, value in bindings if last_word(value) in kin}
-    found.lent = lent_in_python(tree, (kin - found.foreign) | aliases, found.foreign)
-    for target, value in bindings:
-        if {*type_words(value)} & {*classes} - found.foreign or (
-            isinstance(value, ast.Name | ast.Attribute)
-            and (found.is_holder(last_word(value), value.lineno - 1) or last_word(value) == _CYCLE)
-        ):
-            found.holders.add(target)
-    found.keywords = _keywords(found, tree, {*classes} - found.foreign)
 
 
 def _keywords(found: Origins, tree: Iterable[ast.AST], classes: set[str]) -> set[tuple[int, str]]:
@@ -195,29 +227,50 @@ _OF_FIELDS = ("replace", _CYCLE)
 """Functions whose keywords are fields of their first argument: of dataclasses, in tests."""
 
 
-_Class = tuple[str, set[str], range]
-"""A class: its name, what it derives from, its lines."""
+Class = tuple[str, set[str], range]
+"""A class: its name, what it derives from, "" being of others, and its lines."""
 
 
-def _kin(found: Iterable[_Class], classes: Names) -> set[str]:
-    """Return these classes, and those that derive from one, or the other way."""
+def related(found: Iterable[Class], classes: Classes) -> dict[str, set[str]]:
+    """Return these classes, and those that derive from one, or the other way, with their words."""
     known = [*found]
-    kin = {*classes}
-    kin |= {name for name, bases, _ in known if bases & kin}
-    for _ in known:
-        kin |= {base for name, bases, _ in known if name in kin for base in bases}
+    own = {name for name, *_ in known}
+    pairs = [(name, base) for name, bases, _ in known for base in sorted(bases)]
+    kin = {**classes}
+    for steps in (pairs, [pair[::-1] for pair in pairs]):
+        size = 0
+        while size < len(kin):
+            size = len(kin)
+            for name, other in steps:
+                if other in kin and name in own:
+                    kin.setdefault(name, kin[other])
     return kin
 
 
-def _others(found: Iterable[_Class], kin: Names) -> set[int]:
-    """Return the lines of the other classes."""
-    return {line for name, _, lines in found if name not in kin for line in lines}
+def classes_in(known: Language, text: str, roots: Names = ()) -> list[Class]:
+    """Return the classes of a file."""
+    found = Origins()
+    if known is PYTHON:
+        with contextlib.suppress(ValueError):
+            _imports(found, nodes(text), roots, ())
+            return [*_python_classes(nodes(text), found.foreign)]
+    return [*_cpp_classes(code(text), roots)] if known is CPP else []
 
 
-def _cpp_classes(read: Code) -> Iterator[_Class]:
+def _python_classes(tree: Iterable[ast.AST], foreign: set[str]) -> Iterator[Class]:
+    for node in tree:
+        if isinstance(node, ast.ClassDef):
+            bases = [{*type_words(base)} for base in node.bases]
+            bases = [{""} if base & foreign else base for base in bases]
+            yield node.name, set().union(*bases), range(node.lineno - 1, last_line(node))
+
+
+def _cpp_classes(read: Code, roots: Names) -> Iterator[Class]:
     """Yield the classes of a file, and what it defines of them out of their bodies."""
     within = scopes(read)
     for at, (path, kind, bases, start) in within.items():
+        chains = [base.removeprefix("::").split("::") for base in bases]
+        bases = {chain[-1] if chain[0] in (*roots, chain[-1]) else "" for chain in chains}
         if at is None or kind == "namespace" or read.signs[at] == "(":
             continue
         names = path[len(within[read.around[at]].path) :]
@@ -241,32 +294,35 @@ def _bindings(tree: Iterable[ast.AST]) -> Iterator[tuple[str, ast.expr]]:
 
 _INCLUDE = re.compile(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"](\w+|\.\.?)/')
 _USING = re.compile(r"\busing\s+(?:(namespace)\s+)?(?:(\w+)\s*=\s*)?(?:::)?(\w+)(?:::(\w+))*\s*;")
+_ALIAS = re.compile(r"\bnamespace\s+(\w+)\s*=\s*(?:::)?(\w+)")
 
 
-def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Names) -> None:
+def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Classes) -> None:
     spaces = "|".join(map(re.escape, roots)) or "(?!)"
     is_user = any(root in {*roots, ".", ".."} for root in _INCLUDE.findall(text))
     is_user = is_user or bool(
         re.search(rf"\bnamespace\s+(?:{spaces})\b|(?<![\w:])(?:{spaces})::", text)
     )
     for kind, alias, root, last in _USING.findall(text):
-        if root not in {*roots, *classes, "std"}:
+        if root not in {*roots, *classes, *names, "std"}:
             is_user = is_user and not kind
             found.foreign |= {alias or last} - {""}
     if is_user:
-        found.ours |= {*names} | {*re.findall(rf"\bnamespace\s+(\w+)\s*=\s*(?:{spaces})::", text)}
+        found.ours |= {*names}
+        found.ours |= {name for name, root in _ALIAS.findall(text) if root in {*roots, *names}}
     found.types = {*classes} | {*roots}
     read = code(text)
-    own = [*_cpp_classes(read)]
-    kin = _kin(own, classes)
-    found.others = _others(own, kin)
+    kin = found.relate(_cpp_classes(read, roots), classes, names)
+    found.ours |= kin if is_user else set()
     types = "|".join(map(re.escape, {*classes} - found.foreign)) or "(?!)"
-    ours = rf"(?<![\w:])(?:(?:::)?(?:{spaces})::){'?' * is_user}(?:{types})\b"
+    ours = rf"(?<![\w:])(?:(?:::)?(?:{spaces})::){'?' * is_user}({types})\b"
     declared = rf"{ours}[\s&*>)]*(?:const\b)?[\s&*]*\b(\w+)\b(?!\s*::)"
     made = rf"\bauto\b[\s&*]*(\w+)\s*=[^;=]*?{ours}"
-    found.holders |= {*re.findall(declared, text), *re.findall(made, text)}
+    for type_, name in [*re.findall(declared, text), *(m[::-1] for m in re.findall(made, text))]:
+        found.hold(name, [type_])
     for name, other in re.findall(r"\bauto\b[\s&*]*(\w+)\s*=[\s&*]*(\w+)\s*;", text):
-        found.holders |= {name} if found.is_holder(other, -1) else set()
+        if found.is_holder(other, -1):
+            found.holders[name] = found.holders.get(other)
     objects = {*found.known_holders, *found.holders}
     found.lent = lent_in_cpp(text, read, objects, kin - found.foreign, {*roots})
     for match in re.finditer(rf"{ours}\s*\w*\s*\{{[^{{}}]*\}}", text):

@@ -91,6 +91,25 @@ def imports(text: str, folder: Sequence[str]) -> Iterator[tuple[int, str, str]]:
                 yield from ((at, a.asname or a.name, f"{module}.{a.name}") for a in node.names)
 
 
+def in_quotes(text: str) -> Iterator[tuple[int, int]]:
+    """Yield where quotes have code: types, the names of `__all__`. Lines, from 0, and bytes."""
+    with contextlib.suppress(ValueError):
+        for node in nodes(text):
+            names = [*getattr(node, "targets", ()), getattr(node, "target", None)]
+            is_all = any(getattr(name, "id", "") == "__all__" for name in names)
+            fields = ("annotation", "returns", *(["value"] if is_all else ()))
+            for part in filter(None, (getattr(node, each, None) for each in fields)):
+                yield from ((each.lineno - 1, each.col_offset) for each in _quoted(part))
+
+
+def _quoted(node: ast.AST) -> Iterator[ast.Constant]:
+    if isinstance(node, ast.Constant):
+        yield node
+    elif not (isinstance(node, ast.Subscript) and "'Literal'" in ast.dump(node.value)):
+        for inner in ast.iter_child_nodes(node):
+            yield from _quoted(inner)
+
+
 def module_of(node: ast.ImportFrom, folder: Sequence[str]) -> str:
     """Return the module that a file in a folder imports names of."""
     above = folder[: len(folder) + 1 - node.level] if node.level else ()

@@ -338,7 +338,7 @@ def _defined(code: dict[str, str]) -> dict[tuple[str, str], str]:
 def _declared(code: dict[str, str], member: tuple[str, str]) -> bool:
     """Say whether a header declares a member of a class, above the bracket that ends the class."""
     body = re.compile(
-        rf"(?ms)^([ \t]*)[^\n;{{}}]*\b(?:class|struct)\b[^;{{]*\b{member[0]}\b[^;{{]*\{{"
+        rf"(?ms)^([ \t]*)[^\n;{{}}]*\b(?:class|struct)\b(?:[^;:{{]|::)*\b{member[0]}\b[^;{{]*\{{"
         r".*?(?:^\1\}|\Z)"
     )
     named = re.compile(rf"(?:[>&*]|\w\s)\s*(?<!return\s){member[1]}\s*\(")  # not a call

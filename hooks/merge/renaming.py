@@ -23,7 +23,7 @@ from .blocks import Block, collapsed, every
 from .depth import Shift, compose, shifts
 from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
 from .lines import split
-from .origins import SELF, Names, origins
+from .origins import SELF, Class, Names, classes_in, origins, related
 from .python_blocks import definitions, imports
 from .render import Renderer
 from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python
@@ -70,8 +70,10 @@ class Renaming:
     """By file of XML, what becomes of the value of an attribute of a generated element."""
     vocabulary: dict[str, set[str]] = field(default_factory=dict)
     """By file, the words that these lines have by themselves: they are members of nothing."""
-    classes: set[str] = field(default_factory=set)
-    """Those of the package."""
+    classes: dict[str, set[str]] = field(default_factory=dict)
+    """Those of the package, with their words."""
+    kin: dict[str, set[str]] = field(default_factory=dict)
+    """The developer's classes that derive from one of these, or the other way, with its words."""
     roots: set[str] = field(default_factory=set)
     """What imports and includes call the package."""
     holders: Names = ()
@@ -92,6 +94,7 @@ class Renaming:
     def know(self, mine: Tree) -> None:
         """Read what the developer's own modules define, or hand on, and all of their C++."""
         given: dict[str, str] = {}
+        classes: list[Class] = []
         inner: dict[str, set[str]] = {}  # by each name, itself and what is in it
 
         def own(name: str) -> None:
@@ -100,7 +103,10 @@ class Renaming:
                 inner.setdefault(name[: dot.start()], set()).add(name)
 
         for path, file in mine.items() if self.names else ():
-            if language(path, "") is PYTHON:
+            known = language(path, "")
+            if path.endswith((".py", ".hpp", ".h")) and not path.startswith("test/"):
+                classes += classes_in(known, file.written, self.roots)  # other files see them
+            if known is PYTHON:
                 module = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
                 is_own, folder = path not in self.paths, PurePosixPath(path).parent.parts
                 names = imports(file.written, folder) if is_own else ()
@@ -108,16 +114,24 @@ class Renaming:
                 for name in ("", *definitions(file.written)):
                     if is_own or ("." in name and name.partition(".")[0] not in self.classes):
                         own(f"{module}.{name}".rstrip("."))
-            elif language(path, "") is CPP:
+            elif known is CPP:
                 self.scopes |= {d for d in self._scopes(path, file.written) if is_shared(d)}
         for name, target in given.items():
             for each in [*inner.get(target, ())]:
                 own(name + each[len(target) :])
+        kin = related(classes, self.classes)
+        self.kin = {n: kin[n] for n, *_ in classes if n in kin and n not in self.classes}
+        for name in [*self.own]:
+            owner, _, last = name.rpartition(".")
+            if last in self.kin.get(owner.rpartition(".")[2], ()):
+                self.own.remove(name)
 
     def _scopes(self, path: str, text: str) -> Declared:
         """Return what a file of C++ declares that the model's have nowhere, or elsewhere."""
         names = self._exact() - {name for _, name in self.made.get(path, ())}
-        return declared(text, names).difference(*self.made.values())
+        spaces = self.packages.keys() if path not in self.paths else set()
+        own = declared(text, names, spaces).difference(*self.made.values())
+        return own - {((), space) for space in spaces}
 
     def _exact(self) -> set[str]:
         """Return all identifiers that are exchanged somewhere."""
@@ -160,7 +174,8 @@ class Renaming:
     def text(self, path: str, text: str) -> str:
         """Return a file with its identifiers exchanged."""
         if (path, text) not in self._texts:
-            self._texts[path, text] = self._shifted(path, self._exchanged(path, text))
+            exchanged = _referred(path, self._exchanged(path, text), self.packages)
+            self._texts[path, text] = self._shifted(path, exchanged)
         return self._texts[path, text]
 
     def _shifted(self, path: str, text: str) -> str:
@@ -198,13 +213,14 @@ class Renaming:
         is_marked = MARK not in text
         if is_marked and known is CPP:
             own = self.scopes | self._scopes(path, text)
-            text = marked_in_cpp(text, own, set().union(*self.made.values()), exact)
+            text = marked_in_cpp(text, own, set().union(*self.made.values()), names)
         elif is_marked and known is PYTHON:
             with contextlib.suppress(ValueError):
                 text = marked_in_python(path, text, self.own, exact, members, self.classes)
         lines = [line.strip() for line in split(text)]
         roots = self.roots | self.packages.keys()
-        origin = origins(known, text, roots, exact.keys(), self.classes, self.holders)
+        classes = {**self.kin, **self.classes}
+        origin = origins(known, text, roots, exact.keys(), classes, self.holders)
         is_made = [line in generated for line in lines]
         vocabulary = (self.vocabulary.get(path, set()) & exact.keys()) | roots
 
@@ -226,6 +242,7 @@ class Renaming:
             if word.text in self.packages and not word.chain and is_ours:
                 is_module = sign == "import" and not lines[word.line].startswith("from ")
                 is_root = word.after == "::" or sign in ("namespace", "from") or is_module
+                is_root = is_root or lines[word.line].startswith("namespace ")
                 is_use = word.line not in origin.from_imports
                 is_root = is_root or (is_use and word.text in origin.modules)
                 is_root = is_root or (known is CMAKE and holder.lower() == "project")
@@ -333,6 +350,21 @@ def rename(
         rename(block.children, same.children, keys, shows)
 
 
+_REFERENCE = (
+    r"package://|\$\(find(?:-pkg-\w+)? +|\b(?:get_package_\w+|FindPackage\w+)\([\"']"
+    r"|\bpkg: *[\"']?|\b(?:pkg|package)=[\"']|\bros(?:2 )?(?:launch|run) +"
+    r"|\b(?:import_module|patch)\([\"']|[\"'][\w.-]+ *= *(?=[\w.]+:)"
+)
+"""What stands before the name of a package where ROS, or Python, looks for one by it."""
+
+
+def _referred(path: str, text: str, packages: Mapping[str, str]) -> str:
+    """Exchange the names of packages that need no origin; in an interface those of types."""
+    start = "^" if path.endswith((".msg", ".srv", ".action")) else _REFERENCE
+    pattern = rf"(?m)({start})({'|'.join(map(re.escape, packages))})(?![\w-])"
+    return re.sub(pattern, lambda m: m[1] + packages[m[2]], text) if packages else text
+
+
 _ABOVE_PARAMETERS = r"[^\n]*\n(?:\s*#[^\n]*\n)*\s+ros__parameters:"
 
 
@@ -417,8 +449,11 @@ def plan(
         plain = {
             w.text for w in found if not w.chain or w.before[1] == "::" or w.chain[-1] in SELF
         }
-        classes = {w.text for w in found if w.before[1] in ("class", "struct")}
-        renaming.classes |= {reader.both(word)[0] for word in classes}
+        lines = split(old[before].written)
+        for name, _, places in classes_in(known, old[before].written):
+            if name not in renaming.classes or not before.startswith("test/"):  # no stand-in
+                inside = "".join(lines[places.start : places.stop])
+                renaming.classes.setdefault(name, set()).update(re.findall(r"\w+", inside))
         renaming.vocabulary[before] = {reader.both(word)[0] for word in plain}
         renaming.generated[before] = reader.lines(text)
         renaming.heads[before] = _heads(known, renaming.generated[before])

@@ -65,7 +65,11 @@ def _opened(head: list[str], around: str, at: int) -> tuple[Path, str, set[str]]
         end = next((i for i, word in enumerate(rest) if word in (":", "<")), len(rest))
         words = [word for word in rest[:end] if word != "final"]
         kind = "enum" if "enum" in head else "class"
-        return _chain(words, len(words)) or ("",), kind, {*rest[end:]}
+        return (
+            _chain(words, len(words)) or ("",),
+            kind,
+            {*" ".join(rest[end:]).replace(" :: ", "::").split()},
+        )
     open_ = [i for i, word in enumerate(head) if word == "("] if around else []
     names = [_chain(head, i) for i in open_ if head[:i].count("<") == head[:i].count(">")][:1]
     return (*(name for chain in names for name in chain[:-1]), str(at)), "", set()
@@ -79,16 +83,20 @@ def _chain(signs: list[str], end: int) -> Path:
     return (*signs[max(at, 0) : end : 2],)
 
 
-def declared(text: str, names: Collection[str]) -> Declared:
-    """Return which of some names a file declares: types, and what its namespaces have."""
-    read = code(text) if any(name in text for name in names) else Code([], [], {}, {})
-    return {found for found in _declared(read, scopes(read)) if found[1] in names}
+def declared(text: str, names: Collection[str], spaces: Collection[str] = ()) -> Declared:
+    """Return which of some names a file declares: types, and what its namespaces have.
+
+    Of `spaces`, which only namespaces and types have.
+    """
+    both = {*names, *spaces}
+    read = code(text) if any(name in text for name in both) else Code([], [], {}, {})
+    within = scopes(read)
+    opened = ((path[:-1], path[-1]) for path, kind, *_ in within.values() if kind and path)
+    found = {each for each in _declared(read, within) if each[1] in names}
+    return found | {each for each in opened if each[1] in both}
 
 
 def _declared(read: Code, within: dict[int | None, Scope]) -> Iterator[tuple[Path, str]]:
-    for path, kind, *_ in within.values():
-        if kind and path:
-            yield path[:-1], path[-1]
     signs, is_given = ["", "", *read.signs, ""], False
     for at, sign in enumerate(read.signs):
         friend, before, _, after = signs[at : at + 4]

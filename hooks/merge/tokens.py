@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from .languages import CMAKE, CPP, PYTHON, Language
 from .outlines import SKIPPED
+from .python_blocks import in_quotes
 
 _PYTHON = re.compile(
     r"""
@@ -58,12 +59,15 @@ BEFORE_TYPE = ((")",), ("const",), ("noexcept",), ("mutable",))
 
 
 def exchange(
-    known: Language, text: str, by: By, among: Container[str] | None = None, line: int = 0
+    known: Language, text: str, by: By, among: Container[str] | None = None, line: int = -1
 ) -> str:
     """Return a text with each word of its code exchanged; a text without code as it is.
 
-    `by` says of a word, or of one that is `among` some, what it becomes.
+    `by` says of a word, or of one that is `among` some, what it becomes; `line` is the first one
+    of a part of a text.
     """
+    code = {*in_quotes(text)} if known is PYTHON and line < 0 else set()
+    line = max(line, 0)
     pattern = _PATTERNS.get(known)
     if pattern is None:
         return text
@@ -89,6 +93,8 @@ def exchange(
             pieces = _FIELDS.split(found)
             pieces[1::2] = [exchange(known, part, by, among, line) for part in pieces[1::2]]
             found = "".join(pieces)
+        elif code and (line, _column(text, match.start())) in code:
+            found = found[0] + exchange(known, found[1:-1], by, among, line) + found[-1]
         parts += [text[at : match.start()], found]
         if match[0] == "(":
             called.append(chain)
@@ -101,6 +107,11 @@ def exchange(
         if kind != "comment":
             signs = (signs[1], match[0])
     return "".join(parts) + text[at:]
+
+
+def _column(text: str, at: int) -> int:
+    """Return how many bytes of its line stand before a place in a text."""
+    return len(text[text.rfind("\n", 0, at) + 1 : at].encode(errors="surrogatepass"))
 
 
 def quoted(known: Language, text: str) -> set[int]:

@@ -33,8 +33,11 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
     what has said so.
     """
     known = set(renaming.words())
-    package = _project(_cmake(old))
-    known |= {f"{package}{word}" for word in known if word.startswith("_")}
+    before, after = map(_cmake, (old, new))
+    package, sign = _project(before), "${PROJECT_NAME}"
+    for word in re.findall(r"\w*\$\{PROJECT_NAME\}\w*", before):
+        is_renamed = package != _project(after) or word.removeprefix(sign) in known
+        known |= {word.replace(sign, package)} if is_renamed else set()
     taken = _uses_of_taken(mine, old, renaming)
     for path, file in sorted(found.items()):
         if not (known or taken) or file.text is None:
@@ -74,7 +77,7 @@ def uses_of_left(
         return {word for word in before - after - bare if re.fullmatch(form, word)}
 
     roots = {part for path in old for part in PurePosixPath(path).parts[:-1]}
-    made = {word for file in old.values() for word in _CLASS.findall(file.written)}
+    made = {word: {word} for file in old.values() for word in _CLASS.findall(file.written)}
     texts = _texts_of_left(components, old, new)
     after, left = _words(new), lost()
     left_of = {owner: lost(owner) - left for owner, _ in gone}

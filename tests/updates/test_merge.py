@@ -332,7 +332,7 @@ def test_moved_file_of_a_renamed_node_is_renamed():
         paths={PATH: "arm/grasp_impl.py"},
         in_file={PATH: {"ReachImpl": "GraspImpl"}},
         vocabulary={PATH: {"ReachImpl"}},
-        classes={"ReachImpl"},
+        classes={"ReachImpl": {"ReachImpl"}},
     )
     trees = [{path: File(t.encode())} for path, t in (("arm/logic/mine.py", MINE), (PATH, OLD))]
     new_tree = {"arm/grasp_impl.py": File(new.encode())}

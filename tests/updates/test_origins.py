@@ -98,6 +98,30 @@ OURS = {
     "from lab.reach_impl import ReachImpl\n\nimpl = ReachImpl()\nimpl.receive_say(1)\n": (
         "from lab.grasp_impl import GraspImpl\n\nimpl = GraspImpl()\nimpl.receive_speak(1)\n"
     ),
+    "from .reach_impl import ReachImpl\n\nimpl = ReachImpl()\nimpl.gain = impl.in_goal\n"
+    "a = impl\na.gain + a.receive_say(1)\n": (
+        "from .grasp_impl import GraspImpl\n\nimpl = GraspImpl()\nimpl.gain = impl.in_goal\n"
+        "a = impl\na.gain + a.receive_speak(1)\n"
+    ),
+    "from .reach_impl import ReachImpl\n\n\nclass A(ReachImpl):\n    def receive_say(self, m):\n"
+    "        super().receive_say(m)\n        self.receive_say(self.gain, self.in_goal)\n"
+    "        use(receive_say, m.receive_say, x().receive_say)\n\n\nA().receive_say(1)\n"
+    "def f(a: A, b):\n    a.receive_say(b.receive_say(a.gain))\n": (
+        "from .grasp_impl import GraspImpl\n\n\nclass A(GraspImpl):\n"
+        "    def receive_speak(self, m):\n        super().receive_speak(m)\n"
+        "        self.receive_speak(self.gain, self.in_goal)\n"
+        "        use(receive_say, m.receive_say, x().receive_say)\n\n\nA().receive_say(1)\n"
+        "def f(a: A, b):\n    a.receive_speak(b.receive_say(a.gain))\n"
+    ),
+    "from v import V\nfrom .reach_impl import ReachImpl\n\n\nclass T:\n"
+    "    class A(V, ReachImpl):\n        def receive_say(self):\n"
+    "            super().receive_say(self.receive_say)\n\n"
+    "    def receive_say(self):\n        self.receive_say(super().receive_say)\n": (
+        "from v import V\nfrom .grasp_impl import GraspImpl\n\n\nclass T:\n"
+        "    class A(V, GraspImpl):\n        def receive_speak(self):\n"
+        "            super().receive_say(self.receive_speak)\n\n"
+        "    def receive_say(self):\n        self.receive_say(super().receive_say)\n"
+    ),
     "def f(d: 'ReachData'):\n    d.in_goal\n": "def f(d: 'ReachData'):\n    d.in_target\n",
     "from lab import reach_ros\n\nreach_ros.main()\n": (
         "from lab import grasp_ros\n\ngrasp_ros.main()\n"
@@ -139,6 +163,17 @@ OURS = {
         "def f(config: A):\n    config.factor\n"
     ),
     "config = fetch(config)\nconfig.gain\n": "config = fetch(config)\nconfig.factor\n",
+    "from .reach_interface import ReachData\n\n__all__ = [\n    'f', \"ReachData\",\n]\n"
+    "__all__ += ('ReachData', ReachData)\n": (
+        "from .grasp_interface import GraspData\n\n__all__ = [\n    'f', \"GraspData\",\n]\n"
+        "__all__ += ('GraspData', GraspData)\n"
+    ),
+    "from .reach_interface import InGoal\n\n\ndef f(a: 'InGoal' = \"InGoal\") -> 'list[InGoal]':\n"
+    "    b: '''InGoal''' = \"InGoal\"\n    c: Literal['InGoal'] = None\n    'InGoal'\n": (
+        "from .grasp_interface import InTarget\n\n\n"
+        "def f(a: 'InTarget' = \"InGoal\") -> 'list[InTarget]':\n"
+        "    b: '''InTarget''' = \"InGoal\"\n    c: Literal['InGoal'] = None\n    'InGoal'\n"
+    ),
 }
 CPP_FOREIGN = [
     "#include <vendor/reach_interface.hpp>\nvendor::ReachConfig a;\nReachConfig b;\n",
@@ -223,6 +258,17 @@ CPP_OURS = {
     "namespace a = lab::reach_types;\na::InGoal b;\n": (
         "namespace a = lab::grasp_types;\na::InTarget b;\n"
     ),
+    "namespace lab {\nusing reach_types::InGoal;\nnamespace t = reach_types;\nInGoal a;\n"
+    "t::InGoal b;\n}\n": (
+        "namespace lab {\nusing grasp_types::InTarget;\nnamespace t = grasp_types;\nInTarget a;\n"
+        "t::InTarget b;\n}\n"
+    ),
+    "namespace lab {\nusing InGoal = reach_types::InGoal;\nInGoal a;\n}\nlab::InGoal b;\n": (
+        "namespace lab {\nusing InGoal = grasp_types::InTarget;\nInGoal a;\n}\nlab::InGoal b;\n"
+    ),
+    "#include <lab/mine.hpp>\nnamespace a = ::lab;\na::ReachData b;\n": (
+        "#include <lab/mine.hpp>\nnamespace a = ::lab;\na::GraspData b;\n"
+    ),
     "lab::reach_types::InGoal a;\n": "lab::grasp_types::InTarget a;\n",
     "lab::ReachHarness h;\nh.data.in_goal = h.config.gain;\nh.impl.receive_say(1);\n": (
         "lab::GraspHarness h;\nh.data.in_target = h.config.factor;\nh.impl.receive_speak(1);\n"
@@ -235,6 +281,9 @@ CPP_OURS = {
     ),
     "lab::ReachHarness h;\nauto & g = h;\ng.data.in_goal;\n": (
         "lab::GraspHarness h;\nauto & g = h;\ng.data.in_target;\n"
+    ),
+    "lab::ReachHarness h;\nh.impl.gain = h.config.gain;\nlab::ReachImpl i;\ni.gain = 1;\n": (
+        "lab::GraspHarness h;\nh.impl.gain = h.config.factor;\nlab::GraspImpl i;\ni.gain = 1;\n"
     ),
     "lab::ReachConfig a{.gain = 1};\n": "lab::GraspConfig a{.factor = 1};\n",
     "void f() {data_  // mine\n  .in_goal;}\n": "void f() {data_  // mine\n  .in_target;}\n",
@@ -422,6 +471,65 @@ def test_names_that_own_modules_define(pairs, text, wanted):
     assert renaming.text("lab/tools.py", text) == (wanted or text)
 
 
+OF_RELATIVES = {
+    "lab/sub.py": (
+        "from .mixin import Mixin\nfrom .reach_impl import ReachImpl\n\n\n"
+        "class Sub(Mixin, ReachImpl):\n"
+        "    def receive_say(self, m):\n        super().receive_say(m)\n"
+    ),
+    "lab/sub2.py": (
+        "from lab.sub import Sub\n\n\nclass Sub2(Sub):\n    def receive_say(self):\n        a\n"
+    ),
+    "lab/mixin.py": "class Mixin:\n    def receive_say(self, m):\n        self.gain = 1\n",
+    "lab/use.py": (
+        "from .sub2 import Sub2\n\nsub = Sub2()\nsub.receive_say(a.receive_say)\n"
+        "Sub2.receive_say(sub)\n"
+    ),
+    "lab/other.py": (
+        "from vendor import Base\n\n\nclass Other(Base):\n    def receive_say(self, m):\n"
+        "        super().receive_say(m)\n\n\nclass A:\n    def receive_say(self):\n        a\n"
+    ),
+    "lab/other2.py": (
+        "from vendor import ReachImpl\n\n\nclass Other2(ReachImpl):\n"
+        "    def receive_say(self, m):\n        super().receive_say(m)\n"
+    ),
+    "test/a.py": (
+        "from lab.reach_impl import ReachImpl\n\n\nclass Spy(ReachImpl):\n"
+        "    def receive_say(self):\n        a\n"
+    ),
+    "lab/other3.py": "class Spy:\n    def receive_say(self):\n        a\n",
+    "include/lab/sub.hpp": (
+        "namespace lab {\nclass Sub final : public a::Base<A>, public ReachImpl\n{\n"
+        "  void receive_say(A a);\n};\nclass Sub2 : Sub {};\n}\n"
+    ),
+    "src/sub.cpp": (
+        "namespace lab {\nvoid Sub::receive_say(A a)\n{\n"
+        "  ReachImpl::receive_say(a); this->receive_say(a);\n}\n}\n"
+    ),
+    "src/use.cpp": "#include <lab/sub.hpp>\nlab::Sub2 a;\na.receive_say(b.receive_say);\n",
+    "src/own.cpp": "namespace lab {\nstruct Spy : ReachImpl {\n  void receive_say(A a);\n};\n}\n",
+    "src/other2.cpp": "namespace lab {\nstruct Spy {\n  void receive_say(A a);\n};\n}\n",
+    "src/other.cpp": (
+        "namespace lab {\nclass Other : public vendor::ReachImpl {};\n"
+        "void Other::receive_say(A a)\n{\n  this->receive_say(a);\n}\n}\n"
+    ),
+}
+
+
+def test_classes_that_are_related_to_the_models_in_other_files(pairs):
+    """A class derived from the logic has its callbacks, and so has what that one derives from."""
+    for model in OWN:
+        own = {p: text for p, text in OF_RELATIVES.items() if p.endswith(".py") == ("py" in model)}
+        renaming = replace(pairs[model].renaming, _texts={}, own=set(), scopes=set(), kin={})
+        for files in (renaming.in_file, renaming.members):
+            files |= dict.fromkeys(own, files[OWN[model]])
+        renaming.know(tree_of({**pairs[model].old, **own}))
+        for path, text in own.items():
+            wanted = re.sub(r"(?<![(][ab]\.)\breceive_say", "receive_speak", text)
+            wanted = wanted.replace("Reach", "Grasp").replace("reach", "grasp")
+            assert renaming.text(path, text) == (text if "other" in path else wanted), path
+
+
 OF_PACKAGE = {
     "import arm\n\nuse(arm.x, x.arm)\n": "import robot\n\nuse(robot.x, x.arm)\n",
     "import os, arm\n\nuse(arm)\n": "import os, robot\n\nuse(robot)\n",
@@ -437,6 +545,10 @@ OF_PACKAGE = {
     "arm = 1\n": "arm = 1\n",
     "namespace arm\n{\narm::A arm;\n}\n": "namespace robot\n{\nrobot::A arm;\n}\n",
     "namespace arm {auto f() -> arm::A;}\n": "namespace robot {auto f() -> robot::A;}\n",
+    "namespace own\n{\nnamespace arm {class A;}\narm::A a;\n}\nown::arm::A a;\narm::A b;\n": (
+        "namespace own\n{\nnamespace arm {class A;}\narm::A a;\n}\nown::arm::A a;\nrobot::A b;\n"
+    ),
+    "namespace own = arm;\narm::A a;\n": "namespace own = robot;\nrobot::A a;\n",
     "link(arm arm::core)\n": "link(arm robot::core)\n",
 }
 
@@ -445,6 +557,45 @@ OF_PACKAGE = {
 def test_name_of_the_package(text, wanted):
     path = "a.cpp" if "::A" in text else "a.cmake" if "link" in text else "a.py"
     assert Renaming(packages={"arm": "robot"}).text(path, text) == wanted
+
+
+REFERRED = [
+    ("a.urdf", '<robot name="arm"><mesh filename="package://{}/arm.stl"/></robot>\n'),
+    (
+        "a.launch.xml",
+        '<node pkg="{}" exec="arm" name="arm"/>\n<a file="$(find-pkg-share {})/a"/>\n',
+    ),
+    (
+        "a.launch",
+        "<include file='$(find {})/launch/arm.launch'/>\n<node pkg='arm_msgs' type='arm'/>\n",
+    ),
+    (
+        "a.launch.py",
+        "Node(package='{}', name='arm')\nshare = FindPackageShare(\"{}\")\narm = 'arm'\n",
+    ),
+    ("a.py", "get_package_share_directory('{}')\nget_package_share_directory('arms')\nf('arm')\n"),
+    ("a.cpp", 'auto a = b::get_package_share_directory("{}");\nauto arm = c("arm");\n'),
+    (
+        "a.launch.yaml",
+        'launch:\n- node:\n    pkg: "{}"\n    exec: arm\n- arm: $(find-pkg-share {})\n',
+    ),
+    ("config/a.yaml", "arm:\n  mesh: package://{}/arm\n  other: package://arm-tools/arm\n"),
+    (
+        "README.md",
+        "The arm: `ros2 launch {} arm.launch.xml`, `roslaunch {} a`, `ros2 run {} arm`.\n",
+    ),
+    ("a.msg", "{}/Arm arm\n{}/msg/Arm[3] arms  # arm/Arm\narm_msgs/Arm a\n"),
+    ("a.txt", "vendor://arm/x find arm\n"),
+    ("setup.py", "['own={}.own:main', 'b = arms.b:c', 'arm = v.arm:d', \"arm = {}.x.y:z\"]\n"),
+    ("b.py", "import_module('{}.x')\nmock.patch(\"{}.x.y\")\nget_parameter('arm.x', 'a=arm')\n"),
+]
+
+
+@pytest.mark.parametrize(("path", "form"), REFERRED)
+def test_package_where_ros_looks_for_one_by_its_name(path, form):
+    """An address, a substitution of a launch file, a command: no other word of the text."""
+    text = form.format(*["arm"] * 3)
+    assert Renaming(packages={"arm": "robot"}).text(path, text) == form.format(*["robot"] * 3)
 
 
 IN_LOGIC = {

@@ -306,6 +306,14 @@ def test_uses_of_what_left(path):
     assert said == [f"{use}, which has left" for use in left]
 
 
+def test_uses_of_what_left_in_quotes():
+    """Of a type, or in `__all__`, and in no other text."""
+    old, new = (tree_of({"arm/reach_interface.py": text}) for text in ("class InT:\n  a\n", ""))
+    code = "__all__ = [\n  'InT',\n]\na: 'list[InT]' = 'InT'\nb = 'InT'\n"
+    said = [*uses_of_left([("reach", "t")], old, new, tree_of({"arm/reach_impl.py": code}))]
+    assert said == [f"arm/reach_impl.py:{line}: InT, which has left" for line in (2, 4)]
+
+
 @pytest.mark.parametrize(
     ("code", "is_said"),
     [

@@ -371,6 +371,7 @@ def test_function_that_leaves_stays_in_a_file_of_the_developers_own():
     [
         "struct Base\n{\n  virtual void serve_load(Request & request) = 0;\n};\n",
         "class Own\n{\n  friend class WorkerImpl;\n  void serve_load(Request & request);\n};\n",
+        "class Sub : public A<1>, arm::WorkerImpl\n{\n  void serve_load(Request & r);\n};\n",
         "",
     ],
 )

@@ -462,6 +462,21 @@ def test_pattern_of_files_with_the_name_is_listed(line, is_said):
     assert said == (["cmake/own.cmake:1: reach"] if is_said else [])
 
 
+def test_names_of_a_renamed_project_are_listed():
+    """The model writes ${PROJECT_NAME}; of what has another name it is none."""
+    text = (
+        "project({})\nadd_library(${{PROJECT_NAME}}_reach a.cpp)\nexport(go_${{PROJECT_NAME}})\n"
+    )
+    old, marked, new = (
+        {"CMakeLists.txt": File(encode(text.format(name)))} for name in ("arm", "zq0x", "leg")
+    )
+    own = "link(a arm_reach)\nlink(a arm_tool arm_msgs go)\nlink(a go_arm)\n"
+    mine = {**old, "own.cmake": File(encode(own))}
+    renaming = plan(old, marked, [Mark("arm", "leg", "package")], mine)
+    said = [*uses(mine, old, new, {**new, "own.cmake": mine["own.cmake"]}, renaming)]
+    assert said == ["own.cmake:1: arm_reach", "own.cmake:3: go_arm"]
+
+
 @pytest.mark.parametrize("top", ["reach", "/**", "mine"])
 def test_keys_are_renamed_below_the_name_that_the_developer_has_given_the_node(top):
     form = "{}:\n  ros__parameters:\n    {}: 1\n"
