@@ -302,6 +302,28 @@ PLAIN = """<package name="plain" author="A" author_email="a@example.org" license
   <node name="n" frequency="1" client_library="true">{}</node></package>"""
 
 
+@pytest.mark.parametrize("model", ["cpp_model", "mixed_model"])
+def test_every_node_and_its_logic_tests_link_what_depend_names(render, model):
+    """Though another node has types of that package, or the node links it for itself alone."""
+    spec = """
+<package name="lab" author="A" author_email="a@example.org" description="d" license="MIT">
+  <node name="talk" language="cpp"><directPublisher name="said" type="std_msgs::String"/></node>
+  <node name="look" language="cpp"><listener name="frames"/></node>
+  <depend>std_msgs</depend>
+  <depend>tf2</depend>
+</package>
+"""
+    spec = spec if model == "mixed_model" else spec.replace(' language="cpp"', "")
+    cmake = (render(spec, model=model, name="lab") / "CMakeLists.txt").read_text()
+    for node in ("talk", "look"):
+        for target in (f"${{PROJECT_NAME}}_{node}", f"test_{node}_impl"):
+            (linked,) = re.findall(
+                rf"target_link_libraries\({re.escape(target)}\n(.*?)\n *\)", cmake, re.S
+            )
+            public = linked.partition("PRIVATE")[0].split()
+            assert [public.count(f"${{{name}_TARGETS}}") for name in ("std_msgs", "tf2")] == [1, 1]
+
+
 def test_comment_of_the_client_library_is_broken_once(render):
     """Not in the template and then again in a line that is too long with its names."""
     package = render(PLAIN.format(""), model="cpp_model", name="plain")
