@@ -191,6 +191,36 @@ def test_inbox_frees_no_message_under_its_lock(render, tmp_path, distro):
     subprocess.run(tmp_path / "main", check=True, timeout=10)
 
 
+OF_ONE_KIND = """
+<package name="lab" author="A" author_email="a@example.org" description="d" license="MIT">
+  <node name="talk"><{kind} name="x"{type}/></node>
+</package>
+"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "type_"),
+    [
+        ("directPublisher", "std_msgs::String"),
+        ("directSubscriber", "std_msgs::String"),
+        ("serviceServer", "std_srvs::Empty"),
+        ("serviceClient", "std_srvs::Empty"),
+        ("actionServer", "test_msgs::Fibonacci"),
+        ("actionClient", "test_msgs::Fibonacci"),
+        ("listener", ""),
+        ("broadcaster", ""),
+    ],
+)
+def test_fakes_and_what_they_stand_for_compile_with_one_kind(render, tmp_path, kind, type_):
+    spec = OF_ONE_KIND.format(kind=kind, type=f' type="{type_}"' if type_ else "")
+    package = render(spec, model="cpp_model", name="lab")
+    found = [*package.glob("include/lab/ros/*"), *package.glob("test/support/fakes.hpp")]
+    (tmp_path / "main.cpp").write_text("".join(f'#include "{path}"\n' for path in found))
+    include = f"-I{package}/include"
+    command = ["g++", "-std=c++17", "-fsyntax-only", "-Wall", "-Werror", include, "main.cpp"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+
+
 LATE = """
 #include "ros/calls.hpp"
 
