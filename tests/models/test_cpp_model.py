@@ -211,9 +211,12 @@ OF_ONE_KIND = """
         ("broadcaster", ""),
     ],
 )
-def test_fakes_and_what_they_stand_for_compile_with_one_kind(render, tmp_path, kind, type_):
+def test_package_of_one_kind(render, tmp_path, kind, type_):
+    """Its fakes and what they stand for compile, and no comment is about another kind."""
     spec = OF_ONE_KIND.format(kind=kind, type=f' type="{type_}"' if type_ else "")
     package = render(spec, model="cpp_model", name="lab")
+    texts = "".join(file.read_text() for file in package.rglob("*.[hm][pd]*"))
+    assert ("serve_NAME" in texts) == (kind == "serviceServer")
     found = [*package.glob("include/lab/ros/*"), *package.glob("test/support/fakes.hpp")]
     (tmp_path / "main.cpp").write_text("".join(f'#include "{path}"\n' for path in found))
     include = f"-I{package}/include"
