@@ -79,6 +79,16 @@ def added_packages(spec: dict[str, Any]) -> list[str]:
     ]
 
 
+def linked_packages(spec: dict[str, Any], node: dict[str, Any]) -> list[str]:
+    """Return the packages that <depend> names, but for those whose types the node has."""
+    own = {*message_packages(node), *(["rclcpp_lifecycle"] if node["client_library"] else [])}
+    return [
+        package
+        for package in spec["declared"]
+        if package not in own and re.fullmatch(r"\w+", package) and not is_for_launch(package)
+    ]
+
+
 def other_packages(spec: dict[str, Any]) -> list[str]:
     """Return those of the added packages that CMake may not find: system packages, say.
 
@@ -116,10 +126,10 @@ def is_for_launch(package: str) -> bool:
 def exported_packages(spec: dict[str, Any]) -> list[str]:
     """Return the dependencies that the headers of the package show, sorted."""
     shown = {package for node in spec["nodes"] for package in message_packages(node)}
-    added = set(added_packages(spec)) - set(other_packages(spec))
+    linked = {package for node in spec["nodes"] for package in linked_packages(spec, node)}
     if any(node["client_library"] for node in spec["nodes"]):
         shown.add("rclcpp_lifecycle")
-    return sorted(shown | added)
+    return sorted(shown | linked - set(other_packages(spec)))
 
 
 def message_packages(node: dict[str, Any]) -> list[str]:

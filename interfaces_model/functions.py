@@ -117,6 +117,19 @@ def comment(text: str) -> str:
     return re.sub(r"(?<=\*)(?=/)|(?<=/)(?=\*)", " ", text)
 
 
+def told_apart(constant: dict[str, Any], name: str, earlier: list[dict[str, Any] | None]) -> str:
+    """Return the description of a constant, with one line more if a part above has the same.
+
+    rosidl 4.9 takes constants that are alike for those of the first part, and C does not compile
+    (ros2/rosidl#616); what tells them apart is their comment.
+    """
+    above = [one for part in earlier if part for one in part["constants"]]
+    keys = ("type", "name", "description")
+    is_alike = any(all(one[key] == constant[key] for key in keys) for one in above)
+    told = str(constant["description"])
+    return f"Of the {name}\n{told}".rstrip() if is_alike else told
+
+
 def written_type(type_: str, spec: dict[str, Any]) -> str:
     """Return a type as the interfaces of a package write it."""
     base, rest = _base(type_), type_[len(_base(type_)) :]

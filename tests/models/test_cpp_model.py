@@ -191,6 +191,39 @@ def test_inbox_frees_no_message_under_its_lock(render, tmp_path, distro):
     subprocess.run(tmp_path / "main", check=True, timeout=10)
 
 
+OF_ONE_KIND = """
+<package name="lab" author="A" author_email="a@example.org" description="d" license="MIT">
+  <node name="talk"><{kind} name="x"{type}/></node>
+</package>
+"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "type_"),
+    [
+        ("directPublisher", "std_msgs::String"),
+        ("directSubscriber", "std_msgs::String"),
+        ("serviceServer", "std_srvs::Empty"),
+        ("serviceClient", "std_srvs::Empty"),
+        ("actionServer", "test_msgs::Fibonacci"),
+        ("actionClient", "test_msgs::Fibonacci"),
+        ("listener", ""),
+        ("broadcaster", ""),
+    ],
+)
+def test_package_of_one_kind(render, tmp_path, kind, type_):
+    """Its fakes and what they stand for compile, and no comment is about another kind."""
+    spec = OF_ONE_KIND.format(kind=kind, type=f' type="{type_}"' if type_ else "")
+    package = render(spec, model="cpp_model", name="lab")
+    texts = "".join(file.read_text() for file in package.rglob("*.[hm][pd]*"))
+    assert ("serve_NAME" in texts) == (kind == "serviceServer")
+    found = [*package.glob("include/lab/ros/*"), *package.glob("test/support/fakes.hpp")]
+    (tmp_path / "main.cpp").write_text("".join(f'#include "{path}"\n' for path in found))
+    include = f"-I{package}/include"
+    command = ["g++", "-std=c++17", "-fsyntax-only", "-Wall", "-Werror", include, "main.cpp"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+
+
 LATE = """
 #include "ros/calls.hpp"
 
@@ -300,6 +333,28 @@ INCLUDED = r'(?m)^#include "((?:rcl\w*|\w+_msgs|rcl_interfaces)/.*)"'
 PLAIN = """<package name="plain" author="A" author_email="a@example.org" license="MIT"
                   description="d">
   <node name="n" frequency="1" client_library="true">{}</node></package>"""
+
+
+@pytest.mark.parametrize("model", ["cpp_model", "mixed_model"])
+def test_every_node_and_its_logic_tests_link_what_depend_names(render, model):
+    """Though another node has types of that package, or the node links it for itself alone."""
+    spec = """
+<package name="lab" author="A" author_email="a@example.org" description="d" license="MIT">
+  <node name="talk" language="cpp"><directPublisher name="said" type="std_msgs::String"/></node>
+  <node name="look" language="cpp"><listener name="frames"/></node>
+  <depend>std_msgs</depend>
+  <depend>tf2</depend>
+</package>
+"""
+    spec = spec if model == "mixed_model" else spec.replace(' language="cpp"', "")
+    cmake = (render(spec, model=model, name="lab") / "CMakeLists.txt").read_text()
+    for node in ("talk", "look"):
+        for target in (f"${{PROJECT_NAME}}_{node}", f"test_{node}_impl"):
+            (linked,) = re.findall(
+                rf"target_link_libraries\({re.escape(target)}\n(.*?)\n *\)", cmake, re.S
+            )
+            public = linked.partition("PRIVATE")[0].split()
+            assert [public.count(f"${{{name}_TARGETS}}") for name in ("std_msgs", "tf2")] == [1, 1]
 
 
 def test_comment_of_the_client_library_is_broken_once(render):

@@ -1,6 +1,7 @@
 """What several nodes have in common: one type for their code, and nothing where there is none."""
 
 import itertools
+import subprocess
 
 import pytest
 
@@ -151,3 +152,27 @@ def test_code_for_nodes_with_a_group_passes_mypy(renderers, tmp_path, ros2):
         found[package] = context
     faults = type_faults(ros2, tmp_path / "all", found)
     assert not faults, faults
+
+
+ASSIGNED = """
+#include <type_traits>
+#include "support/talk_harness.hpp"
+
+static_assert(!std::is_assignable_v<lab::TalkHarness &, const lab::TalkHarness &>);
+"""
+
+
+def test_a_harness_is_not_assigned(renderers, tmp_path):
+    """Its fakes know it; and GCC warns of an assignment of the virtual base that groups have."""
+    spec = """
+<package name="lab" author="A" author_email="a@example.org" description="d" license="MIT">
+  <group name="voice"><directPublisher name="said" type="std_msgs::String"/></group>
+  <node name="talk"><use group="voice"/></node>
+</package>
+"""
+    context = model_of("cpp_model").context(spec.encode(), "spec.xml", "noetic")
+    write(tmp_path, renderers["cpp_model"].render(context, "noetic"))
+    write(tmp_path, {"std_msgs/String.h": "#pragma once\nnamespace std_msgs {struct String {};}"})
+    write(tmp_path, {"main.cpp": ASSIGNED})
+    command = "g++ -std=c++17 -fsyntax-only -Wall -Wextra -Werror -I. -Iinclude -Itest main.cpp"
+    subprocess.run(command.split(), cwd=tmp_path, check=True)

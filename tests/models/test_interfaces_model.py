@@ -42,6 +42,18 @@ geometry_msgs/Point cop
     )
 
 
+@pytest.mark.parametrize(("distro", "told"), [("kilted", "# Of the feedback\n"), ("noetic", "")])
+def test_constants_that_are_alike(make, distro, told):
+    """rosidl gives constants of two parts that are alike, comments included, to the first part."""
+    none = '<constant name="NONE" type="uint8" value="0" description="Nothing"/>'
+    parts = f"<result>{none}</result><feedback>{none}</feedback>"
+    package = make(
+        SPEC.replace("</package>", f'<action name="Go">{parts}</action></package>'), distro
+    )
+    one = "# Nothing\nuint8 NONE=0\n"
+    assert (package / "action/Go.action").read_text() == f"---\n\n{one}---\n\n{told}{one}"
+
+
 def test_defaults_of_ros1_are_comments(make):
     assert (
         (make(SPEC, "noetic") / "srv/SetString.srv").read_text()

@@ -28,7 +28,7 @@ assert (message.an_int64, message.a_uint64) == (2**63 - 1, 2**64 - 1)
 assert (message.a_float64, message.a_string) == (1e22, Primitives.STRING)
 assert list(Arrays().fixed) == [0.5, -1.0, 1000.0]
 assert list(Arrays().bools) == [True, False] and Arrays().strings == ['a, b', 'c']
-assert (Ask.Request.NOW, Wait.Feedback.DONE) == (1, 1)
+assert (Ask.Request.NOW, Ask.Response.NOW, Wait.Result.DONE, Wait.Feedback.DONE) == (1, 1, 1, 1)
 """
 CPP = {
     1: """

@@ -1060,4 +1060,4 @@ class NodeTests:
         """The node runs with its own logic, and ends with exit code 0 at SIGTERM."""
         node = self.active(command=self.logic)
         node.signal(TERM)
-        self.assertEqual(node.exit_code(), 0)
+        self.assertEqual(node.exit_code(), 0, node.log)

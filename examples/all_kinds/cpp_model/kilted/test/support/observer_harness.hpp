@@ -20,6 +20,7 @@ struct ObserverHarness
 {
   ObserverHarness() = default;
   ObserverHarness(const ObserverHarness &) = delete;
+  ObserverHarness & operator=(const ObserverHarness &) = delete;
 
   /// Pass a message to the next cycle.
   ObserverHarness & in_status(

@@ -69,14 +69,14 @@ class Peer:
     def call(self, node, service_type, name, request, *qos):
         """Return the response of a service of a node."""
         future = self.send(node, service_type, name, request, *qos)
-        return future.result() if eventually(future.done) else None
+        return future.result() if node.eventually(future.done) else None
 
     def send(self, node, service_type, name, request, reliability='reliable'):
         """Send a request to a node that is known to be discovered; return the future response."""
         if name not in self.clients:
             qos = QoSProfile(depth=10, reliability=ReliabilityPolicy[reliability.upper()])
             client = self._node.create_client(service_type, name, qos_profile=qos)
-            assert eventually(client.service_is_ready), f'{name} is not served:\n{node.log}'
+            assert node.eventually(client.service_is_ready), f'{name} is not served:\n{node.log}'
             self._be_known(node)
             self.clients[name] = client
         return self.clients[name].call_async(request)
@@ -90,7 +90,7 @@ class Peer:
             newest.call_async(GetState.Request()).add_done_callback(answers.append)
             return eventually(lambda: answers, 0.5)
 
-        assert eventually(ask), f'{node.name} does not answer:\n{node.log}'
+        assert node.eventually(ask), f'{node.name} does not answer:\n{node.log}'
 
     def state(self, node):
         """Return the name of a node's lifecycle state."""

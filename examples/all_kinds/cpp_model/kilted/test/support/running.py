@@ -59,6 +59,11 @@ class RunningNode:
         assert self._process.poll() is None, f'the node has ended by itself:\n{self.log}'
         self._process.send_signal(number)
 
+    def eventually(self, condition):
+        """Return whether a condition holds in time: that ends a second after the process."""
+        eventually(lambda: condition() or self._process.poll() is not None)
+        return eventually(condition, 1.0)
+
     def exit_code(self):
         """Return the exit code of the process, which must end, when all that it wrote is read."""
         assert eventually(lambda: self._process.poll() is not None), f'runs on:\n{self.log}'

@@ -1,7 +1,7 @@
 // Copyright 2026 Ada Lovelace
 // SPDX-License-Identifier: Apache-2.0
 
-// Fakes of publishers, clients, goals and transforms, which record what the logic does with them.
+// Fakes of what the logic is given, which record what it does with them.
 
 #ifndef SUPPORT__FAKES_HPP_
 #define SUPPORT__FAKES_HPP_

@@ -66,6 +66,11 @@ class RunningNode:
         status = Path(f'/proc/{self._process.pid}/status').read_text()
         return bool(int(re.findall(r'SigCgt:\s*(\w+)', status)[0], 16) >> (number - 1) & 1)
 
+    def eventually(self, condition):
+        """Return whether a condition holds in time: that ends a second after the process."""
+        eventually(lambda: condition() or self._process.poll() is not None)
+        return eventually(condition, 1.0)
+
     def exit_code(self):
         """Return the exit code of the process, which must end, when all that it wrote is read."""
         assert eventually(lambda: self._process.poll() is not None), f'runs on:\n{self.log}'

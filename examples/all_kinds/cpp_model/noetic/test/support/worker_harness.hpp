@@ -28,6 +28,7 @@ struct WorkerHarness
   }
 
   WorkerHarness(const WorkerHarness &) = delete;
+  WorkerHarness & operator=(const WorkerHarness &) = delete;
 
   /// Pass a message to the next cycle.
   WorkerHarness & in_speed(

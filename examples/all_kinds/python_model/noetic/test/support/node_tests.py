@@ -916,6 +916,7 @@ class NodeTests:
     def test_own_logic(self):
         """The node runs with its own logic, and ends with exit code 0 at SIGTERM."""
         node = self.start(command=self.logic)
-        self.assertTrue(eventually(lambda: self.peer.knows(node) and node.handles(TERM)))
+        ready = node.eventually(lambda: self.peer.knows(node) and node.handles(TERM))
+        self.assertTrue(ready, node.log)
         node.signal(TERM)
-        self.assertEqual(node.exit_code(), 0)
+        self.assertEqual(node.exit_code(), 0, node.log)
