@@ -48,7 +48,9 @@ def test_a_logic_that_refuses_is_told_at_once(request, render, version):
     command = (
         f"env TEST_TIMEOUT=600 PYTHONPATH={package}:$PYTHONPATH {ros_.python} -m unittest {test}"
     )
-    with ros.master(ros_) if version == 1 else contextlib.nullcontext():
-        told = ros_.run(command, package / "test", check=False, timeout=120).stdout
-    assert "AssertionError: " in told
+    for _ in range(5):  # on a busy machine a node of ROS 1 may be told to end before it refuses
+        with ros.master(ros_) if version == 1 else contextlib.nullcontext():
+            told = ros_.run(command, package / "test", check=False, timeout=120).stdout
+        if "AssertionError: " in told:
+            break
     assert "The logic refused to configure." in told.partition("AssertionError: ")[2]

@@ -918,5 +918,6 @@ class NodeTests:
         node = self.start(command=self.logic)
         ready = node.eventually(lambda: self.peer.knows(node) and node.handles(TERM))
         self.assertTrue(ready, node.log)
+        sleep(1.0)  # in which the logic may refuse
         node.signal(TERM)
         self.assertEqual(node.exit_code(), 0, node.log)
