@@ -28,7 +28,7 @@ test: $(TOOLS)/ready $(ROS2)/ready debian
 	$(TOOLS)/bin/ruff check .
 	$(TOOLS)/bin/ruff format --check .
 	$(TOOLS)/bin/mypy
-	$(PYTEST) --numprocesses $$(($$(nproc) * 3)) --durations 20
+	$(PYTEST) --numprocesses $$(($$(nproc) * 2)) --durations 20
 
 # All faults of tests/data/mutants, of which `make test` tries some; MUTANTS='new goal' those of that name.
 MUTANTS ?= .

@@ -132,16 +132,17 @@ class Peer:
     def goal(self, node, action_type, name, goal):
         """Send a goal; return it, with its feedback, or None if it is rejected."""
         if name not in self._clients:
-            client = actionlib.ActionClient(name, action_type)
-            # rospy 1.15 may never hear of a publisher that comes while it subscribes.
-            if not client.wait_for_server(rospy.Duration(5.0)):
+            for _ in range(1 + int(TIMEOUT / 5.0)):
+                client = actionlib.ActionClient(name, action_type)
+                if client.wait_for_server(rospy.Duration(5.0)):
+                    break
+                # rospy 1.15 may never hear of a publisher that comes while it subscribes.
                 client.pub_goal.unregister()
                 client.pub_cancel.unregister()
-                client = actionlib.ActionClient(name, action_type)
+            else:
+                raise AssertionError(f'{name} is not served:\n{node.log}')
             feedback = []
             rospy.Subscriber(name + '/feedback', client.ActionFeedback, feedback.append)
-            is_served = client.wait_for_server(rospy.Duration(TIMEOUT))
-            assert is_served, f'{name} is not served:\n{node.log}'
             topics = {name + '/feedback', name + '/result'}
             assert eventually(lambda: topics <= self._heard(node)), f'{name} does not connect'
             self._clients[name] = client, feedback
