@@ -60,7 +60,7 @@ class RunningNode:
         self._process.send_signal(number)
 
     def eventually(self, condition):
-        """Return whether a condition holds in time: that ends a second after the process."""
+        """Return whether a condition holds in time, at most a second after the process."""
         eventually(lambda: condition() or self._process.poll() is not None)
         return eventually(condition, 1.0)
 

@@ -20,7 +20,7 @@ class Callback:
     """A callback that runs in the threads of rospy, which has one for each connection."""
 
     def __init__(self, node: ManagedNode, name: str, method: str) -> None:
-        """Give the threads the name of a topic or service, and call a method of the logic."""
+        """Call a method of the logic, in threads that then have the name of a topic or service."""
         self._node = node
         self._method = method
         self._name = name

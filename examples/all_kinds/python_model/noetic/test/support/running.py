@@ -67,7 +67,7 @@ class RunningNode:
         return bool(int(re.findall(r'SigCgt:\s*(\w+)', status)[0], 16) >> (number - 1) & 1)
 
     def eventually(self, condition):
-        """Return whether a condition holds in time: that ends a second after the process."""
+        """Return whether a condition holds in time, at most a second after the process."""
         eventually(lambda: condition() or self._process.poll() is not None)
         return eventually(condition, 1.0)
 
