@@ -2,6 +2,9 @@
 
 import ast
 import re
+import runpy
+import sys
+import types
 import xml.etree.ElementTree as ET
 
 import pytest
@@ -171,3 +174,19 @@ def test_node_with_a_door_to_rospy_alone_imports_it(render):
                        description="d"><node name="n" client_library="true"/></package>"""
     package = render(spec, ros_distro="noetic", name="pkg")
     assert "\nimport rospy\n" in (package / "pkg/n_ros.py").read_text()
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_folders_of_the_developer_are_installed(render, monkeypatch, distro):
+    """`setup.py` names no folder that a rename of the package would have to find there."""
+    package = render(SPECS["hostile"], ros_distro=distro)
+    (package / "hostile/own").mkdir()
+    (package / "hostile/own/__init__.py").touch()
+    given = {}
+    monkeypatch.setattr("setuptools.setup", lambda **options: given.update(options))
+    catkin = types.SimpleNamespace(generate_distutils_setup=lambda **options: options)
+    monkeypatch.setitem(sys.modules, "catkin_pkg", types.ModuleType("catkin_pkg"))
+    monkeypatch.setitem(sys.modules, "catkin_pkg.python_setup", catkin)
+    monkeypatch.chdir(package)
+    runpy.run_path("setup.py")
+    assert set(given["packages"]) == {"hostile", "hostile.ros", "hostile.own"}

@@ -57,7 +57,7 @@ def test_package_tests_and_linters(ros1, ros1_untouched):
         ros1.run("xmllint --noout package.xml", file.parent)
 
 
-def test_installed_package_is_whole(ros1, ros1_untouched):
+def test_installed_package_is_whole(ros1, ros1_untouched, model):
     """`catkin_make install` brings everything the launch file needs."""
     workspace = ros1_untouched.workspace
     ros1.run("catkin_make install", workspace, workspace)
@@ -65,3 +65,5 @@ def test_installed_package_is_whole(ros1, ros1_untouched):
     assert ET.parse(share / "launch/hostile.launch").getroot().tag == "launch"
     assert (share / "config/first_one.yaml").exists()
     assert (workspace / "install/lib/hostile/first_one").exists()
+    if model == "python_model":
+        assert list(workspace.glob("install/lib/python3*/**/hostile/ros/managed_node.py"))

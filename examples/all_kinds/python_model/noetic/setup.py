@@ -4,12 +4,11 @@
 """Read by catkin_python_setup(); not for use by hand."""
 
 from catkin_pkg.python_setup import generate_distutils_setup
-from setuptools import setup
+from setuptools import find_packages, setup
 
 setup(
     **generate_distutils_setup(
-        packages=['all_kinds', 'all_kinds.ros'],
-        package_dir={'': '.'},
+        packages=find_packages(exclude=['test']),
         package_data={'all_kinds': ['py.typed']},
     )
 )
