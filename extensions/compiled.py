@@ -6,7 +6,6 @@ import contextlib
 import functools
 import hashlib
 from collections.abc import Callable
-from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
 from types import CodeType
@@ -16,11 +15,9 @@ from jinja2 import Environment, FileSystemBytecodeCache
 from jinja2.bccache import Bucket
 from jinja2.ext import Extension
 
-bytecode: Any = import_module(f"{str(__package__).removesuffix('extensions')}hooks.bytecode")
-
 _LIBRARIES = ("copier", "jinja2", "jinja2-ansible-filters")
 _known: dict[str, Any] = {}
-"""Byte code by the keys of templates and the digests of their texts."""
+"""Byte code by the keys of templates and the digests of their texts, or by version and text."""
 
 
 class CompiledExtension(Extension):
@@ -55,8 +52,8 @@ class _Cache(FileSystemBytecodeCache):
         self, environment: Environment, name: str, filename: str | None, source: str
     ) -> Bucket:
         bucket = super().get_bucket(environment, name, filename, source)
-        if bucket.code and filename:
-            bucket.code = bytecode.located(bucket.code, filename)
+        if bucket.code and filename:  # which faults name; of the functions in it they name none
+            bucket.code = bucket.code.replace(co_filename=filename)
         return bucket
 
     def load_bytecode(self, bucket: Bucket) -> None:
@@ -88,12 +85,15 @@ def _compile(
         return compiler(source, name, *options)
     # Copier (9.19) forgets the `yield` of the text before when it preprocesses the next one.
     environment.preprocess(source)
-    bucket = cache.get_bucket(environment, source, None, source)
-    if bucket.code is None:
-        lines = source.strip().splitlines() or [""]
-        bucket.code = compiler(source, None, f'"{lines[0]}"')  # what faults have for a file
-        cache.set_bucket(bucket)
-    return bucket.code
+    key = f"{cache.version} {source}"
+    if key not in _known:
+        bucket = cache.get_bucket(environment, source, None, source)
+        if bucket.code is None:
+            lines = source.strip().splitlines() or [""]
+            bucket.code = compiler(source, None, f'"{lines[0]}"')  # what faults have for a file
+            cache.set_bucket(bucket)
+        _known[key] = bucket.code
+    return _known[key]
 
 
 def _version(root: Path) -> str:

@@ -49,6 +49,8 @@ def _parts(word: str, room: int) -> list[str]:
 
 
 def _columns(text: str) -> int:
+    if text.isascii():
+        return len(text)
     return sum(1 + (east_asian_width(letter) in "WF") for letter in text)
 
 

@@ -660,6 +660,8 @@ _WORDS = {
 
 def _fits(value: Any, shape: Any) -> bool:
     """Tell whether a value of YAML is of a type."""
+    if shape in (str, bool):  # nearly all: `typing` takes its time
+        return isinstance(value, shape)
     origin, parts = typing.get_origin(shape), typing.get_args(shape)
     if shape is Any:
         return True
