@@ -777,6 +777,16 @@ def test_words_of_an_included_path():
     ]
 
 
+def test_words_of_directives():
+    """Those of a macro are of code; what a macro includes is a file whose name it has."""
+    text = "#include FOO(arm)\n#define GAIN(data) data->gain \\\n  + 1\nint gain;\n"
+    found = {word.text: (word.chain, word.line) for word in words(languages.CPP, text)}
+    assert found["arm"] == ((), 0)
+    assert found["gain"] == ((), 3)
+    chains = [word.chain for word in words(languages.CPP, text) if word.text == "gain"]
+    assert chains == [("data",), ()]
+
+
 def test_bracket_argument_of_cmake_hides_no_names():
     """A quote in it begins no text."""
     found = [*words(CMAKE, 'set(mine [[")]])\nadd_executable(reach a.cpp)\nset(a "b")\n')]
