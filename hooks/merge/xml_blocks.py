@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from xml.parsers import expat
 
-from .blocks import Block, Span, arrange, collapsed, one_sort, squeezed
+from .blocks import Block, Span, arrange, squeezed
 from .lines import split
 
 MARKUP = re.compile(
@@ -21,10 +21,15 @@ _FILE = re.compile(r"/([\w.-]+\.(?:yaml|xml|launch))\b")
 COMMENTS = re.compile(r"<!--.*?-->", re.DOTALL)
 _NAMING = ("name", "from", "file", "param", "id", "exec", "type", "if", "unless")
 _EXACT = re.compile(
-    r"""<!--.*?--> | (?P<exact> <!\[CDATA\[.*?\]\]> )
-      | \s*=\s*(?P<value> "[^"]*" | '[^']*' )""",
+    r"""<!--.*?--> | (?P<exact> <!\[CDATA\[.*?\]\]> | (?<==)"[^"]*" | (?<==)'[^']*' )""",
     re.VERBOSE | re.DOTALL,
 )
+_BESIDE = re.compile(
+    r"""<!--.*?--> | <!\[CDATA\[.*?\]\]> | \s*=\s*(?P<value> "[^"]*" | '[^']*' )
+      | \s*(?P<end> /?> )\s*""",
+    re.VERBOSE | re.DOTALL,
+)
+"""A value or the end of a tag, with the blanks beside it."""
 
 
 def blocks(text: str) -> list[Block]:
@@ -39,22 +44,11 @@ def blocks(text: str) -> list[Block]:
 
 def same(one: str, other: str) -> bool:
     """Say whether two texts differ in form alone: in blanks, but for those of a value."""
-    return _tight(one) == _tight(other)
 
+    def tight(match: re.Match[str]) -> str:
+        return f"={match['value']}" if match["value"] else match["end"] or match[0]
 
-def _tight(text: str) -> str:
-    parts: list[str] = []
-    at = 0
-    for match in _EXACT.finditer(text):
-        value = match["value"]
-        inside = f"={one_sort(value)}" if value else match["exact"] or collapsed(match[0])
-        parts += [_tight_signs(text[at : match.start()]), inside]
-        at = match.end()
-    return "".join([*parts, _tight_signs(text[at:])]).strip()
-
-
-def _tight_signs(text: str) -> str:
-    return re.sub(r"\s*(/?>)\s*", r"\1", collapsed(text))
+    return len({squeezed(_BESIDE.sub(tight, text), _EXACT) for text in (one, other)}) == 1
 
 
 def exchange(text: str, by: Callable[[str, str, str], str]) -> str:
