@@ -278,8 +278,7 @@ class _Merger:
         merged = self.block(mine, old, Block(mine.key, []))
         found = textwrap.dedent(lines.text(merged))
         if self.language is PYTHON and not readable(PYTHON, [found]):
-            self.outcome.removed.append(block_name(mine.key))
-            return []
+            return self.left(mine, old)
         return merged
 
     def lines(self, mine: lines.Lines, old: lines.Lines, new: lines.Lines) -> Merged:
