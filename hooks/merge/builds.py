@@ -15,7 +15,7 @@ from ..data import load_data
 from .blocks import Block
 from .languages import CMAKE
 from .launch import deleted, keys
-from .lines import plain, split
+from .lines import margin, plain, split
 from .matching import Blocks, match
 from .package import Result
 from .renaming import Renaming
@@ -32,12 +32,6 @@ _ENTRY = re.compile(
     r"|\('(share|lib)/' \+ package_name(?: \+ '/([\w/.-]+)')?, (glob\('\3/\*'\)|\[[^]\n]*\])\),"
 )
 _PROJECT = {"share": "share/${PROJECT_NAME}", "lib": "lib/${PROJECT_NAME}"}
-# Commands with a list of packages, in ROS 1 and ROS 2 in one order; and the word before it.
-_DEPENDENCIES = {
-    1: ("generate_messages", "catkin_package"),
-    2: ("rosidl_generate_interfaces", "ament_export_dependencies"),
-}
-_WORDS = {1: ("DEPENDENCIES", "CATKIN_DEPENDS"), 2: ("DEPENDENCIES", "")}
 # Commands about the parts of a target.
 _PARTS = ("target_link_libraries", "add_executable", "add_library")
 _ABOUT_TARGET = re.compile(
@@ -106,6 +100,10 @@ class _Carrier:
     def __init__(self, texts: dict[str, str], ros: int) -> None:
         self.ros = ros
         self.foreign = re.compile(_KNOWN["foreign"][3 - ros]).search
+        self.lists = [
+            (row[2 * (2 - ros)], *row[2 * (ros - 1) : 2 * ros], row[-1]) for row in _KNOWN["lists"]
+        ]
+        """The commands of the other ROS, those of this one, the words above the items, folders."""
         self.new = CMAKE.blocks(texts.get(_CMAKE, ""))
         self.setup = split(texts.get(_SETUP, ""))
         self.has_cmake = _CMAKE in texts
@@ -142,7 +140,7 @@ class _Carrier:
         self, mine: Blocks, old: Blocks, new: list[Block], number: int, is_top: bool = False
     ) -> None:
         known = {block.key: block for block in old}
-        lists = {_name(b.key): b for b in old if _name(b.key) in _DEPENDENCIES[3 - self.ros]}
+        lists = {_name(b.key): b for b in old if self._lists(b.key)}
         generated = set(keys(old))
         there = {block.key: block for block in new}
         for block in mine:
@@ -193,8 +191,11 @@ class _Carrier:
             return self._same_target(key) is not None
         if key in ("find_package catkin", "install DIRECTORY"):
             return self.ros == 2 if key.startswith("find") else not self.has_cmake
-        sources = [pair[2 - self.ros] for pair in _KNOWN["lists"]]
-        return key in sources or _name(key) in _DEPENDENCIES[3 - self.ros]
+        return bool(self._lists(key))
+
+    def _lists(self, key: str) -> list[tuple[str, str, str]]:
+        """Return the commands that items of a command go to, with their words and folders."""
+        return [(target, *rest) for name, target, *rest in self.lists if name == _name(key)]
 
     def _list(self, block: Block, base: Block | None, number: int) -> None:
         """Put the items that a list has more than `base` into the one that stands for it.
@@ -235,18 +236,16 @@ class _Carrier:
         """Put an item into the list that stands for the one it is in; return what it is there."""
         if item.keyword not in _KNOWN["items"][_name(key)]:
             return ""
-        for first, second, folder in _KNOWN["lists"]:
-            target, prefix = (second, "") if self.ros == 2 else (first, folder)
-            file = re.fullmatch(rf"{prefix}([\w/.-]+\.{folder[:-1]})", item.name)
-            if file:
-                name = (folder if self.ros == 2 else "") + file[1] + item.comment
-                return name if self._listed(target, name, f".{folder[:-1]}") else ""
         if _name(key) in _PARTS:
             return self._part(key, item)
         if self.foreign(item.name):
             return ""
-        if _name(key) in _DEPENDENCIES[3 - self.ros]:
-            return self._dependency(key, item)
+        for target, word, folder in self._lists(key):
+            before, after = ("", f"{folder}/") if self.ros == 2 else (f"{folder}/", "")
+            if not folder and re.fullmatch(r"[a-z]\w*", item.name):
+                return self._listed(target, word, item.text)
+            if folder and (file := re.fullmatch(rf"{before}([\w/.-]+\.{folder})", item.name)):
+                return self._listed(target, word, after + file[1] + item.comment, f".{folder}")
         if key == "install DIRECTORY":
             is_folder = re.fullmatch(r"[\w/.-]+", item.name)
             return self._in_setup(f"*installed('{item.name}'),{item.comment}") if is_folder else ""
@@ -266,21 +265,6 @@ class _Carrier:
         elif command and not replaced and (at := _index(command.lines, before)) is not None:
             command.lines.insert(at + 1, line)
             self._note(number, line, item)
-
-    def _dependency(self, key: str, item: _Item) -> str:
-        """Put a package into the list of those that messages contain, or that users need."""
-        at = _DEPENDENCIES[3 - self.ros].index(_name(key))
-        target, word = _DEPENDENCIES[self.ros][at], _WORDS[self.ros][at]
-        command = next((block for block in self.new if block.key.startswith(target)), None)
-        if command is None or not re.fullmatch(r"[a-z]\w*", item.name):
-            return ""
-        lines = command.lines
-        if word and _index(lines, word) is None:
-            lines.insert(len(lines) - 1, f"  {word}\n")
-        place = _index_of(lines, word or target) + 1
-        if not any(found.strip() == item.name for found in lines[place:]):
-            lines.insert(place, f"{'    ' if word else '  '}{item.text}\n")
-        return item.text
 
     def _part(self, key: str, item: _Item) -> str:
         """Put a library or a source to the target that stands for another one."""
@@ -304,21 +288,28 @@ class _Carrier:
         names = _PARTS[:1] if name in _PARTS[:1] else _PARTS[1:]
         return self._named(*(f"{one} {target}" for one in names))
 
-    def _listed(self, key: str, name: str, suffix: str) -> bool:
-        """Put a file into the list of those like it; without a list, make one if it has a use."""
-        command = self._named(key)
+    def _listed(self, name: str, word: str, text: str, like: str = "") -> str:
+        """Put an item below those like it in a command, or below a word, which is put there.
+
+        Return the item. A list of files is made where there is none, if it has a use.
+        """
+        command = next((block for block in self.new if block.key.startswith(name)), None)
         if command is None:
             users = (i for i, b in enumerate(self.new) if b.key.startswith("generate_messages"))
-            if (at := next(users, None)) is None:
-                return False
-            start = key.replace(" ", "(\n  ")
-            self.new.insert(at, Block(key, [f"\n{start}\n", f"    {name}\n", ")\n"]))
-            return True
-        last = [i for i, line in enumerate(command.lines) if line.strip().endswith(suffix)]
-        at = last[-1] if last else _index_of(command.lines, key.split()[-1])
-        margin = re.match(r" *", command.lines[at])[0] if last else "  "  # type: ignore[index]
-        command.lines.insert(at + 1, f"{margin}{name}\n")
-        return True
+            if not like or (at := next(users, None)) is None:
+                return ""
+            made = [f"\n{name}(\n", f"  {word}\n", f"    {text}\n", ")\n"]
+            self.new.insert(at, Block(f"{name} {word}", made))
+            return text
+        lines = command.lines
+        if not any(word in line for line in lines):
+            lines.insert(len(lines) - 1, f"  {word}\n")
+        last = [i for i, line in enumerate(lines) if like and line.strip().endswith(like)]
+        at = last[-1] if last else _index_of(lines, word or name)
+        blanks = margin(lines[at]) if last else 4 if word and not like else 2
+        if not any(line.strip() == text for line in lines[at:]):
+            lines.insert(at + 1, f"{' ' * blanks}{text}\n")
+        return text
 
     def _below_packages(self) -> int:
         return max(i for i, b in enumerate(self.new) if b.key.startswith("find_package")) + 1
