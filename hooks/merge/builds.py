@@ -238,14 +238,15 @@ class _Carrier:
             return ""
         if _name(key) in _PARTS:
             return self._part(key, item)
-        if self.foreign(item.name):
-            return ""
-        for target, word, folder in self._lists(key):
+        for target, word, folder in (lists := self._lists(key)):
             before, after = ("", f"{folder}/") if self.ros == 2 else (f"{folder}/", "")
-            if not folder and re.fullmatch(r"[a-z]\w*", item.name):
-                return self._listed(target, word, item.text)
             if folder and (file := re.fullmatch(rf"{before}([\w/.-]+\.{folder})", item.name)):
                 return self._listed(target, word, after + file[1] + item.comment, f".{folder}")
+            is_package = not folder and re.fullmatch(r"[a-z]\w*", item.name)
+            if is_package and not self.foreign(item.name):
+                return self._listed(target, word, item.text)
+        if lists or self.foreign(item.name):
+            return ""
         if key == "install DIRECTORY":
             is_folder = re.fullmatch(r"[\w/.-]+", item.name)
             return self._in_setup(f"*installed('{item.name}'),{item.comment}") if is_folder else ""
@@ -307,7 +308,7 @@ class _Carrier:
         last = [i for i, line in enumerate(lines) if like and line.strip().endswith(like)]
         at = last[-1] if last else _index_of(lines, word or name)
         blanks = margin(lines[at]) if last else 4 if word and not like else 2
-        if not any(line.strip() == text for line in lines[at:]):
+        if not any(line.strip() == text.partition("#")[0].rstrip() for line in lines[at:]):
             lines.insert(at + 1, f"{' ' * blanks}{text}\n")
         return text
 

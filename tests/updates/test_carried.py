@@ -800,6 +800,14 @@ endif()
             "add_message_files(\n  FILES\n  A.msg\n  B.msg  # Too\n)\n",
             {5: "B.msg  # Too"},
         ),
+        (  # whose name only looks like ROS 1
+            2,
+            MESSAGES[1],
+            ("A.msg\n", "A.msg\n  RosTest.msg\n"),
+            MESSAGES[2],
+            MESSAGES[2].replace("A.msg\n", "A.msg\n  msg/RosTest.msg\n"),
+            {6: "msg/RosTest.msg"},
+        ),
         (1, "", MESSAGES[2], "", "", {}),
         (2, "", MESSAGES[1], "", "", {}),
         (
@@ -826,6 +834,14 @@ endif()
             "ament_export_dependencies(\n  y\n)\n",
             "ament_export_dependencies(\n  y\n)\n",
             {7: "y"},
+        ),
+        (
+            2,
+            USERS,
+            ("tf2\n", "tf2\n    y  # Too\n    Y\n"),
+            "ament_export_dependencies(\n  y\n)\n",
+            "ament_export_dependencies(\n  y\n)\n",
+            {7: "y  # Too"},
         ),
         (2, "", USERS, "", "", {}),
         # What gives a value to what follows, above all of it
