@@ -24,6 +24,7 @@ _PYTHON = re.compile(
 _CMAKE = re.compile(
     rf"{SKIPPED} | (?P<word> [A-Za-z_]\w* ) | (?P<sign> \S )", re.VERBOSE | re.DOTALL
 )
+_NAME = re.compile(r"\w+")
 _FIELDS = re.compile(r"(\{\{|\}\}|\{(?:[^{}]|\{[^{}]*\})*\})")
 """What is code in an f-string; doubled braces are none."""
 _PATTERNS = {PYTHON: _PYTHON, CPP: cpp_blocks.TOKEN, CMAKE: _CMAKE}
@@ -36,71 +37,83 @@ class Word(NamedTuple):
     text: str
     before: tuple[str, str]
     after: str
-    chain: tuple[str, ...] = ()
+    chain: tuple[str, ...]
     """The names before it, joined by signs: `a`, `b` of `a.b->word`, `a`, `)` of `a().word`."""
-    line: int = 0
+    line: int
     """Counted from 0."""
+    at: int
+    """Where it begins in the text."""
 
 
-By = Callable[[Word], str]
-"""Says what a word becomes."""
 _JOINTS = (".", "->", "::")
 BEFORE_TYPE = ((")",), ("const",), ("noexcept",), ("mutable",))
 """What stands before the `->` of the type that a function returns."""
 
 
-def exchange(known: Language, text: str, by: By, among: Container[str] | None = None) -> str:
-    """Return a text with each word of its code exchanged; a text without code as it is.
+def exchange(known: Language, text: str, by: Callable[[Word], str], among: Container[str]) -> str:
+    """Return a text with each word of its code that is among some exchanged, as `by` says."""
+    parts: list[str] = []
+    at = 0
+    for word in words(known, text, among):
+        parts += [text[at : word.at], by(word)]
+        at = word.at + len(word.text)
+    return "".join(parts) + text[at:]
 
-    `by` says of a word, or of one that is `among` some, what it becomes.
-    """
+
+def words(known: Language, text: str, among: Container[str] | None = None) -> Iterator[Word]:
+    """Yield the words of code in a text, or those that are among some; none without code."""
     pattern = _PATTERNS.get(known)
     code = {*in_quotes(text)} if known is PYTHON else set()
 
-    def exchanged(part: str, line: int) -> str:
-        parts: list[str] = []
-        at = 0
+    def within(start: int, end: int, line: int) -> Iterator[Word]:
         signs = ("", "")
         chain: tuple[str, ...] = ()
         called: list[tuple[str, ...]] = []
-        for match in pattern.finditer(part) if pattern else ():
-            kind, found = match.lastgroup, match[0]
+        at, is_whole = start, bool(code) and end - start == len(text)
+        for match in pattern.finditer(text, start, end) if pattern else ():
+            kind, found, (first, last) = match.lastgroup, match[0], match.span()
             if kind == "blank":
                 continue
-            line += part.count("\n", at, match.start())
+            line += text.count("\n", at, first)
             if kind == "word":
-                after = part[match.end() : match.end() + 80].lstrip()
+                after = text[last : min(last + 80, end)].lstrip()
                 after = after[:2] if after[:2] in ("::", "==") else after[:1]
                 is_type = signs[1] == "->" and after == "::" and chain[-1:] in BEFORE_TYPE
                 chain = chain if signs[1] in _JOINTS and not is_type else ()
                 if among is None or found in among:
-                    found = by(Word(found, signs, after, chain, line))
-                chain = (*chain, match[0]) if match[0] not in ("from", "import") else ()
+                    yield Word(found, signs, after, chain, line, first)
+                chain = (*chain, found) if found not in ("from", "import") else ()
             elif kind == "directive" and (head := _INCLUDE.match(found)):
-                found = head[0] + _path(found[head.end() :], by, line)
+                path = _path(text, first + head.end(), last, line)
+                yield from (word for word in path if among is None or word.text in among)
             elif kind == "directive":
-                margin, sign, rest = found.partition("#")
-                found = margin + sign + exchanged(rest, line)
+                yield from within(text.index("#", first) + 1, last, line)
             elif kind == "string" and known is PYTHON and "f" in (match["prefix"] or "").lower():
-                pieces = _FIELDS.split(found)
-                pieces[1::2] = [exchanged(piece, line) for piece in pieces[1::2]]
-                found = "".join(pieces)
-            elif part is text and (line, _column(text, match.start())) in code:
-                found = found[0] + exchanged(found[1:-1], line) + found[-1]
-            parts += [part[at : match.start()], found]
-            if match[0] == "(":
+                for field in _FIELDS.finditer(text, first, last):
+                    yield from within(*field.span(), line)
+            elif is_whole and (line, _column(text, first)) in code:
+                yield from within(first + 1, last - 1, line)
+            if found == "(":
                 called.append(chain)
-            if match[0] in (")", "]"):
-                chain = (*(called.pop() if called and match[0] == ")" else ()), match[0])
-            elif kind not in ("word", "comment") and match[0] not in _JOINTS:
+            if found in (")", "]"):
+                chain = (*(called.pop() if called and found == ")" else ()), found)
+            elif kind not in ("word", "comment") and found not in _JOINTS:
                 chain = ()
-            line += match[0].count("\n")
-            at = match.end()
+            at = first
             if kind != "comment":
-                signs = (signs[1], match[0])
-        return "".join(parts) + part[at:]
+                signs = (signs[1], found)
 
-    return exchanged(text, 0)
+    return within(0, len(text), 0)
+
+
+def _path(text: str, start: int, end: int, line: int) -> Iterator[Word]:
+    """Yield the words of an included file's path; the first part is that of a package."""
+    chain: tuple[str, ...] = ()
+    for match in _NAME.finditer(text, start, end):
+        after = text[match.end() : end][:1]
+        after = "::" if after == "/" else after
+        yield Word(match[0], ("#", "include"), after, chain, line, match.start())
+        chain = (*chain, match[0])
 
 
 def _column(text: str, at: int) -> int:
@@ -117,26 +130,3 @@ def quoted(known: Language, text: str) -> set[int]:
             first = text.count("\n", 0, match.start())
             found |= {*range(first + 1, first + match[0].count("\n") + 1)}
     return found
-
-
-def _path(path: str, by: By, line: int) -> str:
-    """Exchange the words of an included file's path; the first part is that of a package."""
-    words = re.split(r"(\W)", path)
-    for i, word in enumerate(words):
-        if re.match(r"[A-Za-z_]\w*$", word):
-            follows = words[i + 1] if i + 1 < len(words) else ""
-            after, chain = "::" if follows == "/" else follows, (*filter(None, words[:i:2]),)
-            words[i] = by(Word(word, ("#", "include"), after, chain, line))
-    return "".join(words)
-
-
-def words(known: Language, text: str) -> Iterator[Word]:
-    """Yield the words of code in a text."""
-    found: list[Word] = []
-
-    def keep(word: Word) -> str:
-        found.append(word)
-        return word.text
-
-    exchange(known, text, keep)
-    yield from found

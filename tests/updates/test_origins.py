@@ -8,7 +8,7 @@ import pytest
 from hooks.merge import languages
 from hooks.merge.languages import CMAKE, MARKDOWN, PYTHON
 from hooks.merge.renaming import Renaming, _as_made, _heads
-from hooks.merge.tokens import words
+from hooks.merge.tokens import exchange, words
 from hooks.merge.uses import uses
 from hooks.merge.versions import Versions
 from support.arm import SPEC
@@ -785,6 +785,12 @@ def test_words_of_directives():
     assert found["gain"] == ((), 3)
     chains = [word.chain for word in words(languages.CPP, text) if word.text == "gain"]
     assert chains == [("data",), ()]
+
+
+def test_constants_of_types_stay():
+    text = "def f(call: Callable[..., A], one: Annotated[A, 5], two: 'A') -> None: ...\n"
+    found = exchange(PYTHON, text, lambda word: "B", {"A"})
+    assert found == text.replace("A]", "B]").replace("A,", "B,").replace("'A'", "'B'")
 
 
 def test_bracket_argument_of_cmake_hides_no_names():
