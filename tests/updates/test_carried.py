@@ -808,6 +808,7 @@ endif()
             MESSAGES[2].replace("A.msg\n", "A.msg\n  msg/RosTest.msg\n"),
             {6: "msg/RosTest.msg"},
         ),
+        (1, "", "find_package(tf2_ros)\n", "", "", {2: "tf2_ros"}),  # catkin has it
         (1, "", MESSAGES[2], "", "", {}),
         (2, "", MESSAGES[1], "", "", {}),
         (
