@@ -1063,8 +1063,9 @@ def test_what_python_installs():
     """In CMakeLists.txt in ROS 1, in setup.py in ROS 2."""
     cmake, setup = "CMakeLists.txt", "setup.py"
     mine = patched(PYTHON_CMAKE, PYTHON_1_TO_2)
-    result = built({cmake: mine}, {cmake: PYTHON_CMAKE}, {setup: SETUP}, 2)
-    assert changes(SETUP, result.tree[setup].text) == SET_UP_1_TO_2
+    for both in ({}, {setup: "setup()\n"}):  # a file of ROS 1, too, that nobody has edited
+        result = built({cmake: mine, **both}, {cmake: PYTHON_CMAKE, **both}, {setup: SETUP}, 2)
+        assert changes(SETUP, result.tree[setup].text) == SET_UP_1_TO_2
     assert result.carried == {
         cmake: (
             [cmake, setup],
