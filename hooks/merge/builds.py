@@ -111,7 +111,7 @@ class _Carrier:
         self.back: list[str] = []
         """What the developer had deleted."""
         self.own: set[str] = set()
-        """The functions and macros of the developer's, which stay behind."""
+        """The functions and macros of the developer's that stay behind."""
         self.made: set[str] = set()
         """The comments of the model's, which are about its own commands."""
 
@@ -131,7 +131,6 @@ class _Carrier:
             blocks, base = CMAKE.blocks(mine), CMAKE.blocks(old)
             match(blocks, base)
             self.back = deleted(blocks, base, self.new)
-            self.own = {name.lower() for name in _OWN.findall(mine)}
             self.made = {line.strip() for line in split(old) if line.lstrip().startswith("#")}
             self._commands(blocks, base, self.new, 1, is_top=True)
         return self.lines
@@ -164,10 +163,11 @@ class _Carrier:
         lines = split(block.text)
         text = self._translated("".join(each for each in lines if each.strip() not in self.made))
         code = re.sub(r"(?m)^\s*#.*\n?", "", text).strip()
-        name = re.match(r"\w*", code)[0].lower()  # type: ignore[index]
+        names = re.findall(r"(?m)^[ \t]*(\w+)[ \t]*\(", code.lower())
         installed = _INSTALL.fullmatch(code)
         package = re.fullmatch(r"find_package\(\s*(\w+)[^()]*\)", code)
-        if name in self.own or self.foreign(code):
+        if self.foreign(code) or not self.own.isdisjoint(names):
+            self.own.update(_OWN.findall(code.lower()))
             return
         if package and self.ros == 1 and self._component(package[1]):
             self._note(number, block.text, package[1])
@@ -175,7 +175,6 @@ class _Carrier:
             if installed and (entry := self._as_entry(installed)):
                 self._note(number, block.text, entry)
         elif self._has_target(code):
-            names = re.findall(r"(?m)^[ \t]*(\w+)[ \t]*\(", code.lower())
             is_first = all(re.match(_KNOWN["first"], each) for each in names)
             at = self._below_packages() if is_first else len(self.new)
             while re.match(_KNOWN["last"], self.new[at - 1].key):

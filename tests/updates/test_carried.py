@@ -736,6 +736,7 @@ MESSAGES = {
     2: "rosidl_generate_interfaces(${PROJECT_NAME}\n  msg/A.msg\n)\n",
 }
 USERS = "catkin_package(\n  CATKIN_DEPENDS\n    tf2\n)\n"
+HELPER = "function(Say x)\nmessage(STATUS x)\nendfunction()\nsay(1)\nif(X)\nSAY(2)\nendif()\n"
 VARIABLES = """\
 pkg_check_modules(USB libusb-1.0)
 include_directories(${USB_INCLUDE_DIRS})
@@ -775,6 +776,9 @@ endif()
         # Commands above what ends a file
         (2, "", "# Of x\nset(x 1)", "", "# Of x\nset(x 1)\n", {4: "# Of x", 5: "set(x 1)"}),
         (2, "", "run(x)", "ament_package()\n", "run(x)\nament_package()\n", {4: "run(x)"}),
+        # A function with its calls, or neither
+        (2, "", HELPER, "", "mine", dict(enumerate(HELPER.splitlines(), 4))),
+        (2, "", HELPER.replace("STATUS", "${catkin_DIR}"), "", "", {}),
         # Messages, where some are generated
         (
             1,
