@@ -169,7 +169,7 @@ class _Carrier:
         if self.foreign(code) or not self.own.isdisjoint(names):
             self.own.update(_OWN.findall(code.lower()))
             return
-        if package and self.ros == 1 and self._component(package[1]):
+        if package and self._component(package[1]):
             self._note(number, block.text, package[1])
         elif not self.has_cmake:
             if installed and (entry := self._as_entry(installed)):
@@ -229,7 +229,7 @@ class _Carrier:
             before, after = pair if self.ros == 2 else reversed(pair)
             form = rf"(DESTINATION\s+){re.escape(before)}(?=[\s/)]|$)"
             text = re.sub(form, lambda m, after=after: m[1] + after, text)  # type: ignore[misc]
-        return text.replace("catkin_install_python(", "install(") if self.ros == 2 else text
+        return text.replace("catkin_install_python(", "install(")
 
     def _item(self, key: str, item: _Item) -> str:
         """Put an item into the list that stands for the one it is in; return what it is there."""
@@ -270,7 +270,7 @@ class _Carrier:
         """Put a library or a source to the target that stands for another one."""
         targets = re.match(r"\$\{(\w+)_TARGETS\}$|(\w+)::\w+$", item.name)
         package = targets and (targets[1] or targets[2])
-        if package and self.ros == 1 and self._has_component(package):
+        if package and self._has_component(package):
             return str(package)  # catkin links all of its components
         is_sort = key.startswith("add_") and re.fullmatch("[A-Z_]+", item.name)
         command = self._same_target(key)

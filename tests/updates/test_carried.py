@@ -761,6 +761,7 @@ endif()
             "target_link_libraries(a\n  fmt::fmt\n)\n",
             {3: "", 4: "tf2_ros", 5: "fmt::fmt"},
         ),
+        (2, NO_LINK, ("a\n", "a\n  GL\n"), NO_LINK, "mine", {5: "GL"}),
         # An item of a command that both have: where the same stands in it, or above it
         (2, PROPERTIES, ("x", "y"), PROPERTIES, "mine", {6: "PREFIX y"}),
         (2, PROPERTIES, ("x", "y"), "", "", {}),
