@@ -805,6 +805,14 @@ endif()
             "add_message_files(\n  FILES\n  A.msg\n  B.msg  # Too\n)\n",
             {5: "B.msg  # Too"},
         ),
+        (
+            1,
+            MESSAGES[2],
+            ("A.msg\n", "A.msg\n  msg/B.msg\n"),
+            "add_message_files(\n  FILES\n    A.msg\n    A.srv\n)\n",
+            "add_message_files(\n  FILES\n    A.msg\n    B.msg\n    A.srv\n)\n",
+            {4: "B.msg"},
+        ),
         (  # whose name only looks like ROS 1
             2,
             MESSAGES[1],
