@@ -139,11 +139,10 @@ class _Carrier:
         self, mine: Blocks, old: Blocks, new: list[Block], number: int, is_top: bool = False
     ) -> None:
         known = {block.key: block for block in old}
-        lists = {_name(b.key): b for b in old if self._lists(b.key)}
         generated = set(keys(old))
         there = {block.key: block for block in new}
         for block in mine:
-            base = known.get(block.key) or lists.get(_name(block.key))
+            base = known.get(block.key)
             if self._is_list(block.key) and (base or is_top):
                 self._list(block, base, number)
             elif is_top and generated.isdisjoint(keys([block])):

@@ -1072,6 +1072,12 @@ def test_cmake_that_nobody_changed_is_the_new_one():
     assert (result.tree, result.carried) == ({}, {})
 
 
+def test_build_file_that_is_the_developers_alone_is_none_of_the_model():
+    mine = {"CMakeLists.txt": CMAKE_1, "setup.py": SETUP + "mine()\n"}
+    result = built(mine, {"setup.py": SETUP}, {"setup.py": SETUP}, 2)
+    assert ([*result.carried], [*result.tree]) == (["setup.py"], ["setup.py"])
+
+
 def test_what_python_installs():
     """In CMakeLists.txt in ROS 1, in setup.py in ROS 2."""
     cmake, setup = "CMakeLists.txt", "setup.py"
