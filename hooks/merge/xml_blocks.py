@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from xml.parsers import expat
 
 from .blocks import Block, Span, arrange, squeezed
@@ -51,28 +51,33 @@ def same(one: str, other: str) -> bool:
     return len({squeezed(_BESIDE.sub(tight, text), _EXACT) for text in (one, other)}) == 1
 
 
-def exchange(text: str, by: Callable[[str, str, str], str]) -> str:
-    """Return a text with the value of each attribute exchanged.
+Attribute = tuple[str, str, str]
+"""The name of its element, its own, and its value.
 
-    `by` is given the name of its element, its own, and its value. An element of a package is known
-    by that: it may have another name, and another package's the same one.
-    """
+An element of a package is known by that: it may have another name, and another package's the same
+one.
+"""
 
-    def element(match: re.Match[str]) -> str:
-        if not match["open"]:
-            return match[0]
-        attributes = _attributes(match["attributes"])
-        name = _named(match["tag"], attributes)
-        name = f"{match['tag']} of {attributes['pkg']}" if "pkg" in attributes else name
 
-        def attribute(found: re.Match[str]) -> str:
-            quote, value = found["value"][0], found["value"][1:-1]
-            new = by(name, found["name"], value)
-            return f"{found['name']}{found['sign']}{quote}{new}{quote}"
+def attributes(text: str) -> Iterator[tuple[Attribute, int]]:
+    """Yield the attributes of a text, each with the place of its value."""
+    for match in MARKUP.finditer(text):
+        if match["open"]:
+            given, tag = _attributes(match["attributes"]), match["tag"]
+            name = f"{tag} of {given['pkg']}" if "pkg" in given else _named(tag, given)
+            for found in ATTRIBUTE.finditer(text, *match.span("attributes")):
+                yield (name, found["name"], found["value"][1:-1]), found.start("value") + 1
 
-        return f"<{match['tag']}{ATTRIBUTE.sub(attribute, match['attributes'])}>"
 
-    return MARKUP.sub(element, text)
+def exchange(text: str, values: Mapping[Attribute, str]) -> str:
+    """Return a text with the values of some attributes exchanged."""
+    parts: list[str] = []
+    at = 0
+    for found, start in attributes(text):
+        if found in values:
+            parts += [text[at:start], values[found]]
+            at = start + len(found[2])
+    return "".join(parts) + text[at:]
 
 
 def _attributes(text: str) -> dict[str, str]:
