@@ -66,7 +66,7 @@ class Renaming:
     """
     heads: dict[str, dict[str, str]] = field(default_factory=dict)
     """By file, the heads of such lines that change, each as it is after the update."""
-    attributes: dict[str, dict[tuple[str, str, str], str]] = field(default_factory=dict)
+    attributes: dict[str, dict[xml_blocks.Attribute, str]] = field(default_factory=dict)
     """By file of XML, what becomes of the value of an attribute of a generated element."""
     vocabulary: dict[str, set[str]] = field(default_factory=dict)
     """By file, the words that these lines have by themselves: they are members of nothing."""
