@@ -132,6 +132,7 @@ class _Carrier:
             match(blocks, base)
             self.back = deleted(blocks, base, self.new)
             self.made = {line.strip() for line in split(old) if line.lstrip().startswith("#")}
+            self.own = {name.lower() for name in _OWN.findall(mine)}
             self._commands(blocks, base, self.new, 1, is_top=True)
         return self.lines
 
@@ -166,7 +167,6 @@ class _Carrier:
         installed = _INSTALL.fullmatch(code)
         package = re.fullmatch(r"find_package\(\s*(\w+)[^()]*\)", code)
         if self.foreign(code) or not self.own.isdisjoint(names):
-            self.own.update(_OWN.findall(code.lower()))
             return
         if package and self._component(package[1]):
             self._note(number, block.text, package[1])
@@ -180,6 +180,7 @@ class _Carrier:
                 at -= 1
             key = f"find_package own {number}" if is_first else f"own {number}"
             self.new.insert(at, Block(key, split(text.removesuffix("\n") + "\n")))
+            self.own.difference_update(_OWN.findall(code.lower()))
             for i, line in enumerate(lines):
                 self._note(number + i, line, self._translated(line).strip())
 
