@@ -254,13 +254,18 @@ def settle(made: Versions) -> Result:
     """Merge in memory; SpecError if lines would not be in their place."""
     result, wrong = made.merged()
     if wrong:
-        said = "".join(f"\n  {path}: {what}" for path, what in wrong[:20])
         raise SpecError(
             "nothing was joined, for these lines would not be where you have written them; take"
-            f" them out on their branch, join, and put them in again:{said}\n",
+            " them out on their branch, join, and put them in again:"
+            + listed(f"{path}: {what}" for path, what in wrong),
             "merge-not-proved",
         )
     return result
+
+
+def listed(lines: Iterable[str]) -> str:
+    """Return the first lines of a list, each on a line of its own."""
+    return "".join(f"\n  {line}" for line in [*lines][:20]) + "\n"
 
 
 def people(mine: Tree, old: Tree, new: Tree) -> Versions:

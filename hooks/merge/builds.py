@@ -15,7 +15,7 @@ from ..data import load_data
 from .blocks import Block
 from .languages import CMAKE
 from .launch import deleted, keys
-from .lines import plain, split
+from .lines import margin, plain, split
 from .matching import Blocks, match
 from .package import Result
 from .renaming import Renaming
@@ -32,12 +32,6 @@ _ENTRY = re.compile(
     r"|\('(share|lib)/' \+ package_name(?: \+ '/([\w/.-]+)')?, (glob\('\3/\*'\)|\[[^]\n]*\])\),"
 )
 _PROJECT = {"share": "share/${PROJECT_NAME}", "lib": "lib/${PROJECT_NAME}"}
-# Commands with a list of packages, in ROS 1 and ROS 2 in one order; and the word before it.
-_DEPENDENCIES = {
-    1: ("generate_messages", "catkin_package"),
-    2: ("rosidl_generate_interfaces", "ament_export_dependencies"),
-}
-_WORDS = {1: ("DEPENDENCIES", "CATKIN_DEPENDS"), 2: ("DEPENDENCIES", "")}
 # Commands about the parts of a target.
 _PARTS = ("target_link_libraries", "add_executable", "add_library")
 _ABOUT_TARGET = re.compile(
@@ -106,6 +100,10 @@ class _Carrier:
     def __init__(self, texts: dict[str, str], ros: int) -> None:
         self.ros = ros
         self.foreign = re.compile(_KNOWN["foreign"][3 - ros]).search
+        self.lists = [
+            (row[2 * (2 - ros)], *row[2 * (ros - 1) : 2 * ros], row[-1]) for row in _KNOWN["lists"]
+        ]
+        """The commands of the other ROS, those of this one, the words above the items, folders."""
         self.new = CMAKE.blocks(texts.get(_CMAKE, ""))
         self.setup = split(texts.get(_SETUP, ""))
         self.has_cmake = _CMAKE in texts
@@ -113,7 +111,7 @@ class _Carrier:
         self.back: list[str] = []
         """What the developer had deleted."""
         self.own: set[str] = set()
-        """The functions and macros of the developer's, which stay behind."""
+        """The functions and macros of the developer's that stay behind."""
         self.made: set[str] = set()
         """The comments of the model's, which are about its own commands."""
 
@@ -133,8 +131,8 @@ class _Carrier:
             blocks, base = CMAKE.blocks(mine), CMAKE.blocks(old)
             match(blocks, base)
             self.back = deleted(blocks, base, self.new)
-            self.own = {name.lower() for name in _OWN.findall(mine)}
             self.made = {line.strip() for line in split(old) if line.lstrip().startswith("#")}
+            self.own = {name.lower() for name in _OWN.findall(mine)}
             self._commands(blocks, base, self.new, 1, is_top=True)
         return self.lines
 
@@ -142,11 +140,10 @@ class _Carrier:
         self, mine: Blocks, old: Blocks, new: list[Block], number: int, is_top: bool = False
     ) -> None:
         known = {block.key: block for block in old}
-        lists = {_name(b.key): b for b in old if _name(b.key) in _DEPENDENCIES[3 - self.ros]}
         generated = set(keys(old))
         there = {block.key: block for block in new}
         for block in mine:
-            base = known.get(block.key) or lists.get(_name(block.key))
+            base = known.get(block.key)
             if self._is_list(block.key) and (base or is_top):
                 self._list(block, base, number)
             elif is_top and generated.isdisjoint(keys([block])):
@@ -166,24 +163,24 @@ class _Carrier:
         lines = split(block.text)
         text = self._translated("".join(each for each in lines if each.strip() not in self.made))
         code = re.sub(r"(?m)^\s*#.*\n?", "", text).strip()
-        name = re.match(r"\w*", code)[0].lower()  # type: ignore[index]
+        names = re.findall(r"(?m)^[ \t]*(\w+)[ \t]*\(", code.lower())
         installed = _INSTALL.fullmatch(code)
         package = re.fullmatch(r"find_package\(\s*(\w+)[^()]*\)", code)
-        if name in self.own or self.foreign(code):
+        if self.foreign(code) or not self.own.isdisjoint(names):
             return
-        if package and self.ros == 1 and self._component(package[1]):
+        if package and self._component(package[1]):
             self._note(number, block.text, package[1])
         elif not self.has_cmake:
             if installed and (entry := self._as_entry(installed)):
                 self._note(number, block.text, entry)
         elif self._has_target(code):
-            names = re.findall(r"(?m)^[ \t]*(\w+)[ \t]*\(", code.lower())
             is_first = all(re.match(_KNOWN["first"], each) for each in names)
             at = self._below_packages() if is_first else len(self.new)
             while re.match(_KNOWN["last"], self.new[at - 1].key):
                 at -= 1
             key = f"find_package own {number}" if is_first else f"own {number}"
             self.new.insert(at, Block(key, split(text.removesuffix("\n") + "\n")))
+            self.own.difference_update(_OWN.findall(code.lower()))
             for i, line in enumerate(lines):
                 self._note(number + i, line, self._translated(line).strip())
 
@@ -193,8 +190,11 @@ class _Carrier:
             return self._same_target(key) is not None
         if key in ("find_package catkin", "install DIRECTORY"):
             return self.ros == 2 if key.startswith("find") else not self.has_cmake
-        sources = [pair[2 - self.ros] for pair in _KNOWN["lists"]]
-        return key in sources or _name(key) in _DEPENDENCIES[3 - self.ros]
+        return bool(self._lists(key))
+
+    def _lists(self, key: str) -> list[tuple[str, str, str]]:
+        """Return the commands that items of a command go to, with their words and folders."""
+        return [(target, *rest) for name, target, *rest in self.lists if name == _name(key)]
 
     def _list(self, block: Block, base: Block | None, number: int) -> None:
         """Put the items that a list has more than `base` into the one that stands for it.
@@ -229,24 +229,23 @@ class _Carrier:
             before, after = pair if self.ros == 2 else reversed(pair)
             form = rf"(DESTINATION\s+){re.escape(before)}(?=[\s/)]|$)"
             text = re.sub(form, lambda m, after=after: m[1] + after, text)  # type: ignore[misc]
-        return text.replace("catkin_install_python(", "install(") if self.ros == 2 else text
+        return text.replace("catkin_install_python(", "install(")
 
     def _item(self, key: str, item: _Item) -> str:
         """Put an item into the list that stands for the one it is in; return what it is there."""
         if item.keyword not in _KNOWN["items"][_name(key)]:
             return ""
-        for first, second, folder in _KNOWN["lists"]:
-            target, prefix = (second, "") if self.ros == 2 else (first, folder)
-            file = re.fullmatch(rf"{prefix}([\w/.-]+\.{folder[:-1]})", item.name)
-            if file:
-                name = (folder if self.ros == 2 else "") + file[1] + item.comment
-                return name if self._listed(target, name, f".{folder[:-1]}") else ""
         if _name(key) in _PARTS:
             return self._part(key, item)
-        if self.foreign(item.name):
+        for target, word, folder in (lists := self._lists(key)):
+            before, after = ("", f"{folder}/") if self.ros == 2 else (f"{folder}/", "")
+            if folder and (file := re.fullmatch(rf"{before}([\w/.-]+\.{folder})", item.name)):
+                return self._listed(target, word, after + file[1] + item.comment, f".{folder}")
+            is_package = not folder and re.fullmatch(r"[a-z]\w*", item.name)
+            if is_package and not self.foreign(item.name):
+                return self._listed(target, word, item.text)
+        if lists or self.foreign(item.name):
             return ""
-        if _name(key) in _DEPENDENCIES[3 - self.ros]:
-            return self._dependency(key, item)
         if key == "install DIRECTORY":
             is_folder = re.fullmatch(r"[\w/.-]+", item.name)
             return self._in_setup(f"*installed('{item.name}'),{item.comment}") if is_folder else ""
@@ -267,26 +266,11 @@ class _Carrier:
             command.lines.insert(at + 1, line)
             self._note(number, line, item)
 
-    def _dependency(self, key: str, item: _Item) -> str:
-        """Put a package into the list of those that messages contain, or that users need."""
-        at = _DEPENDENCIES[3 - self.ros].index(_name(key))
-        target, word = _DEPENDENCIES[self.ros][at], _WORDS[self.ros][at]
-        command = next((block for block in self.new if block.key.startswith(target)), None)
-        if command is None or not re.fullmatch(r"[a-z]\w*", item.name):
-            return ""
-        lines = command.lines
-        if word and _index(lines, word) is None:
-            lines.insert(len(lines) - 1, f"  {word}\n")
-        place = _index_of(lines, word or target) + 1
-        if not any(found.strip() == item.name for found in lines[place:]):
-            lines.insert(place, f"{'    ' if word else '  '}{item.text}\n")
-        return item.text
-
     def _part(self, key: str, item: _Item) -> str:
         """Put a library or a source to the target that stands for another one."""
         targets = re.match(r"\$\{(\w+)_TARGETS\}$|(\w+)::\w+$", item.name)
         package = targets and (targets[1] or targets[2])
-        if package and self.ros == 1 and self._has_component(package):
+        if package and self._has_component(package):
             return str(package)  # catkin links all of its components
         is_sort = key.startswith("add_") and re.fullmatch("[A-Z_]+", item.name)
         command = self._same_target(key)
@@ -304,21 +288,28 @@ class _Carrier:
         names = _PARTS[:1] if name in _PARTS[:1] else _PARTS[1:]
         return self._named(*(f"{one} {target}" for one in names))
 
-    def _listed(self, key: str, name: str, suffix: str) -> bool:
-        """Put a file into the list of those like it; without a list, make one if it has a use."""
-        command = self._named(key)
+    def _listed(self, name: str, word: str, text: str, like: str = "") -> str:
+        """Put an item below those like it in a command, or below a word, which is put there.
+
+        Return the item. A list of files is made where there is none, if it has a use.
+        """
+        command = next((block for block in self.new if block.key.startswith(name)), None)
         if command is None:
             users = (i for i, b in enumerate(self.new) if b.key.startswith("generate_messages"))
-            if (at := next(users, None)) is None:
-                return False
-            start = key.replace(" ", "(\n  ")
-            self.new.insert(at, Block(key, [f"\n{start}\n", f"    {name}\n", ")\n"]))
-            return True
-        last = [i for i, line in enumerate(command.lines) if line.strip().endswith(suffix)]
-        at = last[-1] if last else _index_of(command.lines, key.split()[-1])
-        margin = re.match(r" *", command.lines[at])[0] if last else "  "  # type: ignore[index]
-        command.lines.insert(at + 1, f"{margin}{name}\n")
-        return True
+            if not like or (at := next(users, None)) is None:
+                return ""
+            made = [f"\n{name}(\n", f"  {word}\n", f"    {text}\n", ")\n"]
+            self.new.insert(at, Block(f"{name} {word}", made))
+            return text
+        lines = command.lines
+        if not any(word in line for line in lines):
+            lines.insert(len(lines) - 1, f"  {word}\n")
+        last = [i for i, line in enumerate(lines) if like and line.strip().endswith(like)]
+        at = last[-1] if last else _index_of(lines, word or name)
+        blanks = margin(lines[at]) if last else 4 if word and not like else 2
+        if not any(line.strip() == text.partition("#")[0].rstrip() for line in lines[at:]):
+            lines.insert(at + 1, f"{' ' * blanks}{text}\n")
+        return text
 
     def _below_packages(self) -> int:
         return max(i for i, b in enumerate(self.new) if b.key.startswith("find_package")) + 1

@@ -15,7 +15,7 @@ from itertools import accumulate
 from .blocks import Block, Span, arrange, nested, squeezed
 from .lines import split
 
-_TOKEN = re.compile(
+TOKEN = re.compile(
     r"""
     (?P<comment> //(?: \\\n | [^\n] )* | /\*.*?\*/ )
   | (?P<directive> ^[ \t]*\#(?: \\\n | //(?: \\\n | [^\n] )* | /\*.*?\*/
@@ -26,7 +26,7 @@ _TOKEN = re.compile(
   | (?P<character> '(?: \\. | [^'\\\n] )+' )
   | (?P<word> [A-Za-z_]\w* )
   | (?P<blank> \n | [^\S\n]+ )
-  | (?P<sign> :: | . )
+  | (?P<sign> :: | -> | . )
     """,
     re.VERBOSE | re.DOTALL | re.MULTILINE,
 )
@@ -165,7 +165,7 @@ def _words(text: str) -> list[str]:
 def tokenize(text: str) -> Iterator[_Token]:
     """Yield the tokens of a text, all of it."""
     line = 0
-    for match in _TOKEN.finditer(text):
+    for match in TOKEN.finditer(text):
         last = line + match[0].count("\n")
         yield _Token(match.lastgroup or "sign", match[0], line, last)
         line = last

@@ -93,8 +93,11 @@ def stage(folder: Path, paths: Iterable[str]) -> None:
 
 def keep(folder: Path, data: bytes) -> str:
     """Keep a content in git; return its short name."""
-    name = git(folder, "hash-object", "-w", "--stdin", "--no-filters", given=data).strip()
-    return git(folder, "rev-parse", "--short", name).strip()
+    return git(folder, "rev-parse", "--short", _kept(folder, data)).strip()
+
+
+def _kept(folder: Path, data: bytes) -> str:
+    return git(folder, "hash-object", "-w", "--stdin", "--no-filters", given=data).strip()
 
 
 def last_commit(folder: Path) -> str:
@@ -118,8 +121,7 @@ def mark_conflict(folder: Path, path: str, mode: str, versions: dict[int, bytes]
     full = git(folder, "rev-parse", "--show-prefix").rstrip("\n") + path
     lines = [f"0 {'0' * 40}\t{full}"]
     for stage, data in versions.items():
-        name = git(folder, "hash-object", "-w", "--stdin", "--no-filters", given=data).strip()
-        lines.append(f"{mode} {name} {stage}\t{full}")
+        lines.append(f"{mode} {_kept(folder, data)} {stage}\t{full}")
     git(folder, "update-index", "-z", "--index-info", given=_records(lines))
 
 

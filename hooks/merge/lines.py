@@ -19,7 +19,7 @@ Same = Callable[[str, str], bool]
 FEW = 3
 """Lines in common that part a conflict in two."""
 ALIKE = 0.6
-"""How much two lines have in common of which one has become the other."""
+"""How much two lines, blocks or files have in common of which one has become the other."""
 MARKS = ("<<<<<<< before updating", "=======", ">>>>>>> after updating")
 
 

@@ -12,14 +12,13 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import chain, count, islice, takewhile
 
 from .blocks import THEN, Block, every, is_condition, walk
-from .lines import depth, margin, split
+from .lines import ALIKE, depth, margin, split
 from .python_blocks import is_same_import
 
 Blocks = Sequence[Block]
 _NUMBER = re.compile(r" #\d+$")
 _MAY_OPEN = re.compile(r"#?if|namespace |group ")
 _HEADING = re.compile(r"#+ ")
-ALIKE = 0.6
 _RELATIVE = re.compile(r"\s*from \.\S* import")
 
 

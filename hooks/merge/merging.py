@@ -31,19 +31,14 @@ _UNNAMED = re.compile(r"from |import |install |list ")
 
 @dataclass
 class Outcome:
-    """What the merge of a file gave."""
+    """What the merge of a file gave; the parts are those of a `Result`, of one file."""
 
     merged: Merged = field(default_factory=list)
     removed: list[str] = field(default_factory=list)
-    """The edited blocks that left, because the new version has no such thing (decision 23)."""
     missing: list[str] = field(default_factory=list)
-    """The blocks of the new version that the developer has deleted."""
     own: list[str] = field(default_factory=list)
-    """The blocks that both sides have made, of which the developer's stays."""
     gone: list[str] = field(default_factory=list)
-    """The blocks that neither side has any longer; the developer may have comments of them."""
     reworded: list[str] = field(default_factory=list)
-    """New comments, tables and diagrams where the developer has deleted those of before."""
 
     @property
     def conflict(self) -> bool:
@@ -278,8 +273,7 @@ class _Merger:
         merged = self.block(mine, old, Block(mine.key, []))
         found = textwrap.dedent(lines.text(merged))
         if self.language is PYTHON and not readable(PYTHON, [found]):
-            self.outcome.removed.append(block_name(mine.key))
-            return []
+            return self.left(mine, old)
         return merged
 
     def lines(self, mine: lines.Lines, old: lines.Lines, new: lines.Lines) -> Merged:

@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 
 from .languages import CPP, PYTHON, Language
 from .python_blocks import last_line, nodes
-from .receivers import Code, Lent, code, last_word, lent_in_cpp, lent_in_python, type_words
-from .scopes import scopes
+from .receivers import Lent, last_word, lent_in_cpp, lent_in_python, type_words
+from .scopes import Code, code
 from .tokens import BEFORE_TYPE, Word
 
 SELF = ("self", "cls", "this")
@@ -267,7 +267,7 @@ def _python_classes(tree: Iterable[ast.AST], foreign: set[str]) -> Iterator[Clas
 
 def _cpp_classes(read: Code, roots: Names) -> Iterator[Class]:
     """Yield the classes of a file, and what it defines of them out of their bodies."""
-    within = scopes(read)
+    within = read.scopes
     for at, (path, kind, bases, start) in within.items():
         chains = [base.removeprefix("::").split("::") for base in bases]
         bases = {chain[-1] if chain[0] in (*roots, chain[-1]) else "" for chain in chains}
@@ -311,8 +311,7 @@ def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Classes
         found.ours |= {*names}
         found.ours |= {name for name, root in _ALIAS.findall(text) if root in {*roots, *names}}
     found.types = {*classes} | {*roots}
-    read = code(text)
-    kin = found.relate(_cpp_classes(read, roots), classes, names)
+    kin = found.relate(_cpp_classes(code(text), roots), classes, names)
     found.ours |= kin if is_user else set()
     types = "|".join(map(re.escape, {*classes} - found.foreign)) or "(?!)"
     ours = rf"(?<![\w:])(?:(?:::)?(?:{spaces})::){'?' * is_user}({types})\b"
@@ -324,7 +323,7 @@ def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Classes
         if found.is_holder(other, -1):
             found.holders[name] = found.holders.get(other)
     objects = {*found.known_holders, *found.holders}
-    found.lent = lent_in_cpp(text, read, objects, kin - found.foreign, {*roots})
+    found.lent = lent_in_cpp(text, objects, kin - found.foreign, {*roots})
     for match in re.finditer(rf"{ours}\s*\w*\s*\{{[^{{}}]*\}}", text):
         for name in re.finditer(r"[{,]\s*\.(\w+)\s*=", match[0]):
             line = text.count("\n", 0, match.start() + name.start(1))

@@ -18,8 +18,6 @@ from .tree import LINK, File, Tree, encode
 BOM = "\ufeff"
 _OF_BEFORE = ("removed", "gone")
 """What is said of a file by its path of before."""
-_ALIKE = 0.6
-"""Which part of its lines a file that has been moved still has."""
 
 
 @dataclass
@@ -40,13 +38,13 @@ class Result:
     back: dict[str, list[str]] = field(default_factory=dict)
     """By path, the parts that the developer had deleted from the file of another ROS."""
     removed: dict[str, list[str]] = field(default_factory=dict)
-    """By path of before, the edited parts that left a file."""
+    """By path of before, the edited parts that left a file with their interface (decision 23)."""
     missing: dict[str, list[str]] = field(default_factory=dict)
     """By path, the parts of the new version that the developer has deleted; "" is all of it."""
     own: dict[str, list[str]] = field(default_factory=dict)
     """By path, the parts that both sides have made, of which the developer's stay."""
     gone: dict[str, list[str]] = field(default_factory=dict)
-    """By path of before, the parts that neither side has any longer."""
+    """By path of before, the parts that neither side has; the developer may have comments."""
     reworded: dict[str, list[str]] = field(default_factory=dict)
     """By path, new comments, tables and diagrams where the developer has deleted the old ones."""
     rejected: Tree = field(default_factory=dict)
@@ -224,7 +222,7 @@ def moves(old: Tree, mine: Tree, away: Iterable[str], own: Collection[str]) -> d
         for path in away
         for target in own
         if PurePosixPath(target).suffix == PurePosixPath(path).suffix
-        and (alike := _likeness(old[path], mine[target])) > _ALIKE
+        and (alike := _likeness(old[path], mine[target])) > lines.ALIKE
     ]
     found: dict[str, str] = {}
     for *_, path, target in sorted(likely, reverse=True):

@@ -17,7 +17,8 @@ from .package import Result
 from .renaming import Renaming
 from .tree import File, Tree
 
-_SCOPES = dict[str, list[str]]
+_Line = tuple[str, str, int]
+"""The blocks that it is in, itself, and its number."""
 
 
 @dataclass
@@ -52,76 +53,112 @@ def prove(
     What is in a container of `new` is looked for there. `of_people`: another developer's is `new`,
     who may have put a block around theirs.
     """
-    proof = Proof()
+    prover = _Prover(result, found, renaming, of_people)
     origins = {renaming.path(path): path for path in old}
     for path, file in mine.items():
         target = renaming.path(path)
         origin = result.origins.get(target) or origins.get(target, path)
-        paths = (path, origin, target)
-        made = (new or {}).get(target)
-        _prove_file(proof, paths, file, old.get(origin), made, result, found, renaming, of_people)
-    return proof
+        base, made = old.get(origin, File(b"")), (new or {}).get(target, File(b""))
+        if origin not in old or file.data != base.data:
+            prover.file(path, origin, target, file, base.written, made.written)
+    return prover.proof
 
 
-def _prove_file(
-    proof: Proof,
-    paths: tuple[str, str, str],
-    mine: File,
-    base: File | None,
-    made: File | None,
-    result: Result,
-    tree: Tree,
-    renaming: Renaming,
-    of_people: bool,
-) -> None:
-    path, origin, target = paths
-    found = tree.get(target)
-    if base and mine.data == base.data:
-        return
-    if mine.text is None:
-        if found is None and path not in result.left:
-            proof.lost.append((target, "the file"))
-        return
-    ours, old = plain(mine.text), (base.text if base else None) or ""
-    known = language(path, mine.text)
-    if not readable(known, [ours]):
-        known = TEXT
-    before, after = (_blocks(known, text, origin, renaming) for text in (old, ours))
-    theirs = _blocks(known, made.text, "", Renaming()) if made and made.text else []
-    match(theirs, before)
-    before, theirs = opened(after, before, theirs)
-    after = identify(after, before, before)
-    tell_apart(after, before, theirs)
-    before, after = (wrap(side, theirs, before, is_between=True) for side in (before, after))
-    own = split(ours)
-    lines = [
-        (scope, line, _number(own, number, line))
-        for scope, line, number in _developer_lines(known, after, before)
-    ]
-    behind = [(path, number, own[number - 1]) for number in renaming.behind(origin, ours) or ()]
-    proof.left += behind
-    proof.total += len(lines) + len(behind)
-    if path in result.left or path in result.carried:
-        targets, carried = result.carried.get(path, ([], {}))
-        text = "".join(tree[one].written for one in targets if one in tree)
-        for _, line, number in lines:
-            if all(part in text for part in carried.get(number, ("\0",))):
+@dataclass
+class _Prover:
+    result: Result
+    found: Tree
+    renaming: Renaming
+    of_people: bool
+    proof: Proof = field(default_factory=Proof)
+
+    def file(self, path: str, origin: str, target: str, mine: File, old: str, new: str) -> None:
+        """Look for the lines of a file, which is at `target` now, and was made as `origin`."""
+        result, proof, found = self.result, self.proof, self.found.get(target)
+        if mine.text is None:
+            if found is None and path not in result.left:
+                proof.lost.append((target, "the file"))
+            return
+        ours = plain(mine.text)
+        known = language(path, mine.text)
+        if not readable(known, [ours]):
+            known = TEXT
+        before, after = (_blocks(known, text, origin, self.renaming) for text in (old, ours))
+        theirs = _blocks(known, new, "", Renaming()) if new else []
+        match(theirs, before)
+        before, theirs = opened(after, before, theirs)
+        after = identify(after, before, before)
+        tell_apart(after, before, theirs)
+        before, after = (wrap(side, theirs, before, is_between=True) for side in (before, after))
+        own = split(ours)
+        lines = [
+            (scope, line, _number(own, number, line))
+            for scope, line, number in _developer_lines(known, after, before)
+        ]
+        behind = self.renaming.behind(origin, ours) or ()
+        proof.left += [(path, number, own[number - 1]) for number in behind]
+        proof.total += len(lines) + len(behind)
+        if path in result.left or path in result.carried:
+            targets, carried = result.carried.get(path, ([], {}))
+            text = "".join(self.found[one].written for one in targets if one in self.found)
+            for _, line, number in lines:
+                if all(part in text for part in carried.get(number, ("\0",))):
+                    proof.in_place += 1
+                else:
+                    proof.left.append((path, number, line))
+            return
+        sides = [*_sides(plain(found.written))] if found else []
+        text = "".join(line for side, line in sides if side != "new")
+        shown = Counter(known.key(line) for side, line in sides if side == "mine")
+        there = identify(_blocks(known, text, "", Renaming()), before, after)
+        gone = _imported(known, before) - _imported(known, theirs) if theirs else set[str]()
+        removed, generated = result.removed.get(path, []), {*split(old), *gone}
+        for scope, line, number in self._not_there(known, lines, there, generated):
+            if shown[known.key(line)]:  # in a conflict
+                shown[known.key(line)] -= 1
                 proof.in_place += 1
-            else:
+            elif any(name in scope for name in removed) or (
+                removed and _may_leave(scope, line, generated)
+            ):
                 proof.left.append((path, number, line))
-        return
-    sides = [*_sides(plain(found.written))] if found else []
-    text = "".join(line for side, line in sides if side != "new")
-    shown = Counter(known.key(line) for side, line in sides if side == "mine")
-    there = _blocks(known, text, "", Renaming())
-    there = identify(there, before, after)
-    removed = result.removed.get(path, [])
-    gone = _imported(known, before) - _imported(known, theirs) if theirs else set[str]()
-    generated = {*split(old), *gone}
-    _read_back(proof, (path, target), known, lines, there, shown, generated, removed, of_people)
-    changed = found is not None and target not in result.conflicts and text != ours
-    if changed and not readable(known, [text]):
-        proof.lost.append((target, "cannot be read any more"))
+            else:
+                proof.lost.append((target, line.strip()))
+        changed = found is not None and target not in result.conflicts and text != ours
+        if changed and not readable(known, [text]):
+            proof.lost.append((target, "cannot be read any more"))
+
+    def _not_there(
+        self, known: Language, lines: list[_Line], found: list[Block], made: set[str]
+    ) -> Iterator[_Line]:
+        """Yield those of some lines that are not in their blocks; `made` is generated."""
+
+        def place(scope: str) -> str:
+            """Return a scope; of people the block alone, and of a namespace opened again."""
+            return scope.rpartition(" > ")[2].removeprefix("{ ") if self.of_people else scope
+
+        counts: dict[str, Counter[str]] = {}
+        scopes = _scopes(found)
+        around = {scope.rpartition(" > ")[0] for scope in scopes}
+        rest = {
+            scope: iter([known.key(line) for line in inside])
+            for scope, inside in scopes.items()
+            if not (self.of_people or scope in around or scope.endswith("> comment"))
+            and not _is_import(known, scope)
+        }
+        for scope, inside in scopes.items():
+            pieces = counts.setdefault(place(scope), Counter())
+            pieces.update(piece for line in inside for piece in _pieces(known, scope, line))
+        for scope, line, number in lines:
+            have = counts.get(place(scope), Counter())
+            pieces = Counter(_pieces(known, scope, line))
+            if _is_import(known, scope):  # of names that have left, none is to be imported
+                pieces = Counter({name: n for name, n in pieces.items() if name not in made})
+            # `in` reads on from where the line before was found: none has come before another one.
+            if pieces <= have and (scope not in rest or known.key(line) in rest[scope]):
+                have -= pieces
+                self.proof.in_place += 1
+            else:
+                yield scope, line, number
 
 
 def _number(lines: list[str], number: int, line: str) -> int:
@@ -138,53 +175,6 @@ def places(mine: Tree, lost: list[tuple[str, str]], renaming: Renaming) -> Itera
         lines = split(renaming.text(path, plain(text or "")))
         numbers = [str(n) for n, found in enumerate(lines, 1) if found.strip() == line]
         yield ":".join([path, *numbers[:1], f" {line}"])
-
-
-def _read_back(
-    proof: Proof,
-    paths: tuple[str, str],
-    known: Language,
-    lines: list[tuple[str, str, int]],
-    found: list[Block],
-    shown: Counter[str],
-    made: set[str],
-    removed: list[str],
-    of_people: bool,
-) -> None:
-    """Look for lines in their blocks; a conflict shows those in `shown`, `made` is generated."""
-
-    def place(scope: str) -> str:
-        """Return a scope; of people, the block alone, and of a namespace that is opened again."""
-        return scope.rpartition(" > ")[2].removeprefix("{ ") if of_people else scope
-
-    counts: dict[str, Counter[str]] = {}
-    scopes = _scopes(found)
-    around = {scope.rpartition(" > ")[0] for scope in scopes}
-    rest = {
-        scope: iter([known.key(line) for line in inside])
-        for scope, inside in scopes.items()
-        if not (of_people or scope in around or scope.endswith("> comment"))
-        and not _is_import(known, scope)
-    }
-    for scope, inside in scopes.items():
-        pieces = counts.setdefault(place(scope), Counter())
-        pieces.update(piece for line in inside for piece in _pieces(known, scope, line))
-    for scope, line, number in lines:
-        have = counts.get(place(scope), Counter())
-        pieces = Counter(_pieces(known, scope, line))
-        if _is_import(known, scope):  # of names that have left, none is to be imported
-            pieces = Counter({name: n for name, n in pieces.items() if name not in made})
-        # `in` reads on from where the line before was found: none has come before another one.
-        if pieces <= have and (scope not in rest or known.key(line) in rest[scope]):
-            have -= pieces
-            proof.in_place += 1
-        elif shown[known.key(line)]:
-            shown[known.key(line)] -= 1
-            proof.in_place += 1
-        elif any(name in scope for name in removed) or (removed and _may_leave(scope, line, made)):
-            proof.left.append((paths[0], number, line))
-        else:
-            proof.lost.append((paths[1], line.strip()))
 
 
 def _is_import(known: Language, scope: str) -> bool:
@@ -210,10 +200,8 @@ def _may_leave(scope: str, line: str, made: set[str]) -> bool:
     return scope.rpartition(" > ")[2].startswith("from ") or (is_comment and line in made)
 
 
-def _developer_lines(
-    known: Language, mine: list[Block], old: list[Block]
-) -> Iterator[tuple[str, str, int]]:
-    """Yield the lines that the developer wrote, each with the blocks it is in and its number.
+def _developer_lines(known: Language, mine: list[Block], old: list[Block]) -> Iterator[_Line]:
+    """Yield the lines that the developer wrote.
 
     What a formatter made of generated lines is not the developer's.
     """
@@ -243,8 +231,8 @@ def _blocks(known: Language, text: str, path: str, renaming: Renaming) -> list[B
         return [Block("text", split(renaming.text(path, text)))]
 
 
-def _scopes(blocks: list[Block]) -> _SCOPES:
-    scopes: _SCOPES = {}
+def _scopes(blocks: list[Block]) -> dict[str, list[str]]:
+    scopes: dict[str, list[str]] = {}
     for scope, line in _walk(blocks):
         scopes.setdefault(scope, []).append(line)
     return scopes

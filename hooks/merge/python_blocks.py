@@ -22,6 +22,7 @@ _ENDS = ("", " pass\n", "\nclass _: pass\n")
 _WIDTH = 100
 """Of a line with its end, as the linters of ROS allow it."""
 _CONTAINERS = (ast.ClassDef, ast.If, ast.Try, ast.With)
+SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 _Part = tuple[str, int, list[ast.stmt]]
 
 
@@ -62,16 +63,14 @@ def definitions(text: str) -> Iterator[str]:
 
 def _defined(node: ast.AST, owner: str = "") -> Iterator[str]:
     for inner in ast.iter_child_nodes(node):
-        if isinstance(inner, ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
+        if isinstance(inner, SCOPES):
             yield owner + inner.name
-        if isinstance(inner, ast.ClassDef):
-            yield from _defined(inner, f"{owner}{inner.name}.")
+            is_class = isinstance(inner, ast.ClassDef)
+            yield from _defined(inner, f"{owner}{inner.name}.") if is_class else ()
         elif isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Store):
             yield owner + inner.id
             yield from [] if owner else [f"{inner.id}.*"]
-        elif isinstance(inner, ast.stmt | ast.excepthandler | ast.Tuple) and not isinstance(
-            inner, ast.FunctionDef | ast.AsyncFunctionDef
-        ):
+        elif isinstance(inner, ast.stmt | ast.excepthandler | ast.Tuple):
             yield from _defined(inner, owner)
 
 

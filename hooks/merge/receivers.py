@@ -6,19 +6,16 @@ The class is in what declares or makes the object; where there is none, nobody c
 from __future__ import annotations
 
 import ast
-import functools
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from .cpp_blocks import tokenize
-from .python_blocks import last_line
+from .python_blocks import SCOPES, last_line
+from .scopes import code, type_before
 
 _NO_CLASS = {"Any", "Optional", "Union", "None", "Final", "ClassVar", "Annotated"}
 """Words of types in Python that are none of a class."""
-_NO_TYPE = {"return", "new", "delete", "throw", "case", "goto", "operator", "class", "struct"}
 _ENDLESS = 1 << 20
-SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 
 
 class _Binding(NamedTuple):
@@ -116,46 +113,18 @@ def type_words(node: ast.expr) -> Iterator[str]:
             yield name
 
 
-class Code(NamedTuple):
-    """The words and signs of C++, by their numbers."""
-
-    signs: list[str]
-    lines: list[int]
-    closed: dict[int, int]
-    """Where each bracket closes; the last one where none does."""
-    around: dict[int, int | None]
-    """The bracket that each is in."""
-
-
-@functools.lru_cache(maxsize=64)
-def code(text: str) -> Code:
-    """Read a file of C++, but for brackets of arrays."""
-    tokens = [one for one in tokenize(text) if one.kind in ("word", "sign")]
-    signs = [one.text for one in tokens]
-    open_: list[int] = []
-    closed = dict.fromkeys(range(len(tokens)), len(tokens) - 1)
-    around: dict[int, int | None] = {}
-    for at, sign in enumerate(signs):
-        if sign in ("}", ")") and open_:
-            closed[open_.pop()] = at
-        around[at] = open_[-1] if open_ else None
-        if sign in ("{", "("):
-            open_.append(at)
-    return Code(signs, [one.line for one in tokens], closed, around)
-
-
-def lent_in_cpp(text: str, read: Code, names: set[str], ours: set[str], spaces: set[str]) -> Lent:
+def lent_in_cpp(text: str, names: set[str], ours: set[str], spaces: set[str]) -> Lent:
     """Read a file of C++.
 
     Args:
         text: all of it.
-        read: its words and signs.
         names: those of objects that are looked for, without the `_` of members.
         ours: classes of the package.
         spaces: its namespaces.
 
     """
-    signs, lines, closed, around = read
+    read = code(text)
+    signs, lines = read.signs, read.lines
     generic = {*re.findall(r"\b(?:typename|class)(?:\s*\.\.\.)?\s+(\w+)\s*[,>=]", text)}
     types = "|".join(map(re.escape, ours)) or "(?!)"
     ours = ours | {*re.findall(rf"\busing\s+(\w+)\s*=[^;]*\b(?:{types})\b", text)}
@@ -168,21 +137,15 @@ def lent_in_cpp(text: str, read: Code, names: set[str], ours: set[str], spaces: 
                     continue
                 if type_[-1] == "auto":
                     type_ = [*_made(signs[at + 1 :])]
-                is_member = in_class(around[at])
+                is_member = read.scopes[read.around[at]].kind == "class"
                 yield not is_member, _Binding(sign, scope(at, is_member), verdict(type_))
 
-    def in_class(opener: int | None) -> bool:
-        if opener is None:
-            return False
-        start = max((at for at in range(opener) if signs[at] in "{};"), default=-1)
-        return not {"class", "struct"}.isdisjoint(signs[start + 1 : opener])
-
     def scope(at: int, is_member: bool) -> range:
-        opener = around[at]
-        end = len(signs) - 1 if opener is None else closed[opener]
+        opener = read.around[at]
+        end = len(signs) - 1 if opener is None else read.closed[opener]
         if opener is not None and signs[opener] == "(":
             body = next((i for i in range(end, len(signs)) if signs[i] in "{;"), end)
-            end = closed[body] if signs[body] == "{" else end
+            end = read.closed[body] if signs[body] == "{" else end
         return range(lines[opener or 0] if is_member else lines[at], lines[end] + 1)
 
     def verdict(type_: list[str]) -> bool | None:
@@ -193,29 +156,6 @@ def lent_in_cpp(text: str, read: Code, names: set[str], ours: set[str], spaces: 
         return False if is_other else None
 
     return Lent(binding for _, binding in sorted(bindings(), key=lambda each: each[0]))
-
-
-def type_before(signs: Sequence[str], at: int) -> list[str]:
-    """Return the words of the type before a name, if there is one: its arguments, then its own."""
-    at -= 1
-    while at > 0 and signs[at] in ("&", "*", "const"):
-        at -= 1
-    inner: list[str] = []
-    if signs[at] == ">":
-        depth = 0
-        while at >= 0:
-            depth += {">": 1, "<": -1}.get(signs[at], 0)
-            inner += [signs[at]] if re.fullmatch(r"\w+", signs[at]) else []
-            at -= 1
-            if not depth:
-                break
-    words: list[str] = []
-    while at >= 0 and re.fullmatch(r"[A-Za-z_]\w*", signs[at]):
-        words.insert(0, signs[at])
-        if at < 1 or signs[at - 1] != "::":
-            break
-        at -= 2
-    return [] if not words or words[-1] in _NO_TYPE else [*inner, *words]
 
 
 def _made(signs: Sequence[str]) -> Iterator[str]:

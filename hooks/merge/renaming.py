@@ -66,7 +66,7 @@ class Renaming:
     """
     heads: dict[str, dict[str, str]] = field(default_factory=dict)
     """By file, the heads of such lines that change, each as it is after the update."""
-    attributes: dict[str, dict[tuple[str, str, str], str]] = field(default_factory=dict)
+    attributes: dict[str, dict[xml_blocks.Attribute, str]] = field(default_factory=dict)
     """By file of XML, what becomes of the value of an attribute of a generated element."""
     vocabulary: dict[str, set[str]] = field(default_factory=dict)
     """By file, the words that these lines have by themselves: they are members of nothing."""
@@ -198,8 +198,7 @@ class Renaming:
             keys, holders = self.keys.get(path, {}), self.key_holders.get(path)
             return _with_nodes(_with_keys(text, keys, holders), self.components)
         if known is XML:
-            values = self.attributes.get(path, {})
-            return xml_blocks.exchange(text, lambda *found: values.get(found, found[-1]))
+            return xml_blocks.exchange(text, self.attributes.get(path, {}))
         exact = {**self.everywhere, **self.in_file.get(path, {})}
         members = self.members.get(path, {})
         names = {*exact, *members, *self.packages, *self.targets}
@@ -576,17 +575,13 @@ class _Reader:
             found[before] = after if is_clear else ""
         return found
 
-    def attributes(self, text: str) -> dict[tuple[str, str, str], str]:
-        """Return each marked value by its element, its attribute and what it was."""
-        found: dict[tuple[str, str, str], str] = {}
-
-        def keep(element: str, name: str, value: str) -> str:
+    def attributes(self, text: str) -> dict[xml_blocks.Attribute, str]:
+        """Return the marked attributes as they were, each with the value that it will have."""
+        found: dict[xml_blocks.Attribute, str] = {}
+        for (element, name, value), _ in xml_blocks.attributes(text):
             if _MARK.search(value) and not self.is_gone(value):
                 before, after = self.both(value)
                 found[self.both(element)[0], name, before] = after
-            return value
-
-        xml_blocks.exchange(text, keep)
         return found
 
     def keys(self, text: str) -> dict[str, str]:

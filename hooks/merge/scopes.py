@@ -6,16 +6,17 @@ In C++ a name is looked for as a compiler does it, in the innermost scope first.
 from __future__ import annotations
 
 import ast
+import functools
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
 from itertools import takewhile
 from pathlib import PurePosixPath
 from typing import NamedTuple
 
 from .cpp_blocks import tokenize
 from .lines import split
-from .python_blocks import module_of, nodes
-from .receivers import SCOPES, Code, code, type_before
+from .python_blocks import SCOPES, module_of, nodes
 
 Path = tuple[str, ...]
 Declared = set[tuple[Path, str]]
@@ -23,6 +24,7 @@ Declared = set[tuple[Path, str]]
 MARK = "\ua78f"
 """What ends a name while it is told to be the developer's: a letter that nobody writes."""
 _KINDS = ("class", "struct", "union", "enum")
+_NO_TYPE = {"return", "new", "delete", "throw", "case", "goto", "operator", "class", "struct"}
 
 
 class Scope(NamedTuple):
@@ -37,18 +39,70 @@ class Scope(NamedTuple):
     """The first sign of what says so."""
 
 
-def scopes(read: Code) -> dict[int | None, Scope]:
-    """Return the scopes of a file by their brackets, its own one by None."""
-    found: dict[int | None, Scope] = {None: Scope((), "namespace", set(), 0)}
-    start = 0
-    for at, sign in enumerate(read.signs):
+@dataclass(frozen=True)
+class Code:
+    """The words and signs of C++, by their numbers."""
+
+    signs: list[str]
+    lines: list[int]
+    closed: dict[int, int]
+    """Where each bracket closes; the last one where none does."""
+    around: dict[int, int | None]
+    """The bracket that each is in."""
+
+    @functools.cached_property
+    def scopes(self) -> dict[int | None, Scope]:
+        """The scopes by their brackets, that of the file by None."""
+        found: dict[int | None, Scope] = {None: Scope((), "namespace", set(), 0)}
+        start = 0
+        for at, sign in enumerate(self.signs):
+            if sign in ("{", "("):
+                outer = found[self.around[at]]
+                names, kind, bases = _opened(self.signs[start : at + 1], outer.kind, at)
+                found[at] = Scope((*outer.path, *names), kind, bases, start)
+            if sign in ("{", "}", ";"):
+                start = at + 1
+        return found
+
+
+@functools.lru_cache(maxsize=64)
+def code(text: str) -> Code:
+    """Read a file of C++, but for brackets of arrays."""
+    tokens = [one for one in tokenize(text) if one.kind in ("word", "sign")]
+    signs = [one.text for one in tokens]
+    open_: list[int] = []
+    closed = dict.fromkeys(range(len(tokens)), len(tokens) - 1)
+    around: dict[int, int | None] = {}
+    for at, sign in enumerate(signs):
+        if sign in ("}", ")") and open_:
+            closed[open_.pop()] = at
+        around[at] = open_[-1] if open_ else None
         if sign in ("{", "("):
-            outer = found[read.around[at]]
-            names, kind, bases = _opened(read.signs[start : at + 1], outer.kind, at)
-            found[at] = Scope((*outer.path, *names), kind, bases, start)
-        if sign in ("{", "}", ";"):
-            start = at + 1
-    return found
+            open_.append(at)
+    return Code(signs, [one.line for one in tokens], closed, around)
+
+
+def type_before(signs: Sequence[str], at: int) -> list[str]:
+    """Return the words of the type before a name, if there is one: its arguments, then its own."""
+    at -= 1
+    while at > 0 and signs[at] in ("&", "*", "const"):
+        at -= 1
+    inner: list[str] = []
+    if signs[at] == ">":
+        depth = 0
+        while at >= 0:
+            depth += {">": 1, "<": -1}.get(signs[at], 0)
+            inner += [signs[at]] if re.fullmatch(r"\w+", signs[at]) else []
+            at -= 1
+            if not depth:
+                break
+    words: list[str] = []
+    while at >= 0 and re.fullmatch(r"[A-Za-z_]\w*", signs[at]):
+        words.insert(0, signs[at])
+        if at < 1 or signs[at - 1] != "::":
+            break
+        at -= 2
+    return [] if not words or words[-1] in _NO_TYPE else [*inner, *words]
 
 
 def _opened(head: list[str], around: str, at: int) -> tuple[Path, str, set[str]]:
@@ -89,19 +143,20 @@ def declared(text: str, names: Collection[str], spaces: Collection[str] = ()) ->
     Of `spaces`, which only namespaces and types have.
     """
     both = {*names, *spaces}
-    read = code(text) if any(name in text for name in both) else Code([], [], {}, {})
-    within = scopes(read)
-    opened = ((path[:-1], path[-1]) for path, kind, *_ in within.values() if kind and path)
-    found = {each for each in _declared(read, within) if each[1] in names}
+    if not any(name in text for name in both):
+        return set()
+    read = code(text)
+    opened = ((path[:-1], path[-1]) for path, kind, *_ in read.scopes.values() if kind and path)
+    found = {each for each in _declared(read) if each[1] in names}
     return found | {each for each in opened if each[1] in both}
 
 
-def _declared(read: Code, within: dict[int | None, Scope]) -> Iterator[tuple[Path, str]]:
+def _declared(read: Code) -> Iterator[tuple[Path, str]]:
     signs, is_given = ["", "", *read.signs, ""], False
     for at, sign in enumerate(read.signs):
         friend, before, _, after = signs[at : at + 4]
         is_given = sign == "=" or (is_given and sign not in ("{", "}", ";"))
-        path, kind, *_ = within[read.around[at]]
+        path, kind, *_ = read.scopes[read.around[at]]
         is_type = before in _KINDS and after == ";" and friend != "friend"
         if is_type or (before, after) == ("using", "="):
             yield path, sign
@@ -125,7 +180,7 @@ def marked_in_cpp(text: str, own: Declared, old: Declared, names: Collection[str
     if not own:
         return text
     read = code(text)
-    signs, within = read.signs, scopes(read)
+    signs, within = read.signs, read.scopes
     aliases: dict[str, Path] = {}
     near: Declared = set()  # what `using` lets stand alone, by the scope that it is in
     for at, sign in enumerate(signs):
@@ -141,7 +196,7 @@ def marked_in_cpp(text: str, own: Declared, old: Declared, names: Collection[str
 
     def is_own(at: int) -> bool:
         before = signs[max(at - 2, 0) : at]
-        if before[-1:] == ["."] or before == ["-", ">"]:
+        if before[-1:] in (["."], ["->"]):
             return False
         chain = _chain(signs, at + 1)[:-1]
         path = within[read.around[at]].path

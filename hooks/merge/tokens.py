@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Container, Iterator
 from typing import NamedTuple
 
+from . import cpp_blocks
 from .languages import CMAKE, CPP, PYTHON, Language
 from .outlines import SKIPPED
 from .python_blocks import in_quotes
@@ -20,23 +21,14 @@ _PYTHON = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
-_CPP = re.compile(
-    r"""
-    (?P<comment> //[^\n]* | /\*.*?\*/ )
-  | (?P<include> ^[ \t]*\#[ \t]*include[^\n]* )
-  | (?P<plain> \b(?:u8|[uUL])?R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)" | "(?: \\. | [^"\\\n] )*"
-      | (?<![\w'])'(?: \\. | [^'\\\n] )+' )
-  | (?P<word> [A-Za-z_]\w* )
-  | (?P<sign> :: | -> | \S )
-    """,
-    re.VERBOSE | re.DOTALL | re.MULTILINE,
-)
 _CMAKE = re.compile(
     rf"{SKIPPED} | (?P<word> [A-Za-z_]\w* ) | (?P<sign> \S )", re.VERBOSE | re.DOTALL
 )
+_NAME = re.compile(r"\w+")
 _FIELDS = re.compile(r"(\{\{|\}\}|\{(?:[^{}]|\{[^{}]*\})*\})")
 """What is code in an f-string; doubled braces are none."""
-_PATTERNS = {PYTHON: _PYTHON, CPP: _CPP, CMAKE: _CMAKE}
+_PATTERNS = {PYTHON: _PYTHON, CPP: cpp_blocks.TOKEN, CMAKE: _CMAKE}
+_INCLUDE = re.compile(r"\s*#\s*include\s*[\"<]")
 
 
 class Word(NamedTuple):
@@ -45,68 +37,83 @@ class Word(NamedTuple):
     text: str
     before: tuple[str, str]
     after: str
-    chain: tuple[str, ...] = ()
+    chain: tuple[str, ...]
     """The names before it, joined by signs: `a`, `b` of `a.b->word`, `a`, `)` of `a().word`."""
-    line: int = 0
+    line: int
     """Counted from 0."""
+    at: int
+    """Where it begins in the text."""
 
 
-By = Callable[[Word], str]
-"""Says what a word becomes."""
 _JOINTS = (".", "->", "::")
 BEFORE_TYPE = ((")",), ("const",), ("noexcept",), ("mutable",))
 """What stands before the `->` of the type that a function returns."""
 
 
-def exchange(
-    known: Language, text: str, by: By, among: Container[str] | None = None, line: int = -1
-) -> str:
-    """Return a text with each word of its code exchanged; a text without code as it is.
-
-    `by` says of a word, or of one that is `among` some, what it becomes; `line` is the first one
-    of a part of a text.
-    """
-    code = {*in_quotes(text)} if known is PYTHON and line < 0 else set()
-    line = max(line, 0)
-    pattern = _PATTERNS.get(known)
-    if pattern is None:
-        return text
+def exchange(known: Language, text: str, by: Callable[[Word], str], among: Container[str]) -> str:
+    """Return a text with each word of its code that is among some exchanged, as `by` says."""
     parts: list[str] = []
     at = 0
-    signs = ("", "")
-    chain: tuple[str, ...] = ()
-    called: list[tuple[str, ...]] = []
-    for match in pattern.finditer(text):
-        kind, found = match.lastgroup, match[0]
-        line += text.count("\n", at, match.start())
-        if kind == "word":
-            after = text[match.end() : match.end() + 80].lstrip()
-            after = after[:2] if after[:2] in ("::", "==") else after[:1]
-            is_type = signs[1] == "->" and after == "::" and chain[-1:] in BEFORE_TYPE
-            chain = chain if signs[1] in _JOINTS and not is_type else ()
-            if among is None or found in among:
-                found = by(Word(found, signs, after, chain, line))
-            chain = (*chain, match[0]) if match[0] not in ("from", "import") else ()
-        elif kind == "include":
-            found = _path(found, by, line)
-        elif kind == "string" and "f" in (match["prefix"] or "").lower():
-            pieces = _FIELDS.split(found)
-            pieces[1::2] = [exchange(known, part, by, among, line) for part in pieces[1::2]]
-            found = "".join(pieces)
-        elif code and (line, _column(text, match.start())) in code:
-            found = found[0] + exchange(known, found[1:-1], by, among, line) + found[-1]
-        parts += [text[at : match.start()], found]
-        if match[0] == "(":
-            called.append(chain)
-        if match[0] in (")", "]"):
-            chain = (*(called.pop() if called and match[0] == ")" else ()), match[0])
-        elif kind not in ("word", "comment") and match[0] not in _JOINTS:
-            chain = ()
-        line += match[0].count("\n")
-        at = match.end()
-        if kind != "comment":
-            signs = (signs[1], match[0])
+    for word in words(known, text, among):
+        parts += [text[at : word.at], by(word)]
+        at = word.at + len(word.text)
     return "".join(parts) + text[at:]
+
+
+def words(known: Language, text: str, among: Container[str] | None = None) -> Iterator[Word]:
+    """Yield the words of code in a text, or those that are among some; none without code."""
+    pattern = _PATTERNS.get(known)
+    code = {*in_quotes(text)} if known is PYTHON else set()
+
+    def within(start: int, end: int, line: int) -> Iterator[Word]:
+        signs = ("", "")
+        chain: tuple[str, ...] = ()
+        called: list[tuple[str, ...]] = []
+        at, is_whole = start, bool(code) and end - start == len(text)
+        for match in pattern.finditer(text, start, end) if pattern else ():
+            kind, found, (first, last) = match.lastgroup, match[0], match.span()
+            if kind == "blank":
+                continue
+            line += text.count("\n", at, first)
+            if kind == "word":
+                after = text[last : min(last + 80, end)].lstrip()
+                after = after[:2] if after[:2] in ("::", "==") else after[:1]
+                is_type = signs[1] == "->" and after == "::" and chain[-1:] in BEFORE_TYPE
+                chain = chain if signs[1] in _JOINTS and not is_type else ()
+                if among is None or found in among:
+                    yield Word(found, signs, after, chain, line, first)
+                chain = (*chain, found) if found not in ("from", "import") else ()
+            elif kind == "directive" and (head := _INCLUDE.match(found)):
+                path = _path(text, first + head.end(), last, line)
+                yield from (word for word in path if among is None or word.text in among)
+            elif kind == "directive":
+                yield from within(text.index("#", first) + 1, last, line)
+            elif kind == "string" and known is PYTHON and "f" in (match["prefix"] or "").lower():
+                for field in _FIELDS.finditer(text, first, last):
+                    yield from within(*field.span(), line)
+            elif is_whole and (line, _column(text, first)) in code:
+                yield from within(first + 1, last - 1, line)
+            if found == "(":
+                called.append(chain)
+            if found in (")", "]"):
+                chain = (*(called.pop() if called and found == ")" else ()), found)
+            elif kind not in ("word", "comment") and found not in _JOINTS:
+                chain = ()
+            at = first
+            if kind != "comment":
+                signs = (signs[1], found)
+
+    return within(0, len(text), 0)
+
+
+def _path(text: str, start: int, end: int, line: int) -> Iterator[Word]:
+    """Yield the words of an included file's path; the first part is that of a package."""
+    chain: tuple[str, ...] = ()
+    for match in _NAME.finditer(text, start, end):
+        after = text[match.end() : end][:1]
+        after = "::" if after == "/" else after
+        yield Word(match[0], ("#", "include"), after, chain, line, match.start())
+        chain = (*chain, match[0])
 
 
 def _column(text: str, at: int) -> int:
@@ -119,31 +126,7 @@ def quoted(known: Language, text: str) -> set[int]:
     found: set[int] = set()
     pattern = _PATTERNS.get(known)
     for match in pattern.finditer(text) if pattern else ():
-        if match.lastgroup in ("string", "plain", "exact") and "\n" in match[0]:
+        if match.lastgroup in ("string", "raw", "exact") and "\n" in match[0]:
             first = text.count("\n", 0, match.start())
             found |= {*range(first + 1, first + match[0].count("\n") + 1)}
     return found
-
-
-def _path(include: str, by: By, line: int) -> str:
-    """Exchange the words of an included file's path; the first part is that of a package."""
-    head, quote, path = re.match(r"(.*?)([\"<])(.*)", include, re.DOTALL).groups()  # type: ignore[union-attr]
-    words = re.split(r"(\W)", path)
-    for i, word in enumerate(words):
-        if re.match(r"[A-Za-z_]\w*$", word):
-            follows = words[i + 1] if i + 1 < len(words) else ""
-            after, chain = "::" if follows == "/" else follows, (*filter(None, words[:i:2]),)
-            words[i] = by(Word(word, ("#", "include"), after, chain, line))
-    return str(head + quote + "".join(words))
-
-
-def words(known: Language, text: str) -> Iterator[Word]:
-    """Yield the words of code in a text."""
-    found: list[Word] = []
-
-    def keep(word: Word) -> str:
-        found.append(word)
-        return word.text
-
-    exchange(known, text, keep)
-    yield from found

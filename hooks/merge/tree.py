@@ -49,24 +49,17 @@ def encode(text: str) -> bytes:
 
 def is_too_large(file: Path) -> bool:
     """Say whether something is a file that is not merged because of its size."""
-    try:
-        status = file.lstat()
-    except OSError:
-        return False
-    return stat.S_ISREG(status.st_mode) and status.st_size > TOO_LARGE
+    is_plain = os.path.isfile(file) and not os.path.islink(file)
+    return is_plain and os.path.getsize(file) > TOO_LARGE
 
 
 def read(file: Path) -> File | None:
     """Read a file or a link; None of anything else."""
-    try:
-        status = file.lstat()
-    except OSError:
-        return None
-    if stat.S_ISLNK(status.st_mode):
+    if os.path.islink(file):
         return File(os.fsencode(os.readlink(file)), LINK)
-    if not stat.S_ISREG(status.st_mode) or status.st_size > TOO_LARGE:
+    if not os.path.isfile(file) or is_too_large(file):
         return None
-    return File(file.read_bytes(), EXECUTABLE if status.st_mode & stat.S_IXUSR else PLAIN)
+    return File(file.read_bytes(), EXECUTABLE if file.stat().st_mode & stat.S_IXUSR else PLAIN)
 
 
 def read_paths(folder: Path, paths: Iterable[str]) -> Tree:

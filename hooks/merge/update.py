@@ -12,7 +12,7 @@ from ..changes import Contexts, changed_answers, changes, left
 from ..dictionary import Dictionary
 from ..faults import SpecError, UnrenderedError
 from . import git
-from .branches import Branches, Joined, Joiner, under_way, wrong_merge
+from .branches import Branches, Joined, Joiner, listed, under_way, wrong_merge
 from .package import Result
 from .proof import Proof, places
 from .render import Renderer, begin, recorded_answers
@@ -118,14 +118,14 @@ class Update:
             raise SpecError(
                 "the update was undone, for it would have put lines of yours where you did not"
                 " write them; take these lines out and commit; update; put them in again:"
-                + _listed(lost),
+                + listed(lost),
                 "merge-not-proved",
             )
         if wrong := made.wrong(result, found, proof):
             raise SpecError(
                 "the update was undone, for these files would not be what both sides made of them;"
                 " take your changes of them out and commit; update; put them in again:"
-                + _listed(f"{path}: {what}" for path, what in wrong),
+                + listed(f"{path}: {what}" for path, what in wrong),
                 "merge-not-proved",
             )
 
@@ -183,7 +183,3 @@ def _noted(branches: Branches) -> str:
     cure = "joined again from its two sides" if branches.ours else "made of the spec before it"
     what = "has left files that were not made of the recorded spec"
     return f"! {branches.merge[:7]} {what}: {names}: {cure}"
-
-
-def _listed(lines: Iterable[str]) -> str:
-    return "".join(f"\n  {line}" for line in [*lines][:20]) + "\n"

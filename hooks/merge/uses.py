@@ -190,7 +190,7 @@ def _texts_of_left(
     gone = [path for path in old if path not in new and _of(components, path)]
     gone += [path.removesuffix(".py").replace("/", ".") for path in gone if path.endswith(".py")]
     form = re.compile(rf"(?<![\w.])(?:{'|'.join(map(re.escape, gone)) or '(?!)'})(?!\w)")
-    nodes = _attributes(old) - _attributes(new)
+    nodes = _started_in_xml(old) - _started_in_xml(new)
     started = {(tag.rpartition(" of ")[2], name) for tag, _, name in nodes}
     before, after = map(_cmake, (old, new))
     package = _project(before)
@@ -203,14 +203,13 @@ def _texts_of_left(
         if known not in (PYTHON, CPP, CMAKE, XML) or not gone:
             return
         if known is XML:
-            text = xml_blocks.exchange(text, lambda *a: f"{a[2]}\0" if a in nodes else a[2])
+            found = (each for each in xml_blocks.attributes(text) if each[0] in nodes)
+            yield from ((text.count("\n", 0, at), value) for (_, _, value), at in found)
         if known is PYTHON:
             yield from _started(text, started)
-        if known is CMAKE:
-            text = targets.sub(r"\g<0>\0", text)
         for number, line in enumerate(split(text)):
-            yield from ((number, word) for word in dict.fromkeys(form.findall(line)))
-            yield from ((number, word) for word in re.findall(r"([\w.-]+)\0", line))
+            yield from ((number, word) for word in form.findall(line))
+            yield from ((number, word) for word in targets.findall(line) if known is CMAKE)
 
     return find
 
@@ -241,19 +240,11 @@ def _started(text: str, nodes: set[tuple[str, str]]) -> Iterator[tuple[int, str]
                 yield program.lineno - 1, str(program.value)
 
 
-def _attributes(tree: Tree) -> set[tuple[str, str, str]]:
-    """Return the attributes of the elements of a package in files of XML."""
-    found: set[tuple[str, str, str]] = set()
-
-    def keep(element: str, name: str, value: str) -> str:
-        if " of " in element and name in ("exec", "type"):
-            found.add((element, name, value))
-        return value
-
-    for path, file in tree.items():
-        if language(path, file.written) is XML:
-            xml_blocks.exchange(file.written, keep)
-    return found
+def _started_in_xml(tree: Tree) -> set[xml_blocks.Attribute]:
+    """Return what names the programs of a package in files of XML."""
+    texts = (f.written for path, f in tree.items() if language(path, f.written) is XML)
+    found = (each for text in texts for each, _ in xml_blocks.attributes(text))
+    return {each for each in found if " of " in each[0] and each[1] in ("exec", "type")}
 
 
 def _words(tree: Tree, owner: str = "") -> set[str]:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from xml.parsers import expat
 
-from .blocks import Block, Span, arrange, collapsed, one_sort, squeezed
+from .blocks import Block, Span, arrange, squeezed
 from .lines import split
 
 MARKUP = re.compile(
@@ -21,10 +21,15 @@ _FILE = re.compile(r"/([\w.-]+\.(?:yaml|xml|launch))\b")
 COMMENTS = re.compile(r"<!--.*?-->", re.DOTALL)
 _NAMING = ("name", "from", "file", "param", "id", "exec", "type", "if", "unless")
 _EXACT = re.compile(
-    r"""<!--.*?--> | (?P<exact> <!\[CDATA\[.*?\]\]> )
-      | \s*=\s*(?P<value> "[^"]*" | '[^']*' )""",
+    r"""<!--.*?--> | (?P<exact> <!\[CDATA\[.*?\]\]> | (?<==)"[^"]*" | (?<==)'[^']*' )""",
     re.VERBOSE | re.DOTALL,
 )
+_BESIDE = re.compile(
+    r"""<!--.*?--> | <!\[CDATA\[.*?\]\]> | \s*=\s*(?P<value> "[^"]*" | '[^']*' )
+      | \s*(?P<end> /?> )\s*""",
+    re.VERBOSE | re.DOTALL,
+)
+"""A value or the end of a tag, with the blanks beside it."""
 
 
 def blocks(text: str) -> list[Block]:
@@ -39,46 +44,40 @@ def blocks(text: str) -> list[Block]:
 
 def same(one: str, other: str) -> bool:
     """Say whether two texts differ in form alone: in blanks, but for those of a value."""
-    return _tight(one) == _tight(other)
+
+    def tight(match: re.Match[str]) -> str:
+        return f"={match['value']}" if match["value"] else match["end"] or match[0]
+
+    return len({squeezed(_BESIDE.sub(tight, text), _EXACT) for text in (one, other)}) == 1
 
 
-def _tight(text: str) -> str:
+Attribute = tuple[str, str, str]
+"""The name of its element, its own, and its value.
+
+An element of a package is known by that: it may have another name, and another package's the same
+one.
+"""
+
+
+def attributes(text: str) -> Iterator[tuple[Attribute, int]]:
+    """Yield the attributes of a text, each with the place of its value."""
+    for match in MARKUP.finditer(text):
+        if match["open"]:
+            given, tag = _attributes(match["attributes"]), match["tag"]
+            name = f"{tag} of {given['pkg']}" if "pkg" in given else _named(tag, given)
+            for found in ATTRIBUTE.finditer(text, *match.span("attributes")):
+                yield (name, found["name"], found["value"][1:-1]), found.start("value") + 1
+
+
+def exchange(text: str, values: Mapping[Attribute, str]) -> str:
+    """Return a text with the values of some attributes exchanged."""
     parts: list[str] = []
     at = 0
-    for match in _EXACT.finditer(text):
-        value = match["value"]
-        inside = f"={one_sort(value)}" if value else match["exact"] or collapsed(match[0])
-        parts += [_tight_signs(text[at : match.start()]), inside]
-        at = match.end()
-    return "".join([*parts, _tight_signs(text[at:])]).strip()
-
-
-def _tight_signs(text: str) -> str:
-    return re.sub(r"\s*(/?>)\s*", r"\1", collapsed(text))
-
-
-def exchange(text: str, by: Callable[[str, str, str], str]) -> str:
-    """Return a text with the value of each attribute exchanged.
-
-    `by` is given the name of its element, its own, and its value. An element of a package is known
-    by that: it may have another name, and another package's the same one.
-    """
-
-    def element(match: re.Match[str]) -> str:
-        if not match["open"]:
-            return match[0]
-        attributes = _attributes(match["attributes"])
-        name = _named(match["tag"], attributes)
-        name = f"{match['tag']} of {attributes['pkg']}" if "pkg" in attributes else name
-
-        def attribute(found: re.Match[str]) -> str:
-            quote, value = found["value"][0], found["value"][1:-1]
-            new = by(name, found["name"], value)
-            return f"{found['name']}{found['sign']}{quote}{new}{quote}"
-
-        return f"<{match['tag']}{ATTRIBUTE.sub(attribute, match['attributes'])}>"
-
-    return MARKUP.sub(element, text)
+    for found, start in attributes(text):
+        if found in values:
+            parts += [text[at:start], values[found]]
+            at = start + len(found[2])
+    return "".join(parts) + text[at:]
 
 
 def _attributes(text: str) -> dict[str, str]:

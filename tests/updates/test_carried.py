@@ -736,6 +736,7 @@ MESSAGES = {
     2: "rosidl_generate_interfaces(${PROJECT_NAME}\n  msg/A.msg\n)\n",
 }
 USERS = "catkin_package(\n  CATKIN_DEPENDS\n    tf2\n)\n"
+HELPER = "function(Say x)\nmessage(STATUS x)\nendfunction()\nsay(1)\nif(X)\nSAY(2)\nendif()\n"
 VARIABLES = """\
 pkg_check_modules(USB libusb-1.0)
 include_directories(${USB_INCLUDE_DIRS})
@@ -760,6 +761,7 @@ endif()
             "target_link_libraries(a\n  fmt::fmt\n)\n",
             {3: "", 4: "tf2_ros", 5: "fmt::fmt"},
         ),
+        (2, NO_LINK, ("a\n", "a\n  GL\n"), NO_LINK, "mine", {5: "GL"}),
         # An item of a command that both have: where the same stands in it, or above it
         (2, PROPERTIES, ("x", "y"), PROPERTIES, "mine", {6: "PREFIX y"}),
         (2, PROPERTIES, ("x", "y"), "", "", {}),
@@ -775,6 +777,9 @@ endif()
         # Commands above what ends a file
         (2, "", "# Of x\nset(x 1)", "", "# Of x\nset(x 1)\n", {4: "# Of x", 5: "set(x 1)"}),
         (2, "", "run(x)", "ament_package()\n", "run(x)\nament_package()\n", {4: "run(x)"}),
+        # A function with its calls, or neither
+        (2, "", HELPER, "", "mine", dict(enumerate(HELPER.splitlines(), 4))),
+        (2, "", HELPER.replace("STATUS", "${catkin_DIR}"), "", "", {}),
         # Messages, where some are generated
         (
             1,
@@ -800,6 +805,23 @@ endif()
             "add_message_files(\n  FILES\n  A.msg\n  B.msg  # Too\n)\n",
             {5: "B.msg  # Too"},
         ),
+        (
+            1,
+            MESSAGES[2],
+            ("A.msg\n", "A.msg\n  msg/B.msg\n"),
+            "add_message_files(\n  FILES\n    A.msg\n    A.srv\n)\n",
+            "add_message_files(\n  FILES\n    A.msg\n    B.msg\n    A.srv\n)\n",
+            {4: "B.msg"},
+        ),
+        (  # whose name only looks like ROS 1
+            2,
+            MESSAGES[1],
+            ("A.msg\n", "A.msg\n  RosTest.msg\n"),
+            MESSAGES[2],
+            MESSAGES[2].replace("A.msg\n", "A.msg\n  msg/RosTest.msg\n"),
+            {6: "msg/RosTest.msg"},
+        ),
+        (1, "", "find_package(tf2_ros)\n", "", "", {2: "tf2_ros"}),  # catkin has it
         (1, "", MESSAGES[2], "", "", {}),
         (2, "", MESSAGES[1], "", "", {}),
         (
@@ -826,6 +848,14 @@ endif()
             "ament_export_dependencies(\n  y\n)\n",
             "ament_export_dependencies(\n  y\n)\n",
             {7: "y"},
+        ),
+        (
+            2,
+            USERS,
+            ("tf2\n", "tf2\n    y  # Too\n    Y\n"),
+            "ament_export_dependencies(\n  y\n)\n",
+            "ament_export_dependencies(\n  y\n)\n",
+            {7: "y  # Too"},
         ),
         (2, "", USERS, "", "", {}),
         # What gives a value to what follows, above all of it
@@ -1042,12 +1072,19 @@ def test_cmake_that_nobody_changed_is_the_new_one():
     assert (result.tree, result.carried) == ({}, {})
 
 
+def test_build_file_that_is_the_developers_alone_is_none_of_the_model():
+    mine = {"CMakeLists.txt": CMAKE_1, "setup.py": SETUP + "mine()\n"}
+    result = built(mine, {"setup.py": SETUP}, {"setup.py": SETUP}, 2)
+    assert ([*result.carried], [*result.tree]) == (["setup.py"], ["setup.py"])
+
+
 def test_what_python_installs():
     """In CMakeLists.txt in ROS 1, in setup.py in ROS 2."""
     cmake, setup = "CMakeLists.txt", "setup.py"
     mine = patched(PYTHON_CMAKE, PYTHON_1_TO_2)
-    result = built({cmake: mine}, {cmake: PYTHON_CMAKE}, {setup: SETUP}, 2)
-    assert changes(SETUP, result.tree[setup].text) == SET_UP_1_TO_2
+    for both in ({}, {setup: "setup()\n"}):  # a file of ROS 1, too, that nobody has edited
+        result = built({cmake: mine, **both}, {cmake: PYTHON_CMAKE, **both}, {setup: SETUP}, 2)
+        assert changes(SETUP, result.tree[setup].text) == SET_UP_1_TO_2
     assert result.carried == {
         cmake: (
             [cmake, setup],

@@ -607,6 +607,25 @@ def test_what_stands_again_in_a_container_is_still_there(path, is_ours):
     assert found == lines_of(path, one + ours + three + again)
 
 
+@pytest.mark.parametrize("path", AROUND)
+@pytest.mark.parametrize("is_ours", [True, False])
+def test_what_one_puts_around_what_the_other_deletes_stays(path, is_ours):
+    """They choose in Python, where nothing that is empty can stay, whoever joins."""
+    one, two, three = things(path)
+    texts = (put_around(path, two, "a"), two, "")
+    ours, base, theirs = (AROUND[path][0].format(one + each + three) for each in texts)
+    if path.endswith(".py"):
+        files = [{path: File(text.encode())} for text in (ours, base, theirs)]
+        result, wrong = people(*(files if is_ours else files[::-1])).merged()
+        assert (wrong, [*result.conflicts], result.removed) == ([], [path], {})
+    else:
+        wanted = one + put_around(path, "", "a") + three
+        found = joined(
+            path, is_ours, one + two + three, *(one + each + three for each in texts[::2])
+        )
+        assert found == lines_of(path, wanted)
+
+
 def test_lines_alone_do_not_tell_how_deep_they_are_in_what_the_other_puts_around():
     old = "class A:\n    x = 1\n\n    y = 2\n    z = 3\n"
     mine, new = old.replace("y = 2", "y = 2  # mine"), put_around("arm/arm_ros.py", old, "a")

@@ -8,7 +8,7 @@ import pytest
 from hooks.merge import languages
 from hooks.merge.languages import CMAKE, MARKDOWN, PYTHON
 from hooks.merge.renaming import Renaming, _as_made, _heads
-from hooks.merge.tokens import words
+from hooks.merge.tokens import exchange, words
 from hooks.merge.uses import uses
 from hooks.merge.versions import Versions
 from support.arm import SPEC
@@ -775,6 +775,22 @@ def test_words_of_an_included_path():
         ("reach", ".", ("arm", "ros")),
         ("hpp", '"', ("arm", "ros", "reach")),
     ]
+
+
+def test_words_of_directives():
+    """Those of a macro are of code; what a macro includes is a file whose name it has."""
+    text = "#include FOO(arm)\n#define GAIN(data) data->gain \\\n  + 1\nint gain;\n"
+    found = {word.text: (word.chain, word.line) for word in words(languages.CPP, text)}
+    assert found["arm"] == ((), 0)
+    assert found["gain"] == ((), 3)
+    chains = [word.chain for word in words(languages.CPP, text) if word.text == "gain"]
+    assert chains == [("data",), ()]
+
+
+def test_constants_of_types_stay():
+    text = "def f(call: Callable[..., A], one: Annotated[A, 5], two: 'A') -> None: ...\n"
+    found = exchange(PYTHON, text, lambda word: "B", {"A"})
+    assert found == text.replace("A]", "B]").replace("A,", "B,").replace("'A'", "'B'")
 
 
 def test_bracket_argument_of_cmake_hides_no_names():
