@@ -223,12 +223,12 @@ def joined_import(mine: str, old: str, new: str) -> str | None:
     return f"{head}({comment}\n{inside}{indent})\n"
 
 
-def is_same_import(one: str, other: str) -> bool:
+def is_same_import(one: Block, other: Block) -> bool:
     """Say whether two imports are of a module that has another place, and of the same names.
 
     Not of messages: those of one name are others in each package.
     """
-    sides = _imported(one, other)
+    sides = _imported(one.text, other.text) if one.key.startswith("from ") else []
     if not sides:
         return False
     (head, ours, _), (before, theirs, _) = sides

@@ -57,6 +57,16 @@ def _tight_signs(text: str) -> str:
     return re.sub(r"\s*(/?>)\s*", r"\1", collapsed(text))
 
 
+_USES = ("build_depend", "build_export_depend", "exec_depend")
+
+
+def is_same_dependency(one: Block, other: Block) -> bool:
+    """Say whether elements name one package, in general and for a use: one may not have both."""
+    (sort, _, name), (other_sort, _, its) = (each.key.partition(" ") for each in (one, other))
+    sorts = {sort, other_sort}
+    return name == its and "depend" in sorts and not sorts.isdisjoint(_USES)
+
+
 def exchange(text: str, by: Callable[[str, str, str], str]) -> str:
     """Return a text with the value of each attribute exchanged.
 
