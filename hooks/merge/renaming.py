@@ -21,7 +21,7 @@ from ..package import SUFFIX
 from . import xml_blocks
 from .blocks import Block, collapsed, every
 from .depth import Shift, compose, shifts
-from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
+from .languages import CMAKE, CPP, MARKDOWN, PYTHON, TEXT, XML, YAML, Language, language
 from .lines import split
 from .origins import SELF, Class, Names, classes_in, origins, related
 from .python_blocks import definitions, imports
@@ -309,8 +309,9 @@ def _as_made(
     """Return a line whose words are exchanged; of a generated one, comment and head, too."""
     line, changed = before.strip(), after.strip()
     made, sign = generated.get(line), _COMMENT.get(known)
-    is_prose = known is PYTHON and line == changed and not re.search("['\"]", line.strip('"'))
-    if made and sign and (is_prose or made.partition(sign)[0] == changed.partition(sign)[0]):
+    is_code = known is PYTHON and re.search("['\"]", line.strip('"'))  # may be laid out anew
+    is_text = known in (PYTHON, TEXT, MARKDOWN) and line == changed and not is_code
+    if made and (is_text or (sign and made.partition(sign)[0] == changed.partition(sign)[0])):
         return after.replace(changed, made)
     end = _ENDS[known].search(changed) if heads else None
     was = _ENDS[known].search(line) if end else None

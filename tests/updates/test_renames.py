@@ -213,6 +213,19 @@ def test_docstrings_of_the_developer_stay_where_the_node_is_renamed(merge):
     assert own[1] in text
 
 
+@pytest.mark.parametrize(
+    ("path", "line"),
+    [
+        ("README.md", '  topic_goal(["goal"]) --> node_reach\n'),
+        (".gitattributes", "/arm/reach_ros.py gitlab-generated linguist-generated\n"),
+    ],
+)
+def test_generated_lines_beside_a_deleted_one_take_the_new_name(merge, path, line):
+    changes = [('<node name="reach"', '<node name="grasp" was="reach"')]
+    (files, _), (new, _) = (merge(SPEC, changes, {path: e}) for e in ([(line, "")], []))
+    assert files[path] == changed(new[path], (line.replace("reach", "grasp"), ""))
+
+
 def test_edited_callback_leaves_a_node_that_is_renamed(merge):
     """Its lines had another name than those that are counted."""
     changes = [
