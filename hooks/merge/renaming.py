@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 from typing import Any
@@ -434,12 +434,13 @@ def plan(
     owned: dict[str, set[int]] = {}
     tokens: dict[str, set[str]] = {}
     for path, file in marked.items():
-        before, after = reader.both(path)
-        if before not in old:
+        before, after = next((one for one in reader.ways(path) if one[0] in old), ("", ""))
+        if not before:
             continue
         renaming.paths[before] = after
-        parents = (map(str, PurePosixPath(side).parents) for side in (before, after))
-        renaming.folders |= zip(*parents, strict=False)
+        if (before, after) == reader.both(path):  # else others may be there, too
+            parents = (map(str, PurePosixPath(side).parents) for side in (before, after))
+            renaming.folders |= zip(*parents, strict=False)
         owned[before] = reader.numbers(path)
         text = file.written
         known = language(before, text)
@@ -568,6 +569,13 @@ class _Reader:
         after = _MARK.sub(lambda m: _form(m[0], self.marks[int(m[1])].after), text)
         return before, after
 
+    def ways(self, text: str) -> Iterator[tuple[str, str]]:
+        """Yield it with the names as identifiers, and as they are: `left/sensor` in a path."""
+        yield self.both(text)
+        before = _MARK.sub(lambda m: self.marks[int(m[1])].before, text)
+        after = _MARK.sub(lambda m: self.marks[int(m[1])].after, text)
+        yield before, after
+
     def lines(self, text: str) -> dict[str, str]:
         """Return the marked lines of a file, each as it was and will be; empty where in doubt."""
         found: dict[str, str] = {}
@@ -583,8 +591,10 @@ class _Reader:
 
         def keep(element: str, name: str, value: str) -> str:
             if _MARK.search(value) and not self.is_gone(value):
-                before, after = self.both(value)
-                found[self.both(element)[0], name, before] = after
+                for (holder, _), (before, after) in zip(
+                    self.ways(element), self.ways(value), strict=True
+                ):
+                    found[re.sub(" .*/", " ", holder), name, before] = after
             return value
 
         xml_blocks.exchange(text, keep)
@@ -592,8 +602,7 @@ class _Reader:
 
     def keys(self, text: str) -> dict[str, str]:
         """Return a marked key as it was, with the sign of each ROS in its name, and will be."""
-        before = _MARK.sub(lambda m: self.marks[int(m[1])].before, text)
-        after = _MARK.sub(lambda m: self.marks[int(m[1])].after, text)
+        _, (before, after) = self.ways(text)
         return {before.replace(".", sign): after for sign in "./"}
 
     def numbers(self, text: str) -> set[int]:

@@ -154,6 +154,42 @@ def test_parameter_files_that_the_developer_has_moved_are_loaded(render, update,
     assert "launch" not in "".join(re.findall("still.*", said))
 
 
+FIRST, SECOND = (f'    <instance name="{side}/reach"/>\n' for side in ("left", "right"))
+INSTANCES = {
+    "rear/reach": {FIRST: '<instance name="rear/reach" was="left/reach"/>'},
+    "base": {FIRST: '<instance name="base" was="left/reach"/>'},
+    "right/reach": {
+        FIRST: '<instance name="right/reach" was="left/reach"/>',
+        SECOND: '<instance name="left/reach" was="right/reach"/>',
+    },
+}
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize("left", INSTANCES)
+def test_renamed_instance_keeps_its_parameters_and_what_starts_it(merge, distro, left):
+    """Its name is that of a file below a folder; what else is there stays."""
+    spec = SPEC.replace('    <publisher name="pose"', f'{FIRST}{SECOND}    <publisher name="pose"')
+    launch = {"noetic": "launch/arm.launch", "kilted": "launch/arm.launch.xml"}[distro]
+    end = "</node>\n"
+    made, _ = merge(spec, [], {}, distro=distro)
+    nodes = re.findall(r"<node [^>]*\"reach\"[^>]*>.*?</node>\n", made[launch], re.DOTALL)
+    mine = [node.replace(end, f'<remap from="a" to="{n}"/>{end}') for n, node in enumerate(nodes)]
+    edits = {
+        f"config/{side}/reach.yaml": [("gain: 1.0", f"gain: {n}.5")]
+        for n, side in enumerate(("left", "right"))
+    }
+    edits |= {launch: [*zip(nodes, mine, strict=True)], "config/left/own.yaml": "a: 1\n"}
+    files, _ = merge(spec, [*INSTANCES[left].items()], edits, distro=distro)
+    right = "left/reach" if left == "right/reach" else "right/reach"
+    for n, name in enumerate((left, right)):
+        assert f"gain: {n}.5" in files[f"config/{name}.yaml"]
+        start = files[launch].index(f"config/{name}.yaml")
+        if "/" in left:  # else it has another name for ROS
+            assert re.search('to="(.)"', files[launch][start:])[1] == str(n)
+    assert "config/left/own.yaml" in files
+
+
 def test_swapped_names_swap_their_code(arm, update):
     text = (arm / "arm/reach_impl.py").read_text()
     assert text.index("serve_load") < text.index("'loaded'") < text.index("serve_store")
