@@ -30,6 +30,8 @@ from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_i
 from .tokens import Word, exchange, quoted, words
 from .tree import File, Tree
 
+_DEEPEST = 3
+"""How often a class may derive from another one: a node's of a group's of the runtime's."""
 _MARK = re.compile(r"zq(\d+)x", re.IGNORECASE)
 _GROUPED = re.compile(r"(?m)^\s*(\w+(?:[./]\w+)+):")
 _OTHER_SIGN = str.maketrans("./", "/.")
@@ -451,11 +453,6 @@ def plan(
         plain = {
             w.text for w in found if not w.chain or w.before[1] == "::" or w.chain[-1] in SELF
         }
-        lines = split(old[before].written)
-        for name, _, places in classes_in(known, old[before].written):
-            if name not in renaming.classes or not before.startswith("test/"):  # no stand-in
-                inside = "".join(lines[places.start : places.stop])
-                renaming.classes.setdefault(name, set()).update(re.findall(r"\w+", inside))
         renaming.vocabulary[before] = {reader.both(word)[0] for word in plain}
         renaming.generated[before] = reader.lines(text)
         renaming.heads[before] = _heads(known, renaming.generated[before])
@@ -470,6 +467,7 @@ def plan(
             renaming.key_holders[before] = {holder for holder, _ in made}
         if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
             renaming.attributes[before] = reader.attributes(text)
+    renaming.classes = _classes(old, [*renaming.paths], renaming.roots)
     mine = {*mine}
     _follow_moved(renaming, mine - old.keys(), mine)
     _exchanges(renaming, reader, owned, tokens, old.keys() | mine)
@@ -477,6 +475,23 @@ def plan(
         if language(path, "") is CPP:
             renaming.made[path] = declared(file.written, renaming._exact())
     return renaming
+
+
+def _classes(tree: Tree, paths: Iterable[str], roots: Names) -> dict[str, set[str]]:
+    """Return the classes of files, each with its words and those of what it derives from."""
+    found: dict[str, set[str]] = {}
+    derived: list[tuple[str, set[str]]] = []
+    for path in paths:
+        lines = split(tree[path].written)
+        for name, bases, places in classes_in(language(path, ""), tree[path].written, roots):
+            if name not in found or not path.startswith("test/"):  # no stand-in
+                inside = "".join(lines[places.start : places.stop])
+                found.setdefault(name, set()).update(re.findall(r"\w+", inside))
+                derived.append((name, bases))
+    for _ in range(_DEEPEST):
+        for name, bases in derived:
+            found[name].update(*(found[base] for base in bases & found.keys()))
+    return found
 
 
 def _follow_moved(renaming: Renaming, own: Collection[str], mine: Collection[str]) -> None:

@@ -154,6 +154,28 @@ def test_parameter_files_that_the_developer_has_moved_are_loaded(render, update,
     assert "launch" not in "".join(re.findall("still.*", said))
 
 
+CPP_CYCLE = "  [[maybe_unused]] const ReachConfig & config)\n{\n"
+USES = {
+    "python_model": ("arm/reach_impl.py", CYCLE, "        use(data.in_{}.data, config.{})\n"),
+    "cpp_model": ("src/reach_impl.cpp", CPP_CYCLE, "  use(data.in_{}.data, config.{});\n"),
+}
+
+
+@pytest.mark.parametrize("model", USES)
+def test_what_the_logic_has_of_a_group_takes_the_new_name(merge, model):
+    """The classes of its objects have it by those that they derive from, of another file."""
+    path, place, use = USES[model]
+    lines = [re.search(f'.*name="{name}".*\n', SPEC)[0] for name in ("goal", "gain")]
+    taken = [("  <node", f'  <group name="all">\n{"".join(lines)}  </group>\n  <node')]
+    taken += [(lines[0], '<use group="all"/>'), (lines[1], "")]
+    spec = changed(SPEC, *taken[1:], taken[0])
+    changes = [('"goal"', '"aim" was="goal"'), ('"gain"', '"kp" was="gain"')]
+    edits = {path: [(place, place + use.format("goal", "gain"))]}
+    files, said = merge(spec, changes, edits, model)
+    assert use.format("aim", "kp") in files[path]
+    assert not [line for line in said if line.startswith(path)]
+
+
 FIRST, SECOND = (f'    <instance name="{side}/reach"/>\n' for side in ("left", "right"))
 INSTANCES = {
     "rear/reach": {FIRST: '<instance name="rear/reach" was="left/reach"/>'},
