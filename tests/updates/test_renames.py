@@ -154,6 +154,16 @@ def test_parameter_files_that_the_developer_has_moved_are_loaded(render, update,
     assert "launch" not in "".join(re.findall("still.*", said))
 
 
+@pytest.mark.parametrize("name", ["/hall/goal", "~/goal", "hall/goal"])
+def test_name_with_strokes_is_listed_where_it_stays(merge, name):
+    """So is that of a parameter with dots."""
+    spec = SPEC.replace('"goal"', f'"{name}"').replace('"gain"', '"motor.gain"')
+    changes = [(f'"{name}"', f'"aim" was="{name}"'), ('"motor.gain"', '"kp" was="motor.gain"')]
+    tool = f"echo {name}\nset motor.gain 1\necho /other{name}\n"
+    _, said = merge(spec, changes, {"tool.sh": tool})
+    assert said == [f"tool.sh:1: {name}", "tool.sh:2: motor.gain"]
+
+
 CPP_CYCLE = "  [[maybe_unused]] const ReachConfig & config)\n{\n"
 USES = {
     "python_model": ("arm/reach_impl.py", CYCLE, "        use(data.in_{}.data, config.{})\n"),
