@@ -14,6 +14,7 @@ from itertools import chain, count, islice, takewhile
 from .blocks import THEN, Block, every, is_condition, walk
 from .lines import ALIKE, depth, margin, split
 from .python_blocks import is_same_import
+from .xml_blocks import is_same_dependency
 
 Blocks = Sequence[Block]
 _NUMBER = re.compile(r" #\d+$")
@@ -245,15 +246,11 @@ def _match(blocks: Blocks, free: dict[str, Block], known: Mapping[str, Blocks]) 
 def _match_changed(block: Block, free: dict[str, Block], known: Mapping[str, Blocks]) -> None:
     """Match a condition that reads otherwise now, but most of what it holds is what it held.
 
-    An import may be relative now, or its module elsewhere.
+    An import may be relative now, or its module elsewhere; a dependency may be in general now.
     """
-    if block.key.startswith("from ."):
-        ways = [key for key in free if key.endswith(f".{block.key[5:].lstrip('.')}")]
-        if len(ways) == 1:
-            _take_key(block, free[ways[0]], free)
-    if block.key.startswith("from ") and block.key not in known:
-        ways = [key for key, other in free.items() if is_same_import(block.text, other.text)]
-        if len(ways) == 1:
+    for is_it in (_is_relative_to, is_same_import, is_same_dependency):
+        ways = [key for key, other in free.items() if is_it(block, other)]
+        if block.key not in known and len(ways) == 1:
             _take_key(block, free[ways[0]], free)
     if is_condition(block) and _name(block.key) not in map(_name, known):
         inside = _names_in(block)
@@ -262,6 +259,11 @@ def _match_changed(block: Block, free: dict[str, Block], known: Mapping[str, Blo
         )
         if alike:
             _take_key(block, alike, free)
+
+
+def _is_relative_to(block: Block, other: Block) -> bool:
+    module = re.fullmatch(r"from \.+(.*)", block.key)
+    return bool(module and other.key.endswith(f".{module[1]}"))
 
 
 def _names_in(block: Block) -> set[str]:

@@ -215,19 +215,20 @@ def joined_import(mine: str, old: str, new: str) -> str | None:
     if not names:
         return ""
     line = f"{head}{', '.join(names)}{comment}\n"
-    if mine.count("\n") < 2 and len(line) <= _WIDTH:
-        return line
+    gap = re.match(r"(?:\s*\n)?", mine or old)[0]  # type: ignore[index]
+    if "\n" not in mine.strip() and len(line) <= _WIDTH:
+        return gap + line
     indent = head[: -len(head.lstrip())]
     inside = "".join(f"{indent}    {name},\n" for name in names)
-    return f"{head}({comment}\n{inside}{indent})\n"
+    return f"{gap}{head}({comment}\n{inside}{indent})\n"
 
 
-def is_same_import(one: str, other: str) -> bool:
+def is_same_import(one: Block, other: Block) -> bool:
     """Say whether two imports are of a module that has another place, and of the same names.
 
     Not of messages: those of one name are others in each package.
     """
-    sides = _imported(one, other)
+    sides = _imported(one.text, other.text) if one.key.startswith("from ") else []
     if not sides:
         return False
     (head, ours, _), (before, theirs, _) = sides
@@ -248,11 +249,11 @@ def _imported(*texts: str) -> list[tuple[str, list[str], str]]:
             comments = re.findall(r"#.*", text)
             between = "".join(text.rstrip("\n").split("\n")[1:-1])
             found = [each for each in statements if isinstance(each, ast.ImportFrom)]
-            head = re.match(r"\s*from\s+\S+\s+import\s", text)
+            head = re.match(r"(?:\s*\n)?([ \t]*from\s+\S+\s+import\s)", text)
             if not head or found != statements or len(comments) > 1 or "#" in between:
                 return []
             names = [ast.unparse(alias) for each in found for alias in each.names]
-            imports.append((head[0], names, "".join(f"  {each}" for each in comments)))
+            imports.append((head[1], names, "".join(f"  {each}" for each in comments)))
     return imports if len(imports) == len(texts) else []
 
 

@@ -35,6 +35,8 @@ _NAMESPACE = re.compile(r"(?m)^[ \t]*(namespace\b[^;{]*\{|\}[ \t]*//.*\bnamespac
 """What begins and ends a namespace, which may be opened again; its braces are counted below."""
 _CLOSES = re.compile(r"end\w+ *\(.*\)|</.*>|\W+")
 """What ends something, and says not what."""
+_PROGRAM = re.compile(r"[\"']([\w.-]+) *= *[\w.]+:\w+[\"']")
+"""A program in `setup.py`: of two with one name, the last one is installed."""
 Places = list[tuple[str, str]]
 _CMAKE = ("CMakeLists.txt", ".cmake")
 _STRING = r'"(?:\\.|[^"\\\n])*"'
@@ -231,7 +233,8 @@ def _unbound(text: str) -> set[str]:
         )
     used = {n.id for n in found if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
     stars = any(isinstance(n, ast.alias) and n.name == "*" for n in found)
-    return set() if stars else {f"{name} is not defined" for name in used - bound}
+    unbound = set() if stars else {f"{name} is not defined" for name in used - bound}
+    return unbound | _twice(_PROGRAM.findall(text))
 
 
 def _keys_twice(text: str) -> set[str]:
@@ -244,10 +247,13 @@ def _keys_twice(text: str) -> set[str]:
         node = open_.pop()
         if isinstance(node, yaml.CollectionNode):
             is_map = isinstance(node, yaml.MappingNode)
-            counts = Counter(str(key.value) for key, _ in node.value) if is_map else Counter()
-            twice |= {f"{key} is there {n} times" for key, n in counts.items() if n > 1}
+            twice |= _twice(str(key.value) for key, _ in (node.value if is_map else ()))
             open_ += [value for _, value in node.value] if is_map else node.value
     return twice
+
+
+def _twice(names: Iterable[str]) -> set[str]:
+    return {f"{name} is there {n} times" for name, n in Counter(names).items() if n > 1}
 
 
 def _unbalanced(ignored: str, **pairs: tuple[str, str]) -> Callable[[str], set[str]]:

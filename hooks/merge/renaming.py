@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 from typing import Any
@@ -21,7 +21,7 @@ from ..package import SUFFIX
 from . import xml_blocks
 from .blocks import Block, collapsed, every
 from .depth import Shift, compose, shifts
-from .languages import CMAKE, CPP, MARKDOWN, PYTHON, XML, YAML, Language, language
+from .languages import CMAKE, CPP, MARKDOWN, PYTHON, TEXT, XML, YAML, Language, language
 from .lines import split
 from .origins import SELF, Class, Names, classes_in, origins, related
 from .python_blocks import definitions, imports
@@ -30,6 +30,8 @@ from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_i
 from .tokens import Word, exchange, quoted, words
 from .tree import File, Tree
 
+_DEEPEST = 3
+"""How often a class may derive from another one: a node's of a group's of the runtime's."""
 _MARK = re.compile(r"zq(\d+)x", re.IGNORECASE)
 _GROUPED = re.compile(r"(?m)^\s*(\w+(?:[./]\w+)+):")
 _OTHER_SIGN = str.maketrans("./", "/.")
@@ -308,8 +310,9 @@ def _as_made(
     """Return a line whose words are exchanged; of a generated one, comment and head, too."""
     line, changed = before.strip(), after.strip()
     made, sign = generated.get(line), _COMMENT.get(known)
-    is_prose = known is PYTHON and line == changed and not re.search("['\"]", line.strip('"'))
-    if made and sign and (is_prose or made.partition(sign)[0] == changed.partition(sign)[0]):
+    is_code = known is PYTHON and re.search("['\"]", line.strip('"'))  # may be laid out anew
+    is_text = known in (PYTHON, TEXT, MARKDOWN) and line == changed and not is_code
+    if made and (is_text or (sign and made.partition(sign)[0] == changed.partition(sign)[0])):
         return after.replace(changed, made)
     end = _ENDS[known].search(changed) if heads else None
     was = _ENDS[known].search(line) if end else None
@@ -432,12 +435,13 @@ def plan(
     owned: dict[str, set[int]] = {}
     tokens: dict[str, set[str]] = {}
     for path, file in marked.items():
-        before, after = reader.both(path)
-        if before not in old:
+        before, after = next((one for one in reader.ways(path) if one[0] in old), ("", ""))
+        if not before:
             continue
         renaming.paths[before] = after
-        parents = (map(str, PurePosixPath(side).parents) for side in (before, after))
-        renaming.folders |= zip(*parents, strict=False)
+        if (before, after) == reader.both(path):  # else others may be there, too
+            parents = (map(str, PurePosixPath(side).parents) for side in (before, after))
+            renaming.folders |= zip(*parents, strict=False)
         owned[before] = reader.numbers(path)
         text = file.written
         known = language(before, text)
@@ -448,11 +452,6 @@ def plan(
         plain = {
             w.text for w in found if not w.chain or w.before[1] == "::" or w.chain[-1] in SELF
         }
-        lines = split(old[before].written)
-        for name, _, places in classes_in(known, old[before].written):
-            if name not in renaming.classes or not before.startswith("test/"):  # no stand-in
-                inside = "".join(lines[places.start : places.stop])
-                renaming.classes.setdefault(name, set()).update(re.findall(r"\w+", inside))
         renaming.vocabulary[before] = {reader.both(word)[0] for word in plain}
         renaming.generated[before] = reader.lines(text)
         renaming.heads[before] = _heads(known, renaming.generated[before])
@@ -467,6 +466,7 @@ def plan(
             renaming.key_holders[before] = {holder for holder, _ in made}
         if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
             renaming.attributes[before] = reader.attributes(text)
+    renaming.classes = _classes(old, [*renaming.paths], renaming.roots)
     mine = {*mine}
     _follow_moved(renaming, mine - old.keys(), mine)
     _exchanges(renaming, reader, owned, tokens, old.keys() | mine)
@@ -474,6 +474,23 @@ def plan(
         if language(path, "") is CPP:
             renaming.made[path] = declared(file.written, renaming._exact())
     return renaming
+
+
+def _classes(tree: Tree, paths: Iterable[str], roots: Names) -> dict[str, set[str]]:
+    """Return the classes of files, each with its words and those of what it derives from."""
+    found: dict[str, set[str]] = {}
+    derived: list[tuple[str, set[str]]] = []
+    for path in paths:
+        lines = split(tree[path].written)
+        for name, bases, places in classes_in(language(path, ""), tree[path].written, roots):
+            if name not in found or not path.startswith("test/"):  # no stand-in
+                inside = "".join(lines[places.start : places.stop])
+                found.setdefault(name, set()).update(re.findall(r"\w+", inside))
+                derived.append((name, bases))
+    for _ in range(_DEEPEST):
+        for name, bases in derived:
+            found[name].update(*(found[base] for base in bases & found.keys()))
+    return found
 
 
 def _follow_moved(renaming: Renaming, own: Collection[str], mine: Collection[str]) -> None:
@@ -566,6 +583,13 @@ class _Reader:
         after = _MARK.sub(lambda m: _form(m[0], self.marks[int(m[1])].after), text)
         return before, after
 
+    def ways(self, text: str) -> Iterator[tuple[str, str]]:
+        """Yield it with the names as identifiers, and as they are: `left/sensor` in a path."""
+        yield self.both(text)
+        before = _MARK.sub(lambda m: self.marks[int(m[1])].before, text)
+        after = _MARK.sub(lambda m: self.marks[int(m[1])].after, text)
+        yield before, after
+
     def lines(self, text: str) -> dict[str, str]:
         """Return the marked lines of a file, each as it was and will be; empty where in doubt."""
         found: dict[str, str] = {}
@@ -580,14 +604,15 @@ class _Reader:
         found: dict[xml_blocks.Attribute, str] = {}
         for (element, name, value), _ in xml_blocks.attributes(text):
             if _MARK.search(value) and not self.is_gone(value):
-                before, after = self.both(value)
-                found[self.both(element)[0], name, before] = after
+                for (holder, _), (before, after) in zip(
+                    self.ways(element), self.ways(value), strict=True
+                ):
+                    found[re.sub(" .*/", " ", holder), name, before] = after
         return found
 
     def keys(self, text: str) -> dict[str, str]:
         """Return a marked key as it was, with the sign of each ROS in its name, and will be."""
-        before = _MARK.sub(lambda m: self.marks[int(m[1])].before, text)
-        after = _MARK.sub(lambda m: self.marks[int(m[1])].after, text)
+        _, (before, after) = self.ways(text)
         return {before.replace(".", sign): after for sign in "./"}
 
     def numbers(self, text: str) -> set[int]:

@@ -155,8 +155,9 @@ def _unnamed(after: Tree, left: Iterable[tuple[str, int, str]]) -> Iterator[str]
 def _missing(after: Tree, result: Result) -> Iterator[tuple[str, str]]:
     """Name the generated parts that are not there.
 
-    Any source may have a member of a class, a header may define it, and a base may have it. In
-    YAML an anchor may give a key, or a mapping in one line; in CMake a loop may find packages.
+    Any source may have a member of a class, a header may define it, a base may have it, and in
+    Python another one may have its name. In YAML an anchor may give a key, or a mapping in one
+    line; in CMake a loop may find packages.
     """
     found = [(path, part) for path, parts in sorted(result.missing.items()) for part in parts]
     bases: dict[str, set[str]] = {}
@@ -179,11 +180,11 @@ def _missing(after: Tree, result: Result) -> Iterator[tuple[str, str]]:
             bases[path] = {path}
         for block in _code(language(path, ""), file):
             owner, _, name = block_name(block.key).rpartition("::")
-            has.add((owner, name))
+            has |= {(owner, name)} | ({(path, name[:-2])} if name.endswith(" =") else set())
             if block.key.startswith("class "):
                 name = block.key.removeprefix("class ")
                 words = {*re.findall(r"\w+", "".join(block.lines))}
-                bases |= {name: words, path: bases.get(path, set()) | words - {name}}
+                bases |= {name: words, path: bases.get(path, {path}) | words - {name}}
                 has |= {
                     (name, block_name(b.key)) for b in block.children if _DEFINED.search(b.text)
                 }

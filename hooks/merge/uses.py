@@ -24,6 +24,8 @@ _MARKUP = re.compile(r"""</?[\w:.-]+|[\w:.-]+(?=\s*=\s*["'])""")
 """The tags and attributes of XML, which are not the developer's words."""
 _PATTERN = re.compile(r"_(?=\*)|(?<=\*)_")
 """What ends a name in `reach_*.cpp`, a pattern of files."""
+_NESTED = re.compile(r"[\w~/][\w~./]*\w")
+"""A name with strokes or dots, all of it."""
 
 
 def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> Iterator[str]:
@@ -48,7 +50,7 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
                 said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
                 said = _MARKUP.sub(" ", said) if language(path, "") is XML else said
                 said = _PATTERN.sub(" ", said)
-                for word in sorted(known & set(re.findall(r"\w+", said))):
+                for word in sorted(known & {*re.findall(r"\w+", said), *_NESTED.findall(said)}):
                     yield f"{path}:{number}: {word}"
                 for word in taken.get((path, line), ()):
                     yield f"{path}:{number}: {word}, which is another's now"

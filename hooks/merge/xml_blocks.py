@@ -51,6 +51,16 @@ def same(one: str, other: str) -> bool:
     return len({squeezed(_BESIDE.sub(tight, text), _EXACT) for text in (one, other)}) == 1
 
 
+_USES = ("build_depend", "build_export_depend", "exec_depend")
+
+
+def is_same_dependency(one: Block, other: Block) -> bool:
+    """Say whether elements name one package, in general and for a use: one may not have both."""
+    (sort, _, name), (other_sort, _, its) = (each.key.partition(" ") for each in (one, other))
+    sorts = {sort, other_sort}
+    return name == its and "depend" in sorts and not sorts.isdisjoint(_USES)
+
+
 Attribute = tuple[str, str, str]
 """The name of its element, its own, and its value.
 

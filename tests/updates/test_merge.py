@@ -1,5 +1,6 @@
 """Three versions of a package in memory, merged: without Copier and git, so quickly."""
 
+import itertools
 import posixpath
 import re
 
@@ -442,3 +443,37 @@ def test_file_that_has_more_than_six_tenths_of_another_is_that_one_moved(left, i
     result = merge_package(mine, old, new, Renaming(), {""}.__contains__)
     text = result.tree["own/a.txt"].text
     assert text == "new\n" * is_moved + "".join(lines[:left])
+
+
+DEPENDS = "<package>\n  <name>arm</name>\n{}  <depend>tf2</depend>\n</package>\n"
+DEPEND = "  <{0}>nav</{0}>\n"
+SORTS = [*itertools.permutations(("depend", "exec_depend")), ("build_depend", "depend")]
+
+
+@pytest.mark.parametrize(("own", "generated"), [*SORTS, ("build_export_depend", "depend")])
+@pytest.mark.parametrize("way", ["own", "missing", "removed"])
+def test_dependency_that_both_have_is_there_once(own, generated, way):
+    """catkin_pkg, and so colcon, refuses a package with one in general and for some use."""
+    mine, made, without = (
+        DEPENDS.format(sort and DEPEND.format(sort)) for sort in (own, generated, "")
+    )
+    old, new = {"own": (without, made), "missing": (made, made), "removed": (made, without)}[way]
+    trees = [{"package.xml": File(text.encode())} for text in (mine, old, new)]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    assert result.tree["package.xml"].text == (without if way == "removed" else mine)
+    parts = {"package.xml": [f"{generated} nav"]}
+    assert getattr(result, way) == (parts if way != "missing" else {})
+    proof = prove(*trees[:2], result, result.tree, Renaming(), trees[2])
+    about = (Renaming(), {""}.__contains__, result, result.tree, proof.left)
+    assert (proof.lost, recount(*trees, *about)) == ([], [])
+
+
+@pytest.mark.parametrize(
+    ("own", "generated"), [("test_depend", "depend"), ("build_depend", "exec_depend")]
+)
+def test_dependencies_that_ros_reads_beside_each_other_are_both_there(own, generated):
+    mine, new = (DEPENDS.format(DEPEND.format(sort)) for sort in (own, generated))
+    trees = [{"package.xml": File(t.encode())} for t in (mine, DEPENDS.format(""), new)]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    both = DEPENDS.format(DEPEND.format(own) + DEPEND.format(generated))
+    assert (result.tree["package.xml"].text, result.own) == (both, {})

@@ -452,6 +452,15 @@ def test_import_gets_names_whatever_the_developer_made_of_it(edit, change):
     assert all(line in found for line in mine.splitlines() if re.match(r"    \w+,$|\w+ =", line))
 
 
+def test_import_in_a_line_stays_in_one_below_an_empty_line():
+    old, new, mine = (
+        f"import os\n\nfrom arm.x import {names}\n" for names in ("a, b", "c, b", "a, b, d")
+    )
+    trees = [tree_of({"arm/tools.py": text}) for text in (mine, old, new)]
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.tree["arm/tools.py"].text) == ([], mine.replace("a, b, d", "b, c, d"))
+
+
 @pytest.mark.parametrize("edit", ["Load, Reach", "Load, Reach, zoom"])
 def test_import_of_a_module_that_is_elsewhere_now_keeps_the_names_of_the_developer(edit):
     form = "from {}.harness import {}\n\nuse({})\n"

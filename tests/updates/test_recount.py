@@ -232,6 +232,7 @@ UNREADABLE = {"cannot be read any more"}
         ("a.py", "def f(a, *b, c=1, **d):\n    return a, b, c, d, f\n", set()),
         ("a.py", "try:\n    1\nexcept E as e:\n    e\n", {"E is not defined"}),
         ("a.py", "(\n", UNREADABLE),
+        ("a.py", "a = ['n = m:f', 'n=o.p:f', 'k = m:f', 'n: m']\n", {"n is there 2 times"}),
         ("a.yaml", "a: 1\na: 2\nb: {c: 1, c: 2}\n", {"a is there 2 times", "c is there 2 times"}),
         ("a.yml", "- {a: 1, a: 1, a: 1}\n- a: 1\n---\nb: b\n", {"a is there 3 times"}),
         ("a.yaml", "a: [\n", UNREADABLE),

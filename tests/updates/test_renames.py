@@ -154,6 +154,74 @@ def test_parameter_files_that_the_developer_has_moved_are_loaded(render, update,
     assert "launch" not in "".join(re.findall("still.*", said))
 
 
+@pytest.mark.parametrize("name", ["/hall/goal", "~/goal", "hall/goal"])
+def test_name_with_strokes_is_listed_where_it_stays(merge, name):
+    """So is that of a parameter with dots."""
+    spec = SPEC.replace('"goal"', f'"{name}"').replace('"gain"', '"motor.gain"')
+    changes = [(f'"{name}"', f'"aim" was="{name}"'), ('"motor.gain"', '"kp" was="motor.gain"')]
+    tool = f"echo {name}\nset motor.gain 1\necho /other{name}\n"
+    _, said = merge(spec, changes, {"tool.sh": tool})
+    assert said == [f"tool.sh:1: {name}", "tool.sh:2: motor.gain"]
+
+
+CPP_CYCLE = "  [[maybe_unused]] const ReachConfig & config)\n{\n"
+USES = {
+    "python_model": ("arm/reach_impl.py", CYCLE, "        use(data.in_{}.data, config.{})\n"),
+    "cpp_model": ("src/reach_impl.cpp", CPP_CYCLE, "  use(data.in_{}.data, config.{});\n"),
+}
+
+
+@pytest.mark.parametrize("model", USES)
+def test_what_the_logic_has_of_a_group_takes_the_new_name(merge, model):
+    """The classes of its objects have it by those that they derive from, of another file."""
+    path, place, use = USES[model]
+    lines = [re.search(f'.*name="{name}".*\n', SPEC)[0] for name in ("goal", "gain")]
+    taken = [("  <node", f'  <group name="all">\n{"".join(lines)}  </group>\n  <node')]
+    taken += [(lines[0], '<use group="all"/>'), (lines[1], "")]
+    spec = changed(SPEC, *taken[1:], taken[0])
+    changes = [('"goal"', '"aim" was="goal"'), ('"gain"', '"kp" was="gain"')]
+    edits = {path: [(place, place + use.format("goal", "gain"))]}
+    files, said = merge(spec, changes, edits, model)
+    assert use.format("aim", "kp") in files[path]
+    assert not [line for line in said if line.startswith(path)]
+
+
+FIRST, SECOND = (f'    <instance name="{side}/reach"/>\n' for side in ("left", "right"))
+INSTANCES = {
+    "rear/reach": {FIRST: '<instance name="rear/reach" was="left/reach"/>'},
+    "base": {FIRST: '<instance name="base" was="left/reach"/>'},
+    "right/reach": {
+        FIRST: '<instance name="right/reach" was="left/reach"/>',
+        SECOND: '<instance name="left/reach" was="right/reach"/>',
+    },
+}
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize("left", INSTANCES)
+def test_renamed_instance_keeps_its_parameters_and_what_starts_it(merge, distro, left):
+    """Its name is that of a file below a folder; what else is there stays."""
+    spec = SPEC.replace('    <publisher name="pose"', f'{FIRST}{SECOND}    <publisher name="pose"')
+    launch = {"noetic": "launch/arm.launch", "kilted": "launch/arm.launch.xml"}[distro]
+    end = "</node>\n"
+    made, _ = merge(spec, [], {}, distro=distro)
+    nodes = re.findall(r"<node [^>]*\"reach\"[^>]*>.*?</node>\n", made[launch], re.DOTALL)
+    mine = [node.replace(end, f'<remap from="a" to="{n}"/>{end}') for n, node in enumerate(nodes)]
+    edits = {
+        f"config/{side}/reach.yaml": [("gain: 1.0", f"gain: {n}.5")]
+        for n, side in enumerate(("left", "right"))
+    }
+    edits |= {launch: [*zip(nodes, mine, strict=True)], "config/left/own.yaml": "a: 1\n"}
+    files, _ = merge(spec, [*INSTANCES[left].items()], edits, distro=distro)
+    right = "left/reach" if left == "right/reach" else "right/reach"
+    for n, name in enumerate((left, right)):
+        assert f"gain: {n}.5" in files[f"config/{name}.yaml"]
+        start = files[launch].index(f"config/{name}.yaml")
+        if "/" in left:  # else it has another name for ROS
+            assert re.search('to="(.)"', files[launch][start:])[1] == str(n)
+    assert "config/left/own.yaml" in files
+
+
 def test_swapped_names_swap_their_code(arm, update):
     text = (arm / "arm/reach_impl.py").read_text()
     assert text.index("serve_load") < text.index("'loaded'") < text.index("serve_store")
@@ -211,6 +279,19 @@ def test_docstrings_of_the_developer_stay_where_the_node_is_renamed(merge):
     assert "\nThe logic of grasp.\n" in text
     assert text.count("reach") == 1
     assert own[1] in text
+
+
+@pytest.mark.parametrize(
+    ("path", "line"),
+    [
+        ("README.md", '  topic_goal(["goal"]) --> node_reach\n'),
+        (".gitattributes", "/arm/reach_ros.py gitlab-generated linguist-generated\n"),
+    ],
+)
+def test_generated_lines_beside_a_deleted_one_take_the_new_name(merge, path, line):
+    changes = [('<node name="reach"', '<node name="grasp" was="reach"')]
+    (files, _), (new, _) = (merge(SPEC, changes, {path: e}) for e in ([(line, "")], []))
+    assert files[path] == changed(new[path], (line.replace("reach", "grasp"), ""))
 
 
 def test_edited_callback_leaves_a_node_that_is_renamed(merge):

@@ -54,17 +54,21 @@ def test_function_that_is_in_another_source_is_not_missing(package):
 
 
 def test_member_that_a_base_has_or_a_header_defines_is_not_missing(package):
-    """Another class that has it is none of these."""
+    """Another class that has it is none of these. A member may have the name of another one."""
     mixin = "class {}:\n    def {}(self):\n        pass\n"
     after = {
-        "arm.py": "from mixins import Mixin\n\n\nclass Arm(Mixin):\n    a = 1\n",
+        "arm.py": "import mixins\n\n\nclass Arm(mixins.Mixin):\n    a = 1\n    home = run\n",
         "mixins.py": mixin.format("Mixin", "load") + mixin.format("Other", "store"),
         "arm.hpp": "class Reach : public Services\n{\n  void home() {}\n  void go();\n};\n",
         "services.hpp": "class Services\n{\n  void load();\n};\n",
         "services.cpp": "void Services::load()\n{\n}\n",
     }
     has = ["Reach::home", "Reach::load"]
-    missing = {"arm.py": ["load", "store"], "arm.hpp": ["load"], "arm.cpp": [*has, "Reach::go"]}
+    missing = {
+        "arm.py": ["load", "store", "home"],
+        "arm.hpp": ["load"],
+        "arm.cpp": [*has, "Reach::go"],
+    }
     found = said(package, after, missing=missing)
     assert [line for line in found if line.startswith("missing")] == [
         "missing   arm.cpp: Reach::go",
