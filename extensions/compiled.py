@@ -93,7 +93,8 @@ def _compile(
             bucket.code = compiler(source, None, f'"{lines[0]}"')  # what faults have for a file
             cache.set_bucket(bucket)
         _known[key] = bucket.code
-    return _known[key]
+    known: CodeType = _known[key]
+    return known
 
 
 def _version(root: Path) -> str:
