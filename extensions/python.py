@@ -108,7 +108,8 @@ def other_values(
 
 def refused_values(type_: str, low: Any = None, high: Any = None, known: Any = None) -> list[Any]:
     """Return values that a parameter refuses, for tests: of another type, out of its bounds."""
-    found: list[Any] = ["wrong" if type_ == "bool" else True]
+    found: list[Any] = ["wrong" if type_.startswith("bool") else True]
+    found += [[*found]] if type_.endswith("[]") else []
     for bound, sign in ((low, -1), (high, 1)):
         step = 1 if type_ == "int" else 1e-4 * max(1.0, abs(bound or 0.0))
         if bound is not None and abs(bound) < 2**63 - 1:

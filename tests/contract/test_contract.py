@@ -1586,7 +1586,7 @@ def test_log_once_and_seldom(stage):
     seconds = time.monotonic() - begin
     assert node.stop() == 0
     assert node.log().count("noted each time") >= cycles
-    assert node.log().count("noted once") == 1
+    assert node.log().count("noted once") == 2  # at two levels
     assert 2 <= node.log().count("noted seldom") <= seconds + 2
 
 

@@ -575,6 +575,8 @@ def test_other_values(given, others):
     [
         (("int", 1, 10), [True, 0, 11]),
         (("bool",), ["wrong"]),
+        (("bool[]",), ["wrong", ["wrong"]]),
+        (("double[]",), [True, [True]]),
         (("string", None, None, ["a"]), [True, "none of them"]),
         (("double", 0.0, 1e6), [True, -1e-4, 1000100.0]),
         (("int", -(2**63), 2**63 - 1), [True]),

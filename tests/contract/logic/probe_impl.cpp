@@ -108,6 +108,7 @@ ProbeImpl::ProbeImpl(const ProbePassthrough & passthrough)
           passthrough_.log.info("noted each time");
           passthrough_.log.info_once("noted once");
           passthrough_.log.warning_throttle(1.0, "noted seldom");
+          passthrough_.log.warning_once("noted once");
           return std::string("null");
         }},
       {"listeners", [this](const auto &) {

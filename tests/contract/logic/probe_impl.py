@@ -57,6 +57,7 @@ class ProbeImpl:
         self.passthrough.log.info("noted each time")
         self.passthrough.log.info_once("noted once")
         self.passthrough.log.warning_throttle(1.0, "noted seldom")
+        self.passthrough.log.warning_once("noted once")
 
     def call(self, seconds):
         answer = self.passthrough.client_ask.call(ClientAskRequest(), timeout=float(seconds))

@@ -41,7 +41,7 @@ class TestObserverNode(NodeTests, unittest.TestCase):
     }
     synchronizers = {'pair': 0}  # s between stamps
     parameters = {  # default, other values, refused ones
-        'limit': (100, [0, 1, -999900, 1000100], [True]),
+        'limit': (100, [0, 1, -999900, 1000100], [True, 0.5]),
     }
 
 

@@ -66,13 +66,17 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     parameters = {  # default, other values, refused ones
         'prefix': ('it\'s "said" <so> & für immer', ['other', 'another'], [True]),
         'echo_topic': ('echo', ['/other_echo_topic'], [True]),
-        'call_topics': (['hall/call', '~/call'], [['/other_call_topics']], [True]),
+        'call_topics': (
+            ['hall/call', '~/call'],
+            [['/other_call_topics']],
+            [True, [True]],
+        ),
         'answer_topics': (
             ['hall/answer', '/answer'],
             [['/other_answer_topics']],
-            [True],
+            [True, [True]],
         ),
-        'weights': ([0.5, 1.0, 2000.0], [[], [0.0]], [True]),
+        'weights': ([0.5, 1.0, 2000.0], [[], [0.0]], [True, [True]]),
     }
     dynamic_parameters = {  # default, other values, refused ones
         'gain': (1.5, [0.0, 10.0, 1.0], [True, -0.0001, 10.001]),

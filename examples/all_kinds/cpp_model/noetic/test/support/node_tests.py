@@ -47,6 +47,9 @@ class NodeTests:
         for node in cls.node, cls.given:
             node.signal(INT)
             assert (node.exit_code(), node.life()[-2:]) == (0, LIFE[2:]), node.log
+        for text in 'Waiting for ', 'Missed ', 'without an outcome', 'Parameters refused':
+            lines = [line for line in cls.node.log.splitlines() if text in line]
+            assert all('WARN' in line for line in lines), lines
         warnings = cls.node.log.count('Waiting for ')  # for servers, at most once in 10 s
         assert warnings < 2 + (monotonic() - cls.begun) / 9.0, cls.node.log
 
@@ -298,13 +301,16 @@ class NodeTests:
             for _, topic, type_, _, *qos, _ in self.each(*inputs, node=node.name)
         ]
 
-        def send(apart=0.0):
-            start = next(self.numbers) * (1.0 + 10.0 * self.synchronizers[name])
-            stamps = [start] * (len(publishers) - 1) + [start + apart]
-            messages = [stamped(type_, at) for (type_, _), at in zip(publishers, stamps)]
-            for message, (_, publisher) in zip(messages, publishers):
-                publisher.publish(message)
-            return messages
+        def send(*apart):
+            sent = []
+            for seconds in apart or [0.0]:
+                start = next(self.numbers) * (1.0 + 10.0 * self.synchronizers[name])
+                stamps = [start] * (len(publishers) - 1) + [start + seconds]
+                sent.append([stamped(type_, at) for (type_, _), at in zip(publishers, stamps)])
+            for messages, (_, publisher) in zip(zip(*sent), publishers):
+                for message in messages:  # which wait for those of other topics
+                    publisher.publish(message)
+            return sent
 
         return send
 
@@ -312,7 +318,7 @@ class NodeTests:
         """Messages reach the logic together where their stamps belong together, and only there."""
         for name, slop in self.synchronizers.items():
             send = self.sender(self.node, name)
-            types = [type(message) for message in send()]
+            types = [type(message) for message in send()[0]]
 
             def got():
                 found = self.node.got(f'receive_{name}')
@@ -321,8 +327,8 @@ class NodeTests:
             def reach(*apart):
                 """Return whether what belongs together, and nothing else, reaches the logic."""
                 count = len(got())
-                sent = [(send(each), each <= slop) for each in apart]
-                expected = [messages for messages, together in sent if together]
+                sent = zip(send(*apart), apart)
+                expected = [messages for messages, each in sent if each <= slop]
                 eventually(lambda: expected[-1] in got(), TIMEOUT / 3)
                 return got()[count:] == expected
 
@@ -474,9 +480,10 @@ class NodeTests:
         node = self.active(*(f'{member} block' for member in members * 2), stop_timeout=0.1)
         goals = []
         for member, name, type_, policy, *_ in self.each('execute_', node=node.name):
-            for count in (1, 2) if policy == 'parallel' else (1,):
+            for count in (1,) if policy == 'reject' else (1, 2):
                 goals.append(self.peer.goal(node, type_, name, parts(type_)[0]()))
-                self.assertTrue(eventually(lambda: len(node.got(member)) == count), name)
+                called = count if policy == 'parallel' else 1  # the other waits
+                self.assertTrue(eventually(lambda: len(node.got(member)) == called), name)
         node.signal(INT)
         for goal in goals:
             self.assertEqual(goal.end()[0], 'aborted')  # by the node: its logic does not return
@@ -702,6 +709,7 @@ class NodeTests:
             self.refuses(self.node, name, *refused[1:])
             if isinstance(value, float) and refused[1:]:
                 self.refuses(self.node, name, float('nan'))
+                self.assertTrue(eventually(lambda: self.node.got('config')[-1][name] == value))
             for other in reversed(others):
                 self.sets(name, other)
             values = [config[name] for config in self.node.got('config')]
@@ -745,7 +753,7 @@ class NodeTests:
         """Check that a node ends that starts with a wrong parameter, and names it."""
         node = self.start(**dict([case]))
         self.assertEqual((node.exit_code(), node.life()), (1, []), (case, node.log))
-        self.assertIn(case[0], node.log)
+        self.assertRegex(node.log, f'(ERROR|FATAL).*{case[0]}')
         self.assertNotIn('Traceback', node.log)
 
     def refuses(self, node, name, *values):
@@ -763,11 +771,12 @@ class NodeTests:
         if not self.diagnostics:
             return
         heard = self.peer.hear_diagnostics()
+        begun = monotonic()
         node = self.start()
 
-        def last():
+        def last(count=1):
             statuses = [each for message in heard for each in message.status]
-            return [each for each in statuses if each.name == node.name][-1:]
+            return [each for each in statuses if each.name == node.name][-count:]
 
         def says(level, text, said):
             for status in last():
@@ -790,22 +799,27 @@ class NodeTests:
             node.order('now', f'diagnose={word},{word}')
             self.assertTrue(eventually(lambda: says(level, word, word)), (word, last()))
         if self.frequency:
-            node.order('update', f'wait={2.5 / self.frequency}')
+            node.order('update', f'wait={1.5 / self.frequency}')  # late, and misses none
+            self.assertTrue(eventually(lambda: says(WARN, 'late cycles', 'warning')), last())
+            self.assertTrue(says(WARN, 'warning', 'warning'), last())  # both sentences
+            node.order('update', f'wait={5.5 / self.frequency}')
 
             def are_counted():
                 values = {each.key: each.value for each in last()[0].values}
-                counts = [values.get(key) for key in ('rate (Hz)', 'late cycles', 'missed cycles')]
-                is_counted = all(counts) and '0' not in counts[1:]
-                is_counted = is_counted and float(counts[0]) < 1.0 + 1.5 * self.frequency
-                return is_counted and says(WARN, 'late cycles', 'warning')
+                keys = 'rate (Hz)', 'late cycles', 'missed cycles'
+                rate, late, missed = (float(values.get(key, 0)) for key in keys)
+                is_counted = missed > 3 and (missed > late or 2 * late < self.turns(node=node)[0])
+                is_counted &= self.frequency / 10 < rate < 1.0 + 1.5 * self.frequency
+                return is_counted and all('late cycles' in each.message for each in last(3))
 
-            self.assertTrue(eventually(are_counted), last())
-            self.assertTrue(says(WARN, 'warning', 'warning'), last())  # both sentences
+            self.assertTrue(eventually(are_counted), last(3))
         lates = {}
-        for _, member, _ in self.lates():
+        for _, member, deadline in self.lates():
             _, topic, type_, _, *qos, _ = next(self.each(member, node=node.name))
             late = 'no message on ' + self.named(self.interfaces[member][0], False)
             self.assertTrue(eventually(lambda: says(WARN, late, 'warning')), (late, last()))
+            silence = last()[0].message.partition(late + ' for ')[2].partition(' s')[0]
+            self.assertTrue(deadline - 0.06 < float(silence) < monotonic() - begun + 0.06, silence)
             lates[late] = self.peer.publisher(type_, topic, *qos), sample(type_, 1)
 
         def are_heard():
@@ -836,7 +850,7 @@ class NodeTests:
             ('configure sleep=1000', 20.0, [TERM], 0, [LIFE[0], 'cleanup'], '["sleep", false]'),
             ('configure block', 0.1, [TERM], 1, LIFE[:1], 'stops: configure.'),
             ('deactivate sleep=1000', 0.1, [TERM], None, LIFE, '["sleep", false]'),
-            ('deactivate raise', 20.0, [INT], 1, LIFE, 'told to raise'),
+            ('deactivate raise=other', 20.0, [INT], 1, LIFE, 'in deactivate'),
             ('configure fail=lost', 20.0, [], 1, [LIFE[0], 'cleanup'], 'The logic failed: lost'),
             ('activate fail=lost', 20.0, [], 1, LIFE, 'The logic failed: lost'),
             ('cleanup raise', 20.0, [TERM], 1, LIFE, 'told to raise'),
@@ -899,13 +913,17 @@ class NodeTests:
         self.assertEqual(ended if code is not None else None, code, (order, node.log))
         self.assertEqual(node.life(), calls, (order, node.log))
         self.assertIn(text, node.log, order)
+        self.assertRegex(node.log, 'ERROR|FATAL' if code == 1 else '.')
         self.assertTrue(calls or 'Traceback' not in node.log, node.log)
 
     def test_failure(self):
         """The logic writes to the log; one that fails ends the node in order, with exit code 1."""
-        node = self.active()
-        node.order('now', 'log=words')
-        self.assertTrue(eventually(lambda: 'words' in node.log), node.log)
+        node = self.active(log_level='debug')
+        for level in 'debug', 'info', 'warning', 'error':
+            node.order('now', 'log')
+            self.assertTrue(eventually(lambda: f'said as {level}' in node.log), node.log)
+            self.assertRegex(node.log, rf'{level[:4].upper()}\w*\] .*said as {level}')
+        self.assertEqual(node.log.count('said once'), 3, node.log)
         begin = monotonic()
         self.assertTrue(node.order('now', 'sleep=0.5'))
         self.assertGreaterEqual(monotonic() - begin, 0.5)

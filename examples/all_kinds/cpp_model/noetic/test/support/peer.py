@@ -39,7 +39,9 @@ class Peer:
         master = rosgraph.Master('/peer')
         master.setParam('/use_sim_time', use_sim_time)
         for name, value in parameters.items():
-            master.setParam(f'{node}/{name}', value)
+            is_whole = isinstance(value, float) and value.is_integer() and abs(value) < 2**31
+            # Also without a decimal point, as people write it in YAML.
+            master.setParam(f'{node}/{name}', int(value) if is_whole else value)
 
     def knows(self, node):
         """Return whether the master knows a node."""

@@ -27,13 +27,14 @@ class Log:
         self._written: Dict[Tuple[str, int], float] = {}
         self._lock = Lock()
         self.debug: Write = logger.debug
-        self.debug_once, self.debug_throttle = self._limited(self.debug)
         self.info: Write = logger.info
-        self.info_once, self.info_throttle = self._limited(self.info)
         self.warning: Write = logger.warning
-        self.warning_once, self.warning_throttle = self._limited(self.warning)
         self.error: Write = logger.error
-        self.error_once, self.error_throttle = self._limited(self.error)
+        # Each in a line of its own, as rclpy 9.1.2 fails where one line writes by two levels.
+        self.debug_once, self.debug_throttle = self._limited(lambda text: logger.debug(text))
+        self.info_once, self.info_throttle = self._limited(lambda text: logger.info(text))
+        self.warning_once, self.warning_throttle = self._limited(lambda text: logger.warning(text))
+        self.error_once, self.error_throttle = self._limited(lambda text: logger.error(text))
 
     def _limited(self, write: Write) -> Tuple[Write, Callable[[float, str], object]]:
         """Return functions that write once, and at most once in some time."""

@@ -176,8 +176,14 @@ class _Recorder:
     def _do_sleep(self, _, seconds, *__):
         return self.passthrough.sleep(float(seconds))
 
-    def _do_log(self, _, text, *__):
-        self.passthrough.log.warning(text)
+    def _do_log(self, *_):
+        log = self.passthrough.log
+        log.info('said as info')
+        log.warning('said as warning')
+        log.error('said as error')
+        log.info_once('said once')
+        log.error_once('said once')
+        log.warning_throttle(1e3, 'said once')
 
     def _do_fail(self, _, reason, *__):
         self.passthrough.fail(f'{reason}\nfor good')
@@ -201,10 +207,12 @@ class _Recorder:
         listener = getattr(self.passthrough, name)
         times = [Time(sec=int(seconds)) for seconds in stamp]
         found = listener.lookup(target, source, float(timeout), *times)
-        return found.transform.translation.x if found else listener.reason
+        return listener.reason or found.transform.translation.x
 
     def _count(self, method):
-        TURNS[method] = TURNS[method][0] + 1, monotonic(), self.passthrough.now()
+        stamp = self.passthrough.stamp()
+        time = (self.passthrough.now() + stamp.sec + stamp.nanosec * 1e-9) / 2  # the same twice
+        TURNS[method] = TURNS[method][0] + 1, monotonic(), time
 
     def _do_turns(self, _, method, *__):
         return TURNS[method]

@@ -32,6 +32,7 @@
 
 #include "all_kinds/ros/action_client.hpp"
 #include "all_kinds/ros/goal.hpp"
+#include "all_kinds/ros/logger.hpp"
 #include "all_kinds/ros/publisher.hpp"
 #include "all_kinds/ros/service_client.hpp"
 #include "all_kinds/ros/time.hpp"
@@ -122,6 +123,21 @@ using Step = std::function<std::string(const std::string &)>;
 using Steps = std::map<std::string, Step>;
 using Words = std::vector<std::string>;
 
+/// Write to the log, in each way.
+inline Step logs(const Logger & log)
+{
+  return [log](const auto &) {
+           log.debug("said as debug");
+           log.info("said as info");
+           log.warning("said as warning");
+           log.error("said as error");
+           log.info_once("said once");
+           log.error_once("said once");
+           log.warning_throttle(1e3, "said once");
+           return "null";
+         };
+}
+
 /// Return whether some words order a step.
 inline bool has(const Words & words, const std::string & step)
 {
@@ -138,7 +154,12 @@ public:
     for (const auto & each : more) {
       steps.insert(each.begin(), each.end());
     }
-    steps["raise"] = [](const auto &) -> std::string {throw std::runtime_error("told to raise");};
+    steps["raise"] = [](const auto & what) -> std::string {
+        if (what == "other") {  // than exceptions of the standard library
+          throw what;
+        }
+        throw std::runtime_error("told to raise");
+      };
     steps["turns"] = [](const auto & method) {
         const std::lock_guard<std::mutex> lock(shared().mutex);
         const auto & [count, times] = shared().turns[method];
@@ -379,7 +400,8 @@ Step looks_up(const std::shared_ptr<Listener> & listener)
            const std::chrono::duration<double> timeout(std::stod(words[2]));
            const Time stamp(words.size() > 3 ? std::stoll(words[3]) * 1'000'000'000 : 0);
            const auto found = listener->lookup(words[0], words[1], timeout, stamp);
-           return found ? to_json(found->transform.translation.x) : to_json(listener->reason());
+           const auto reason = listener->reason();
+           return reason.empty() ? to_json(found->transform.translation.x) : to_json(reason);
          };
 }
 

@@ -22,10 +22,7 @@ public:
       {"sleep", [this](const std::string & seconds) {
           return to_json(passthrough_.sleep(std::stod(seconds)));
         }},
-      {"log", [this](const std::string & text) {
-          passthrough_.log.warning(text);
-          return "null";
-        }},
+      {"log", logs(passthrough.log)},
       {"fail", [this](const std::string & reason) {
           passthrough_.fail(reason + "\nfor good");
           return "null";
