@@ -16,7 +16,7 @@ from jinja2.bccache import Bucket
 from jinja2.ext import Extension
 
 _LIBRARIES = ("copier", "jinja2", "jinja2-ansible-filters")
-_known: dict[str, CodeType] = {}
+_known: dict[str, Any] = {}
 """Byte code by the keys of templates and the digests of their texts, or by version and text."""
 
 
