@@ -7,6 +7,7 @@ FLAT = (
     (r"(\{\{ runtime_package \}\})\.ros\.", r"\1."),
     (r"(\{\{ (?:spec\.name|runtime_package) \}\})/ros/", r"\1/"),
     (r"(runtime_package ~ ')/ros/", r"\1/"),
+    (r"/\*\*/ros/", "/**/"),
     (r"(?m)^(from )\{\{ test_support \}\}\.", r"\1"),
     (r"\./support/", "./"),
     (r"'support', ('recorder\.py')", r"\1"),
