@@ -211,7 +211,7 @@ class _Recorder:
 
     def _count(self, method):
         stamp = self.passthrough.stamp()
-        time = (self.passthrough.now() + stamp.sec + stamp.nanosec * 1e-9) / 2  # the same twice
+        time = (self.passthrough.now() + stamp.sec + stamp.nanosec * 1e-9) / 2  # of both clocks
         TURNS[method] = TURNS[method][0] + 1, monotonic(), time
 
     def _do_turns(self, _, method, *__):

@@ -216,7 +216,7 @@ class _Recorder:
 
     def _count(self, method):
         stamp = self.passthrough.stamp()
-        time = (self.passthrough.now() + stamp.to_sec()) / 2  # of two that are to be the same
+        time = (self.passthrough.now() + stamp.to_sec()) / 2  # of both clocks
         TURNS[method] = TURNS[method][0] + 1, monotonic(), time
 
     def _do_turns(self, _, method, *__):

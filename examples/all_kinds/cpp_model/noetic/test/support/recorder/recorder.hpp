@@ -155,7 +155,7 @@ public:
       steps.insert(each.begin(), each.end());
     }
     steps["raise"] = [](const auto & what) -> std::string {
-        if (what == "other") {  // than exceptions of the standard library
+        if (what == "other") {  // no std::exception
           throw what;
         }
         throw std::runtime_error("told to raise");
