@@ -12,7 +12,7 @@ from difflib import SequenceMatcher
 from typing import NamedTuple
 
 from ..data import load_data
-from .blocks import Block
+from .blocks import THEN, Block
 from .languages import CMAKE
 from .launch import deleted, keys
 from .lines import margin, plain, split
@@ -140,7 +140,7 @@ class _Carrier:
         self, mine: Blocks, old: Blocks, new: list[Block], number: int, is_top: bool = False
     ) -> None:
         known = {block.key: block for block in old}
-        generated = set(keys(old))
+        generated = {key for key in keys(old) if key != THEN}  # each condition has one
         there = {block.key: block for block in new}
         for block in mine:
             base = known.get(block.key)
