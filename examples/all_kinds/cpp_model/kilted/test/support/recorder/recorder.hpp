@@ -128,20 +128,6 @@ using Step = std::function<std::string(const std::string &)>;
 using Steps = std::map<std::string, Step>;
 using Words = std::vector<std::string>;
 
-/// Write to the log, in each way.
-inline Step logs(const Logger & log)
-{
-  return [log](const auto &) {
-           log.info("said as info");
-           log.warning("said as warning");
-           log.error("said as error");
-           log.info_once("said once");
-           log.error_once("said once");
-           log.warning_throttle(1e3, "said once");
-           return "null";
-         };
-}
-
 /// Return whether some words order a step.
 inline bool has(const Words & words, const std::string & step)
 {
@@ -323,6 +309,20 @@ private:
   std::shared_ptr<Steps> steps_;
   std::map<std::string, std::string> taken_;
 };
+
+/// The step that writes to the log in each way.
+inline Step logs(const Logger & log)
+{
+  return [log](const auto &) {
+           log.info("said as info");
+           log.warning("said as warning");
+           log.error("said as error");
+           log.info_once("said once");
+           log.error_once("said once");
+           log.warning_throttle(1e3, "said once");
+           return "null";
+         };
+}
 
 /// The step that sets a message.
 template<typename Message>
