@@ -878,7 +878,8 @@ class NodeTests:
                 values = {each.key: each.value for each in last()[0].values}
                 keys = 'rate (Hz)', 'late cycles', 'missed cycles'
                 rate, late, missed = (float(values.get(key, 0)) for key in keys)
-                is_counted = missed > 3 and (missed > late or 2 * late < self.turns(node=node)[0])
+                is_apart = missed > late or 2 * late < self.turns(node=node)[0]
+                is_counted = late > 0 and missed > 3 and is_apart
                 is_counted &= self.frequency / 10 < rate < 1.0 + 1.5 * self.frequency
                 return is_counted and all('late cycles' in each.message for each in last(3))
 
