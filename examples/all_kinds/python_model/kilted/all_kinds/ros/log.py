@@ -30,7 +30,7 @@ class Log:
         self.info: Write = logger.info
         self.warning: Write = logger.warning
         self.error: Write = logger.error
-        # Each in a line of its own, as rclpy 9.1.2 fails where one line writes by two levels.
+        # By a lambda each: rclpy 9.1.2 raises where one line of code logs at two levels.
         self.debug_once, self.debug_throttle = self._limited(lambda text: logger.debug(text))
         self.info_once, self.info_throttle = self._limited(lambda text: logger.info(text))
         self.warning_once, self.warning_throttle = self._limited(lambda text: logger.warning(text))
