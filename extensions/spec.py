@@ -94,6 +94,8 @@ class SpecExtension(Extension):
         return False
 
     def _finish_join(self, run: Run, spec: Mapping[str, Any]) -> bool:
+        if _is_render(run.package.folder, "old") and not run.pretend:
+            hooks.run.old_copies[:] = [run]
         self.steps.finish_join(run, self.specs.model(run), spec)
         return False
 
@@ -124,6 +126,7 @@ class SpecExtension(Extension):
             model=str(context.get("model") or ""),
             distro=str(context.get("ros_distro") or ""),
             pretend=bool(conf.get("pretend")),
+            exclude=conf["exclude"],
             overwrite=bool(conf.get("overwrite")),
             quiet=bool(conf.get("quiet")),
             inline=conf.get("conflict", "inline") == "inline",
@@ -150,6 +153,7 @@ class SpecExtension(Extension):
         answers: Mapping[str, Any],
         answers_file: str,
         version: str | None,
+        without: str,
     ) -> Callable[[Path], bool]:
         """Make a package; see `hooks.run.Copy`."""
         try:
@@ -160,7 +164,7 @@ class SpecExtension(Extension):
                     data=dict(answers),
                     answers_file=answers_file,
                     vcs_ref=version,
-                    exclude=[answers_file],
+                    exclude=[without],
                     defaults=True,
                     unsafe=True,
                     quiet=True,
@@ -259,13 +263,13 @@ def _without_index() -> Iterator[None]:
             copier_main.is_git_available = found
 
 
-def _is_render(folder: Path) -> bool:
+def _is_render(folder: Path, which: str = "old|new") -> bool:
     """Say whether a folder is one of the temporary ones in which Copier renders in an update.
 
     Its next one asks there, too, after the first stage of migrations (copier-org/copier#2376,
     decision 139).
     """
-    return any(re.match(r"copier\._main\.(old|new)_copy\.", part) for part in folder.parts)
+    return any(re.match(rf"copier\._main\.({which})_copy\.", part) for part in folder.parts)
 
 
 def _can_ask() -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -11,6 +11,8 @@ from .package import Package
 
 updating: list[Path] = []
 """The package whose update has begun, at most one (decision 139)."""
+old_copies: list[Run] = []
+"""What Copier has made of the version before for an update, at most one (decision 154)."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +34,8 @@ class Run:
     inline: bool
     """Conflicts go between marks; else to files that end in .rej."""
     can_ask: bool
+    exclude: Sequence[str] = ()
+    """What the user has Copier leave out."""
 
     @property
     def is_inner(self) -> bool:
@@ -44,10 +48,11 @@ class Run:
         return str(self.answers.get("_src_path") or "")
 
 
-Copy = Callable[[str, Path, Mapping[str, Any], str, str | None], Callable[[Path], bool]]
-"""Makes a package: from a source, in a folder, of answers, with an answers file, at a version.
+Copy = Callable[[str, Path, Mapping[str, Any], str, str | None, str], Callable[[Path], bool]]
+"""Makes a package: from a source, in a folder, of answers, with an answers file, at a version, and
+without the files of a pattern.
 
-It is in a temporary folder, without the answers file (decision 123). It returns what says of a
+It is in a temporary folder (decision 123). It returns what says of a
 path whether it is the developer's: written once, never again. It raises `UnrenderedError` where
 the template or the answers have a fault.
 """

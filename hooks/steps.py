@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from .model import Model
 from .package import Package
-from .run import Copy, Run
+from .run import Copy, Run, old_copies
 
 if TYPE_CHECKING:
     from .merge.render import Renderer
@@ -60,6 +60,8 @@ class Steps:
 
     def begin(self, run: Run) -> None:
         """Take the snapshot that a failing update brings back."""
+        if run.exclude:  # of the version before, too
+            old_copies.clear()
         if not run.pretend:
             self._update = self._new(run, run.package)
 

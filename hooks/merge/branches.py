@@ -342,8 +342,7 @@ def wrong_merge(joiner: Joiner, now: Tree) -> Branches | None:
     there, made = joiner.files(commit), joiner.renderer.recorded(answers)
     sides = {one: (joiner.files(one), joiner.made(one)) for one in parents}
     befores = [sides[one] for one in others]
-    kept = {path for path in made.tree if made.is_kept(path)}
-    found = _stale(there, made.tree, befores) - kept
+    found = {path for path in _stale(there, made.tree, befores) if not made.is_kept(path)}
     if found:
         found &= _stale(now, made.tree, befores)
     if len(parents) > 1:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import json
 import os
 import shutil
@@ -18,7 +19,7 @@ from typing import Any
 import yaml
 
 from ..data import load_yaml
-from ..run import Copy
+from ..run import Copy, old_copies
 from .git import committed
 from .tree import Tree, read_folder
 
@@ -28,8 +29,11 @@ class Render:
     """What a version of a template makes of answers."""
 
     tree: Tree
-    is_kept: Callable[[str], bool]
-    """Says of a path whether it is the developer's: written once, never again."""
+    is_written_once: Callable[[str], bool]
+
+    def is_kept(self, path: str) -> bool:
+        """Say whether a file is the developer's: written once, never again."""
+        return path in self.tree and self.is_written_once(path)
 
 
 @dataclass
@@ -40,6 +44,8 @@ class _Work:
     known: dict[str, Render] = field(default_factory=dict)
     copies: dict[Path, tempfile.TemporaryDirectory[str]] = field(default_factory=dict)
     """Of the folders of templates."""
+    old_copy: tuple[Mapping[str, Any], Tree] = field(default_factory=lambda: ({}, {}))
+    """Answers, and what Copier has made of them itself."""
     taken: float = 0.0
     """Seconds."""
 
@@ -89,7 +95,28 @@ class Renderer:
     def fresh(self, answers: Mapping[str, Any]) -> Render:
         """Render with the template of now; UnrenderedError if it, or the answers, have a fault."""
         version = f"{self.url} {self.commit}" if self.commit else str(self.folder)
-        return self._once(version, answers, lambda: self._render_copy(answers))
+        tree = self._old_copy(answers)
+        if tree is None:
+            return self._once(version, answers, lambda: self._render_copy(answers))
+        render = lambda: self._render_copy(answers, without="*")  # noqa: E731
+        empty = functools.cache(lambda: self._once(f"{version}, no file", answers, render))
+        return Render(tree, lambda path: empty().is_written_once(path))
+
+    def _old_copy(self, answers: Mapping[str, Any]) -> Tree | None:
+        """Return what Copier has made of the same version and answers, if it has.
+
+        Not if a file has the name of its folder there, which is another than the package's.
+        """
+        for run in (run for run in old_copies if run.package.folder.is_dir()):
+            folder = run.package.folder
+            tree = read_folder(folder)
+            tree.pop(self.answers_file, None)
+            name = str(folder) if folder.name == self.name else folder.name
+            if not any(name in path or name.encode() in tree[path].data for path in tree):
+                _work.old_copy = dict(run.answers), tree
+        old_copies.clear()  # Copier goes on to change it
+        known, tree = _work.old_copy
+        return tree if known == answers else None
 
     def _once(
         self, version: str, answers: Mapping[str, Any], render: Callable[[], Render]
@@ -101,7 +128,7 @@ class Renderer:
                 _work.known[key] = render()
         return _work.known[key]
 
-    def _render_copy(self, answers: Mapping[str, Any]) -> Render:
+    def _render_copy(self, answers: Mapping[str, Any], without: str = "") -> Render:
         if self.folder not in _work.copies:
             # Copier clones a repository, which takes longer than all the rest.
             folder = _work.copies[self.folder] = tempfile.TemporaryDirectory(prefix="template.")
@@ -113,7 +140,7 @@ class Renderer:
                 copy_function=_link_or_copy,
             )
         copy = Path(_work.copies[self.folder].name) / self.folder.name
-        return self._render(str(copy), None, answers)
+        return self._render(str(copy), None, answers, without)
 
     def recorded(self, answers: Mapping[str, Any]) -> Render:
         """Render with the version that the answers name, which raises as above."""
@@ -123,14 +150,15 @@ class Renderer:
         source, version = os.path.expanduser(url), f"{url} {commit}"
         return self._once(version, answers, lambda: self._render(source, commit, answers))
 
-    def _render(self, source: str, version: str | None, answers: Mapping[str, Any]) -> Render:
+    def _render(
+        self, source: str, version: str | None, answers: Mapping[str, Any], without: str = ""
+    ) -> Render:
         with tempfile.TemporaryDirectory(prefix="ros_package.") as folder:
             target = Path(folder) / self.name
             data = {key: value for key, value in answers.items() if not key.startswith("_")}
-            is_kept = self.copy(source, target, data, self.answers_file, version)
-            tree = read_folder(target)
-            kept = {path for path in tree if is_kept(Path(path))}
-        return Render(tree, kept.__contains__)
+            about = (self.answers_file, version, without or self.answers_file)
+            is_kept = self.copy(source, target, data, *about)
+            return Render(read_folder(target), functools.cache(lambda path: is_kept(Path(path))))
 
 
 def _link_or_copy(source: str, target: str) -> None:

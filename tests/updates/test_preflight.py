@@ -214,7 +214,7 @@ def test_version_that_copier_refuses(tmp_path):
     (tmp_path / "model/copier.yml").write_text("_min_copier_version: 99.0.0\n")
     extension = SpecExtension(Environment(loader=FileSystemLoader(ROOT)))
     with pytest.raises(spec.hooks.faults.UnrenderedError, match=r"99.* \[not-rendered\]$"):
-        extension._copy(str(tmp_path / "model"), tmp_path / "arm", {}, "answers.yml", None)
+        extension._copy(str(tmp_path / "model"), tmp_path / "arm", {}, "answers.yml", None, "*")
 
 
 def test_large_file_of_the_developer_is_fine(package):

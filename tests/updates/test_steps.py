@@ -25,7 +25,7 @@ class Copies:
     def __init__(self):
         self.asked = []
 
-    def __call__(self, source, folder, data, answers_file, version):
+    def __call__(self, source, folder, data, answers_file, version, without):
         self.asked.append((source, version, folder.name, {*data}, answers_file))
         self.template = {*read_folder(Path(source))} if Path(source).is_dir() else set()
         for path, file in Model().fresh(data).tree.items():

@@ -14,22 +14,46 @@ from support.arm import SPEC
 from support.repository import commit
 
 CHANGES = {
-    "nothing": (SPEC, 1),
-    "an interface": (SPEC.replace('name="stop"', 'name="halt"'), 2),
-    "a rename": (SPEC.replace('<node name="reach"', '<node name="grasp" was="reach"'), 3),
+    "nothing": (SPEC, 0),
+    "an interface": (SPEC.replace('name="stop"', 'name="halt"'), 1),
+    "a rename": (SPEC.replace('<node name="reach"', '<node name="grasp" was="reach"'), 2),
 }
 
 
 @pytest.mark.parametrize(("spec", "expected"), CHANGES.values(), ids=CHANGES)
 def test_renders_of_an_update(arm, update, monkeypatch, spec, expected):
-    """Besides Copier's own: as it was, as it is to be, and with the marks of a rename."""
+    """Besides Copier's own, one of which is as it was: as it is to be, as a rename marks it."""
     (arm / "arm.ros_package").write_text(spec)
     commit(arm, "Change the spec")
     made = []
     copy = copier.run_copy
-    monkeypatch.setattr(copier, "run_copy", lambda *a, **b: made.append(a) or copy(*a, **b))
+    monkeypatch.setattr(copier, "run_copy", lambda *a, **b: made.append(b) or copy(*a, **b))
     update(arm)
-    assert len(made) == expected
+    assert len([how for how in made if how["exclude"] != ["*"]]) == expected
+
+
+def test_old_render_that_says_where_it_is_made(own_collection, render, update):
+    """A template may write the name of the folder, which is another one where Copier renders."""
+    template = own_collection / "python_model/template/PLACE.md.jinja"
+    template.write_text("# {{ _folder_name }}\n{{ spec.description }}\n")
+    commit(own_collection, "Name the folder", tag="1.1.0")
+    package = render(SPEC, template=own_collection, name="arm")
+    (package / "PLACE.md").write_text("# arm\nAn arm\nMine\n")
+    (package / "arm.ros_package").write_text(SPEC.replace("An arm", "A leg"))
+    commit(package, "Change the spec, and add a line")
+    update(package)
+    assert (package / "PLACE.md").read_text() == "# arm\nA leg\nMine\n"
+
+
+def test_old_render_without_what_the_user_excludes(arm, copier_command):
+    """Copier leaves that out of the version before, too, where the developer's file comes from."""
+    store = '    <serviceServer name="store" type="std_srvs::Trigger"/>\n'
+    (arm / "arm.ros_package").write_text(SPEC.replace(store, ""))
+    commit(arm, "Change the spec")
+    options = ("--trust", "--defaults", "--exclude", "reach_impl.py")
+    result = copier_command("update", *options, cwd=arm)
+    assert result.returncode == 0, result.stderr
+    assert "serve_store" not in (arm / "arm/reach_impl.py").read_text()
 
 
 def test_own_renders_ask_git_of_no_file(arm, update, monkeypatch):
