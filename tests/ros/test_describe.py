@@ -17,6 +17,7 @@ from support.ros import PEERS
 SCRIPT = ROOT / "scripts/describe_node.py"
 MODELS = ["python_model", "cpp_model"]
 PREFIX = "from ament_index_python import get_package_prefix as find; print(find('tf2_ros'))"
+PLAIN = f"{{}} {PEERS}/plain_ros2.py"
 STATIC = f'$(python3 -c "{PREFIX}")/lib/tf2_ros/static_transform_publisher'
 STATIC += " --x 1 --frame-id map --child-frame-id base --ros-args"
 
@@ -124,7 +125,7 @@ runpy.run_path(sys.argv[0], run_name="__main__")
 
 def test_what_the_middleware_says_is_not_in_the_spec(ros2, tmp_path):
     (tmp_path / "talkative.py").write_text(TALKATIVE)
-    with ros2.running(f"{ros2.python} {PEERS}/plain_ros2.py"):
+    with ros2.running(PLAIN.format(ros2.python), ends_well=False):
         command = f"{ros2.python} talkative.py {SCRIPT} plain 2>/dev/null"
         done = ros2.run(command, tmp_path, tmp_path)
     assert done.stdout.startswith("<?xml ")
@@ -138,7 +139,7 @@ def test_nodes_of_ros2(ros2, render, tmp_path, model):
         pytest.skip("rclcpp is not installed")
     names = ["plain"]
     with contextlib.ExitStack() as stack:
-        stack.enter_context(ros2.running(f"{ros2.python} {PEERS}/plain_ros2.py"))
+        stack.enter_context(ros2.running(PLAIN.format(ros2.python), ends_well=False))
         if has_rclcpp:
             stack.enter_context(ros2.running(f"{STATIC} -r __node:=fixed"))
             names.append("fixed")
