@@ -27,7 +27,7 @@ from .origins import SELF, Class, Names, classes_in, origins, related
 from .python_blocks import definitions, imports
 from .render import Renderer
 from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python
-from .tokens import Word, exchange, quoted, words
+from .tokens import Word, all_words, exchange, quoted
 from .tree import File, Tree
 
 _DEEPEST = 3
@@ -445,7 +445,7 @@ def plan(
         owned[before] = reader.numbers(path)
         text = file.written
         known = language(before, text)
-        found = [*words(known, text)]
+        found = all_words(known, text)
         tokens[before] = {word.text for word in found}
         if known in (CPP, PYTHON):
             tokens[before].add(PurePosixPath(path).stem)  # an import may name it

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from collections.abc import Callable, Container, Iterator
 from typing import NamedTuple
@@ -58,6 +59,12 @@ def exchange(known: Language, text: str, by: Callable[[Word], str], among: Conta
         parts += [text[at : word.at], by(word)]
         at = word.at + len(word.text)
     return "".join(parts) + text[at:]
+
+
+@functools.lru_cache(maxsize=256)
+def all_words(known: Language, text: str) -> tuple[Word, ...]:
+    """Return the words of code in a text; an update asks twice."""
+    return (*words(known, text),)
 
 
 def words(known: Language, text: str, among: Container[str] | None = None) -> Iterator[Word]:
