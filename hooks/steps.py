@@ -60,10 +60,14 @@ class Steps:
 
     def begin(self, run: Run) -> None:
         """Take the snapshot that a failing update brings back."""
-        if run.exclude:  # of the version before, too
-            old_copies.clear()
-        if not run.pretend:
-            self._update = self._new(run, run.package)
+        if run.pretend:
+            return
+        from .merge.render import keep_old_copy
+
+        self._update = self._new(run, run.package)
+        for old in old_copies if not run.exclude else ():  # Copier excludes files of it, too
+            keep_old_copy(old, run.package.folder.name)
+        old_copies.clear()
 
     def finish(self, run: Run, model: Model, spec: Mapping[str, Any]) -> None:
         """Merge, in place of what Copier has merged, and prove it."""

@@ -19,7 +19,7 @@ from typing import Any
 import yaml
 
 from ..data import load_yaml
-from ..run import Copy, old_copies
+from ..run import Copy, Run
 from .git import committed
 from .tree import Tree, read_folder
 
@@ -76,6 +76,19 @@ def begin(quiet: bool = True) -> None:
     _work = _Work(quiet)
 
 
+def keep_old_copy(run: Run, name: str) -> None:
+    """Keep what Copier has made of the version before, for a package whose folder has this name.
+
+    Not if a file has the name of Copier's folder.
+    """
+    folder = run.package.folder
+    tree = read_folder(folder)
+    tree.pop(run.package.answers_file, None)
+    other = str(folder) if folder.name == name else folder.name
+    if tree and not any(other in path or other.encode() in tree[path].data for path in tree):
+        _work.old_copy = dict(run.answers), tree
+
+
 @dataclass(frozen=True)
 class Renderer:
     """Renders a package with the template that Copier uses now, or with a recorded version.
@@ -95,28 +108,12 @@ class Renderer:
     def fresh(self, answers: Mapping[str, Any]) -> Render:
         """Render with the template of now; UnrenderedError if it, or the answers, have a fault."""
         version = f"{self.url} {self.commit}" if self.commit else str(self.folder)
-        tree = self._old_copy(answers)
-        if tree is None:
+        known, tree = _work.old_copy
+        if known != answers:
             return self._once(version, answers, lambda: self._render_copy(answers))
         render = lambda: self._render_copy(answers, without="*")  # noqa: E731
         empty = functools.cache(lambda: self._once(f"{version}, no file", answers, render))
         return Render(tree, lambda path: empty().is_written_once(path))
-
-    def _old_copy(self, answers: Mapping[str, Any]) -> Tree | None:
-        """Return what Copier has made of the same version and answers, if it has.
-
-        Not if a file has the name of its folder there, which is another than the package's.
-        """
-        for run in (run for run in old_copies if run.package.folder.is_dir()):
-            folder = run.package.folder
-            tree = read_folder(folder)
-            tree.pop(self.answers_file, None)
-            name = str(folder) if folder.name == self.name else folder.name
-            if not any(name in path or name.encode() in tree[path].data for path in tree):
-                _work.old_copy = dict(run.answers), tree
-        old_copies.clear()  # Copier goes on to change it
-        known, tree = _work.old_copy
-        return tree if known == answers else None
 
     def _once(
         self, version: str, answers: Mapping[str, Any], render: Callable[[], Render]

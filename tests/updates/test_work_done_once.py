@@ -56,6 +56,21 @@ def test_old_render_without_what_the_user_excludes(arm, copier_command):
     assert "serve_store" not in (arm / "arm/reach_impl.py").read_text()
 
 
+def test_old_render_before_hooks_of_git_change_it(arm, copier_command, tmp_path):
+    """Copier commits it, and hooks that a developer has for all repositories may format it."""
+    (arm / "arm.ros_package").write_text(CHANGES["an interface"][0])
+    commit(arm, "Change the spec")
+    hook = tmp_path / "hooks/pre-commit"
+    hook.parent.mkdir()
+    hook.write_text("#!/bin/sh\nsed -i 's/    /  /' $(git ls-files '*.py')\n")
+    hook.chmod(0o755)
+    how = {"GIT_CONFIG_KEY_0": "core.hooksPath", "GIT_CONFIG_VALUE_0": str(hook.parent)}
+    options = ("update", "--trust", "--defaults")
+    result = copier_command(*options, cwd=arm, GIT_CONFIG_COUNT="1", **how)
+    assert result.returncode == 0, result.stderr
+    assert "17 of 18 of your lines" in result.stderr
+
+
 def test_own_renders_ask_git_of_no_file(arm, update, monkeypatch):
     """Copier does, for each file that it writes, and goes on to do so where there is an index."""
     asked = []
