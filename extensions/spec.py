@@ -126,7 +126,7 @@ class SpecExtension(Extension):
             model=str(context.get("model") or ""),
             distro=str(context.get("ros_distro") or ""),
             pretend=bool(conf.get("pretend")),
-            exclude=conf["exclude"],
+            exclude=conf.get("exclude") or (),
             overwrite=bool(conf.get("overwrite")),
             quiet=bool(conf.get("quiet")),
             inline=conf.get("conflict", "inline") == "inline",

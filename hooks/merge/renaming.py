@@ -283,7 +283,7 @@ _COMMENT = {PYTHON: "#", CPP: "//", CMAKE: "#"}
 _ENDS = {
     PYTHON: re.compile(r" =(?= |$)"),
     CPP: re.compile(r" =(?= |$)"),
-    MARKDOWN: re.compile(r" \|(?=[^|]*\|$)"),
+    MARKDOWN: re.compile(r" \|(?=(?:[^|\\]|\\.)*\|$)"),
 }
 """Where the head of a line ends, that may go on as the developer likes: before a value, before the
 last cell of a table."""
