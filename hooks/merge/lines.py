@@ -139,8 +139,8 @@ def _changes(other: Lines, matches: _Matches, is_mine: bool) -> Iterator[_Change
 def _parted(
     old: Lines, changes: Iterable[_Change], others: Iterable[_Change]
 ) -> Iterator[_Change]:
-    """Part what changes line by line where the other side has inserted something in between."""
-    places = {other.start for other in others if other.start == other.end}
+    """Part what changes line by line where what the other side has changed begins or ends."""
+    places = {place for other in others for place in (other.start, other.end)}
     for change in changes:
         start, end, lines = change.start, change.end, change.lines
         cuts = sorted(places & {*range(start + 1, end)})

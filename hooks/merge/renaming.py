@@ -283,7 +283,7 @@ _COMMENT = {PYTHON: "#", CPP: "//", CMAKE: "#"}
 _ENDS = {
     PYTHON: re.compile(r" =(?= |$)"),
     CPP: re.compile(r" =(?= |$)"),
-    MARKDOWN: re.compile(r" \|(?=[^|]*\|$)"),
+    MARKDOWN: re.compile(r" \|(?=(?:[^|\\]|\\.)*\|$)"),
 }
 """Where the head of a line ends, that may go on as the developer likes: before a value, before the
 last cell of a table."""
@@ -388,17 +388,17 @@ def _with_keys(text: str, keys: Mapping[str, str], holders: Collection[_Holder] 
     tops = {holder[0] for holder, _ in found if holder}
     made = {holder[0] for holder in holders or () if holder}
     others = tops - made if made and not made & tops else set()  # the developer has named the node
-    foreign = {
-        node.start_mark.line
+    ours = {
+        node.start_mark.index  # what a text has like a key is none
         for holder, node in found
-        if holders is not None
-        and holder not in holders
-        and not (holder and holder[0] in others and (*made, *holder[1:]) in holders)
+        if holders is None
+        or holder in holders
+        or (holder and holder[0] in others and (*made, *holder[1:]) in holders)
     }
 
     def exchanged(match: re.Match[str]) -> str:
-        is_foreign = text.count("\n", 0, match.start("key")) in foreign
-        return match[0] if is_foreign else match[1] + match[2] + exact[match[3]] + match[2]
+        is_ours = not found or match.start("quote") in ours
+        return match[1] + match[2] + exact[match[3]] + match[2] if is_ours else match[0]
 
     return re.sub(form, exchanged, text)
 

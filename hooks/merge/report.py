@@ -52,7 +52,7 @@ def report(
     own = "which the model makes now, too: compare"
     others += [f"back      {part}, which you had deleted" for part in _parts(result.back)]
     others += [f"yours     {part}, {own}" for part in _parts(result.own)]
-    others += [f"still     {use}" for use in uses]
+    others += [f"still     {use}" for use in dict.fromkeys(uses)]
     others += [f"CONFLICT  {path}" for path in conflicts]
     if not changes and not files and not conflicts:
         others.append("Nothing has changed.")

@@ -65,7 +65,12 @@ class Renderer:
             "spec_file": "",
             "spec": spec,
             "_copier_answers": {},
-            "_copier_conf": {"answers_file": ANSWERS, "dst_path": "", "data": {"spec": spec}},
+            "_copier_conf": {
+                "answers_file": ANSWERS,
+                "dst_path": "",
+                "data": {"spec": spec},
+                "exclude": [],
+            },
         }
         rules = [self.string(rule).render(values) for rule in self.excluded]
         is_excluded = pathspec.GitIgnoreSpec.from_lines("\n".join(rules).splitlines())

@@ -75,6 +75,18 @@ def test_own_line_between_two_that_change_is_no_conflict_where_each_has_become_a
     assert conflicts(merge_lines(mine, old, new[:1], str, operator.eq))
 
 
+def test_conflict_is_of_the_line_alone_that_both_sides_change_where_each_has_become_another():
+    """As a row with a description of the developer's, in a table that moves to another ROS."""
+    old = [f"| `{name}` | read each cycle | `sensor_msgs/msg/Joy` |\n" for name in "abc"]
+    new, mine = [line.replace("/msg", "") for line in old], [*old]
+    mine[1] = mine[1].replace("cycle", "time")
+    wanted = [new[0], Conflict(mine[1:2], old[1:2], new[1:2]), new[2]]
+    assert merge_lines(mine, old, new, str, operator.eq) == wanted
+    del mine[1]
+    wanted = [new[0], Conflict([], old[1:2], new[1:2]), new[2]]
+    assert merge_lines(mine, old, new, str, operator.eq) == wanted
+
+
 def test_two_developers_may_insert_the_same_line():
     assert merge("axyb", "ab", "ayzb", of_people=True) == "ayzxyb"
     assert merge("axyb", "ab", "ayzb") == "azxyb"

@@ -691,6 +691,8 @@ def test_row_of_a_table_with_the_name_keeps_the_last_cell_of_the_developer(pairs
     assert joined(pairs[model], "README.md", start, text) == (wanted, [], False)
     aligned, found = (row.replace(" | Mine", "    | Mine") for row in (text, wanted))
     assert joined(pairs[model], "README.md", start, aligned) == (found, [], False)
+    text, wanted = (row.replace("Mine,", r"Mine \| yours,") for row in (text, wanted))
+    assert joined(pairs[model], "README.md", start, text) == (wanted, [], False)
 
 
 def test_head_of_a_line_is_known_by_more_than_a_name():

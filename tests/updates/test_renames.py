@@ -568,6 +568,14 @@ def test_keys_are_renamed_below_the_name_that_the_developer_has_given_the_node(t
     assert renaming.text("a.yaml", form.format(top, "gain")) == form.format(top, "factor")
 
 
+def test_what_a_text_of_yaml_has_like_a_key_stays():
+    text = "    text: |\n      gain: 2\n    own: '\n      gain: 3'\n"
+    form = f"reach:\n  ros__parameters:\n    {{}}: 1\n{text}"
+    old, marked = ({"a.yaml": File(encode(form.format(name)))} for name in ("gain", "zq0x"))
+    renaming = plan(old, marked, [Mark("gain", "factor", "interface")], old)
+    assert renaming.text("a.yaml", form.format("gain")) == form.format("factor")
+
+
 @pytest.mark.parametrize(
     "code",
     [

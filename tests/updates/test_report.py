@@ -113,6 +113,11 @@ def test_package_that_a_loop_finds_is_not_missing(package, names):
         assert found[1:] == [f"missing   CMakeLists.txt: find_package {one}" for one in missing]
 
 
+def test_use_that_a_line_has_twice_is_said_once(package):
+    said_twice = said(package, texts(package), changes=["+ node n"], uses=["a:1: b", "a:1: b"])
+    assert said_twice == ["+ node n", "still     a:1: b"]
+
+
 def test_what_became_of_files(package):
     """Of one that is in conflict, that alone."""
     head = git(package, "rev-parse", "--short", "HEAD")
