@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import os
+import re
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from ..git import git
 from .tree import Tree, read_folder
+
+_LONG = 20_000
+"""Characters: a command line of Windows ends at 32,767."""
 
 
 def is_repository(folder: Path) -> bool:
@@ -114,6 +118,21 @@ def commit_that_had(folder: Path, path: str, word: str = "") -> str:
     found = git(folder, "log", "-1", "--format=%h", sought, "--", path, check=False).strip()
     parents = git(folder, "rev-parse", "--short", f"{found}^", check=False) if found else ""
     return parents.strip()
+
+
+def once_there(folder: Path, paths: Sequence[str], words: Sequence[str] = ()) -> set[str]:
+    """Return those of some paths whose file a commit has deleted: a few more may be among them.
+
+    With `words`, those of whose file a commit has changed a line that has one. Git is asked once
+    for all, where a command line takes them.
+    """
+    if not paths or sum(map(len, [*paths, *words])) > _LONG:
+        return {*paths}
+    sought = "|".join(re.sub(r"[][\\.*^$+?{}|()]", r"\\\g<0>", word) for word in words)
+    options = ["--text", f"-G{sought}"] if words else ["--diff-filter=D"]
+    options += ["--no-renames", "--format=", "--name-only", "--relative", "-z"]
+    found = git(folder, "log", *options, "--", *paths, check=False).split("\0")
+    return {*filter(None, found)}
 
 
 def mark_conflict(folder: Path, path: str, mode: str, versions: dict[int, bytes]) -> None:

@@ -65,6 +65,8 @@ def _parts(found: Mapping[str, list[str]]) -> Iterator[str]:
 
 def _files(package: Path, before: Tree, after: Tree, result: Result) -> Iterator[str]:
     sources = {new: old for old, new in result.moved.items()}
+    added = [path for path in after if path not in sources and path not in before]
+    deleted = git.once_there(package, added)
     for path, file in sorted(after.items()):
         if path in result.conflicts:
             continue
@@ -72,7 +74,7 @@ def _files(package: Path, before: Tree, after: Tree, result: Result) -> Iterator
         if path in sources:
             yield f"moved     {sources[path]} -> {path}"
         elif old is None:
-            commit = git.commit_that_had(package, path)
+            commit = git.commit_that_had(package, path) if path in deleted else ""
             yield f"added     {path}" + (
                 f"      (as it was: git show {commit}:./{path})" if commit else ""
             )
@@ -83,16 +85,22 @@ def _files(package: Path, before: Tree, after: Tree, result: Result) -> Iterator
 def _returned(package: Path, before: Tree, after: Tree, result: Result) -> Iterator[str]:
     """Name the callbacks that came, and were there earlier with other code."""
     sources = {new: old for old, new in result.moved.items()}
+    came = []
     for path, file in sorted(after.items()):
         source = sources.get(path, path)
         old, known = before.get(source), language(path, file.written)
-        if old is None or old == file:
-            continue
-        had, has = _functions(known, old), _functions(known, file)
-        for key in sorted(has.keys() - had.keys()):
-            commit = git.commit_that_had(package, source, f"{key.removesuffix('()')}(")
+        if old is not None and old != file:
+            had, has = _functions(known, old), _functions(known, file)
+            for key in sorted(has.keys() - had.keys()):
+                word = f"{key.removesuffix('()')}("
+                came.append((path, source, known, key, word, has[key]))
+    paths, words = {one[1]: None for one in came}, {one[4]: None for one in came}
+    there = git.once_there(package, [*paths], [*words])
+    for path, source, known, key, word, text in came:
+        commit = git.commit_that_had(package, source, word) if source in there else ""
+        if commit:
             past = _functions(known, File(git.committed(package, source, commit))).get(key)
-            if commit and past and not known.same(past, has[key]):
+            if past and not known.same(past, text):
                 what = f"{block_name(key)} to {path}"
                 yield f"added     {what}      (as it was: git show {commit}:./{source})"
 

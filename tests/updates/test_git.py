@@ -2,11 +2,13 @@
 
 from hooks.merge.git import (
     changed,
+    commit_that_had,
     committed,
     files_of,
     mark_conflict,
     merge_bases,
     name_in,
+    once_there,
     parents,
     stage,
     tracked,
@@ -51,3 +53,27 @@ def test_histories_with_nothing_in_common(tmp_path):
     git(tmp_path, "checkout", "-q", "--orphan", "other")
     commit(tmp_path, "Another beginning")
     assert merge_bases(tmp_path, first, "HEAD") == []
+
+
+def test_what_was_once_there(tmp_path):
+    """Asked of all at once, it is what is found for each: with renames among them, in a folder."""
+    folder = tmp_path / "arm"
+    folder.mkdir()
+    (folder / "gone.py").write_text("a = 1\n" * 9)
+    (folder / "kept.py").write_text("def load(self):\n    pass\n")
+    (folder / "odd.cpp").write_text("Odd[1]* Odd::operator()(\n")
+    (folder / ".gitattributes").write_text("*.cpp -diff\n")
+    commit(tmp_path)
+    (folder / "gone.py").rename(folder / "here.py")
+    (folder / "kept.py").write_text("")
+    (folder / "odd.cpp").write_text("")
+    commit(tmp_path)
+    paths = ["gone.py", "here.py", "kept.py", "odd.cpp"]
+    assert once_there(folder, []) == set()
+    assert once_there(folder, paths) == {"gone.py"}
+    assert once_there(folder, paths, ["store(", "load("]) == {"kept.py"}
+    assert once_there(folder, paths, ["Odd[1]* Odd::operator()("]) == {"odd.cpp"}
+    for word in ("def load.", "load", "Odd1", "d*", "(", "x|a", "^"):
+        each = {path for path in paths if commit_that_had(folder, path, word)}
+        assert each <= once_there(folder, paths, [word]), word
+    assert once_there(folder, paths, ["x" * 40_000]) == {*paths}

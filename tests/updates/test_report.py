@@ -2,6 +2,7 @@
 
 import pytest
 
+from hooks.git import git as run_git
 from hooks.merge.package import Result
 from hooks.merge.proof import Proof
 from hooks.merge.report import left_behind, report
@@ -173,6 +174,25 @@ def test_what_comes_back_is_in_the_history(package):
     ]
     for new in (LOAD.format(1), "def never():\n    return 1\n"):
         assert said(package, {"arm.py": f"{store}\n\n{new}"}) == ["merged    arm.py"]
+
+
+def test_history_is_asked_once_of_all_that_is_new(package, monkeypatch):
+    """And of what was there before, by itself: not of each file and function that came."""
+    (package / "other.py").unlink()
+    commit(package, "Remove")
+    asked = []
+    monkeypatch.setattr(
+        "hooks.merge.git.git", lambda *a, **b: asked.append(a[1]) or run_git(*a, **b)
+    )
+    functions = "".join(f"\n\ndef new_{i}():\n    return 1\n" for i in range(9))
+    files = {f"new_{i}.py": "a = 1\n" for i in range(9)}
+    after = texts(package) | files
+    after["arm.py"] += functions
+    said(package, after)
+    assert asked.count("log") == 2
+    asked.clear()
+    said(package, after | {"other.py": "a = 1\n"})
+    assert asked.count("log") == 3
 
 
 def test_lines_that_left_are_said_by_place():
