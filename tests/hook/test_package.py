@@ -72,6 +72,7 @@ def test_package_is_made_without_git_or_by_a_name_in_another_encoding(
     package, monkeypatch, tmp_path
 ):
     monkeypatch.setenv("GIT_CONFIG_GLOBAL", str(tmp_path / "config"))
+    monkeypatch.chdir(tmp_path)  # this repository may have a name of its own
     (tmp_path / "config").write_bytes(b'[user]\n\tname = "Ren\xe9"\n')
     assert package.about()["user"] == "Ren\N{REPLACEMENT CHARACTER}"
     monkeypatch.setenv("PATH", str(tmp_path))
