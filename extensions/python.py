@@ -95,7 +95,7 @@ def other_values(
         far = [] if abs(start) >= 1e18 else [low or start - 10**6, high or start + 10**6]
         found = [
             int(each) if type_ == "int" else float(each)
-            for each in (low, high, 0, 1, *far)
+            for each in (low, 0, 1, *far, high)
             if each is not None and (low is None or low <= each) and (high is None or each <= high)
         ]
     others = [

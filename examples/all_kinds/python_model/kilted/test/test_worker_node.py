@@ -108,7 +108,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'weights': ([0.5, 1.0, 2000.0], [[], [0.0]], [True, [True]]),
     }
     dynamic_parameters = {  # default, other values, refused ones
-        'gain': (1.5, [0.0, 10.0, 1.0], [True, -0.0001, 10.001]),
+        'gain': (1.5, [0.0, 1.0, 10.0], [True, -0.0001, 10.001]),
         'step': (1, [1000001], [True, 0]),
         'verbose': (False, [True], ['wrong']),
         'label': ('worker', ['other', 'another'], [True]),

@@ -13,6 +13,7 @@ from xmlrpc.client import ServerProxy
 
 import actionlib
 from actionlib import GoalStatus
+from actionlib_msgs.msg import GoalID
 from diagnostic_msgs.msg import DiagnosticArray
 from dynamic_reconfigure.client import Client
 import genpy
@@ -263,6 +264,7 @@ class GoalServer:
         self._result = result
         self._server = actionlib.ActionServer(name, action_type, self._accept, self._cancel, False)
         self._server.start()
+        rospy.Subscriber(name + '/cancel', GoalID, self._count)
 
     def feed_back(self):
         """Send feedback, which a client that does not know the goal yet does not get."""
@@ -282,6 +284,8 @@ class GoalServer:
         handle.set_accepted()
         self._handle = handle
 
+    def _count(self, cancel):
+        self.cancels += bool(cancel.id)  # without one it is for the goals of all clients
+
     def _cancel(self, handle):
-        self.cancels += 1
         handle.set_canceled(self._result)
