@@ -44,7 +44,6 @@ class Counts:
     """The same in pairs of which one moves to the other ROS."""
     wrong: list = field(default_factory=list)
     refused: list = field(default_factory=list)
-    spoiled: int = 0
 
     def row(self):
         return (
@@ -213,11 +212,17 @@ def _merged_item(base, ours, theirs):
     return item
 
 
-def pair_of_branches(random, laboratory, model, distro, counts, mutate=None, **options):
+def pair_of_branches(random, laboratory, model, distro, counts, **options):
     """Make two branches, join and judge them; return the complaints.
 
     There are none, and nothing is counted, where the two have made what cannot be.
     """
+    made = joined(random, laboratory, model, distro, counts, **options)
+    return judged(*made, counts) if made else []
+
+
+def joined(random, laboratory, model, distro, counts, **options):
+    """Make two branches and join them; return what `judged` takes, if it is anything."""
     has_nodes = model != "interfaces_model"
     spec = identified((specs.random_spec if has_nodes else specs.random_interfaces)(random))
     versions, distros = ["1.0.0", "1.0.0"], [distro, distro]
@@ -237,14 +242,14 @@ def pair_of_branches(random, laboratory, model, distro, counts, mutate=None, **o
             side = grown_again(random, *about, **options)
         sides.append(side)
     if None in sides:
-        return []
+        return None
     new_spec = merged_spec(spec, *(side.pair.new_spec for side in sides))
     version = max(versions)
     try:
         new = answers(laboratory, model, new_spec, distros[1], version)
         layout = laboratory.pair(spec, new_spec, model, (distro, distros[1]), version).layout
     except SpecError:  # the two have made what no package can have
-        return []
+        return None
     renders = Renders(laboratory, model)
     dictionary = laboratory.models[model].dictionary
     joiner = Joining(None, ANSWERS, new, renders, dictionary, layout)
@@ -256,14 +261,21 @@ def pair_of_branches(random, laboratory, model, distro, counts, mutate=None, **o
     joiner.commits["base"] = (together.tree(), before, [before["spec"]])
     now = {SPEC: File(encode(specs.xml(new_spec, model)))}
     try:
-        joined = joiner.join(Branches("ours", "theirs", ["base"]), now)
+        result = joiner.join(Branches("ours", "theirs", ["base"]), now)
     except SpecError as error:
         counts.refused.append(str(error))
-        return []
-    if mutate:
-        counts.spoiled += mutate(joined)
+        return None
     fresh = {path: file.text for path, file in renders.fresh(new).tree.items()}
-    return judged(sides, joined, new_spec, fresh | _texts(now), {*together.lines}, counts)
+    return sides, result, new_spec, fresh | _texts(now), {*together.lines}
+
+
+def spoiled(mutate, sides, join, *more):
+    """Return what `joined` gave as a mutant makes it, which leaves that as it is.
+
+    There is nothing where the mutant has changed nothing of the developers'.
+    """
+    join = replace(join, result=replace(join.result, tree={**join.result.tree}))
+    return (sides, join, *more) if mutate(join) else None
 
 
 def judged(sides, joined, new_spec, fresh, together, counts):
