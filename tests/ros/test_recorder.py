@@ -1,5 +1,7 @@
 """The logic that obeys a package's tests: an order is for the next call, not for one reported."""
 
+import runpy
+
 import pytest
 
 from support import ros
@@ -37,3 +39,13 @@ def test_cpp(ros1, render, tmp_path):
     libraries = "-lroscpp_serialization -lrostime -pthread"
     ros1.run(f"c++ {flags} -o program {PROGRAM}.cpp {libraries}", tmp_path)
     assert ros1.run("./program", tmp_path).stdout == "1 0\n"
+
+
+def test_node_that_ends_before_it_reports_its_failure(render, monkeypatch):
+    package = render(SPEC, ros_distro="kilted")
+    monkeypatch.setenv("TEST_TIMEOUT", "5")
+    running = runpy.run_path(str(package / "test/support/running.py"))
+    program = """read none; read order; echo 'report ["begun", "fail"]'"""
+    node = running["RunningNode"]("drive", ["sh", "-c", program])
+    assert node.order("now", "fail=lost") == "fail"
+    assert node.exit_code() == 0
