@@ -34,6 +34,7 @@ class Specs:
         self._read: dict[Path, bytes] = {}
         self._contexts: dict[tuple[Path, bytes, str], dict[str, Any]] = {}
         self._left_out: list[str] = []
+        self._tree: tuple[Mapping[str, Any] | None, trees.Tree] = (None, ("", {}, []))
 
     def distros(self, run: Run) -> list[str]:
         """Return the distributions to choose from."""
@@ -93,8 +94,10 @@ class Specs:
         return self.model(run).schema()
 
     def tree(self, run: Run, spec: Mapping[str, Any]) -> trees.Tree:
-        """Return what a spec says; see `hooks.trees`."""
-        return self.model(run).tree(spec)
+        """Return what a spec says; see `hooks.trees`. Each node's file may ask for it."""
+        if self._tree[0] is not spec:
+            self._tree = spec, self.model(run).tree(spec)
+        return self._tree[1]
 
     def name(self, run: Run, spec: Mapping[str, Any]) -> str:
         """Return the name of the package, by whatever attribute the model's specs give it."""

@@ -122,20 +122,17 @@ class _Line(dict[str, Any]):
     """A mapping that stands on one line."""
 
 
-class _Dumper(yaml.SafeDumper):
-    """Writes lists of values on one line, other lists indented, and no aliases."""
-
-    def increase_indent(self, flow: bool = False, indentless: bool = False) -> None:
-        super().increase_indent(flow, False)
+class _Dumper(getattr(yaml, "CSafeDumper", yaml.SafeDumper)):  # type: ignore[misc]
+    """Writes lists of values on one line, and no aliases; in C where PyYAML has it."""
 
     def ignore_aliases(self, data: Any) -> bool:
         return True
 
-    def list_node(self, data: list[Any]) -> yaml.Node:
+    def list_node(self, data: list[Any]) -> Any:
         is_flat = not any(isinstance(each, dict) for each in data)
         return self.represent_sequence("tag:yaml.org,2002:seq", data, flow_style=is_flat)
 
-    def line_node(self, data: _Line) -> yaml.Node:
+    def line_node(self, data: _Line) -> Any:
         return self.represent_mapping("tag:yaml.org,2002:map", data.items(), flow_style=True)
 
 

@@ -167,8 +167,13 @@ def _link_or_copy(source: str, target: str) -> None:
 
 def recorded_answers(package: Path, answers_file: str, commit: str = "HEAD") -> dict[str, Any]:
     """Return the answers that a commit has; none where they are no YAML, as in a conflict."""
+    return dict(_answers(committed(package, answers_file, commit)))
+
+
+@functools.lru_cache(maxsize=4)
+def _answers(text: bytes) -> Mapping[str, Any]:
     try:
-        answers = load_yaml(committed(package, answers_file, commit))
+        answers = load_yaml(text)
     except yaml.YAMLError:
         return {}
     return answers if isinstance(answers, dict) else {}

@@ -2,6 +2,7 @@
 
 import os
 import re
+import sys
 import tempfile
 
 import copier
@@ -165,3 +166,22 @@ def test_folder_that_jinja_refuses(compiled, package, own_collection, render):
     assert (again / "arm/reach_impl.py").exists()
     assert compiled
     assert os.listdir(again) == os.listdir(package)
+
+
+def test_spec_is_told_as_a_tree_once(own_collection, render):
+    """The file of each node asks for it, and it has all nodes."""
+    nodes = [f'  <node name="n{number}" frequency="5"/>\n' for number in range(3)]
+    asked = []
+
+    def note(frame, event, _):
+        code = frame.f_code
+        if event == "call" and (code.co_name, code.co_filename[-8:]) == ("tree", "trees.py"):
+            asked.append(frame)
+
+    sys.setprofile(note)
+    try:
+        spec = re.sub("  <node.*</node>\n", "".join(nodes), SPEC, flags=re.DOTALL)
+        render(spec, template=own_collection)
+    finally:
+        sys.setprofile(None)
+    assert len(asked) == 1
