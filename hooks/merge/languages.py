@@ -39,7 +39,7 @@ def _comments(sign: str) -> Callable[[list[str]], list[str]]:
 
 TEXT = Language(_lines, operator.eq, str.rstrip)
 PYTHON = Language(
-    checked(python_blocks.blocks), python_blocks.same, _margin_counts, _comments("#")
+    checked(python_blocks.blocks), python_blocks.same, _margin_counts, python_blocks.asides
 )
 CPP = Language(checked(cpp_blocks.blocks), cpp_blocks.same, squeezed, _comments("//"))
 XML = Language(checked(xml_blocks.blocks), xml_blocks.same, squeezed)

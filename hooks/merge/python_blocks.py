@@ -269,6 +269,18 @@ def with_imports(merged: Merged) -> Merged:
     ]
 
 
+def asides(lines: Sequence[str]) -> list[str]:
+    """Say of each line of a block whether it is a comment, or of the docstring of a function."""
+    found = ["comment" * line.lstrip().startswith("#") for line in lines]
+    with contextlib.suppress(ValueError):
+        for node in parse(textwrap.dedent("".join(lines))).body:
+            first = node.body[0] if isinstance(node, SCOPES) else node
+            if isinstance(first, ast.Expr) and _is_text(first.value):
+                for at in range(first.lineno - 1, last_line(first)):
+                    found[at] = "docstring"
+    return found
+
+
 def _parts(statement: ast.stmt, lines: Sequence[str]) -> list[_Part]:
     """Return what a container holds: the name, the line before and the statements of each part."""
     parts: list[_Part] = [(THEN, statement.lineno - 1, getattr(statement, "body", []))]

@@ -493,6 +493,11 @@ ASIDES = {
     "a.hpp": ("struct Config\n{\n", "  /// {}, m\n  double reach = 1.0;\n", "};\n"),
     "a.py": ("class Config:\n", "    # {}, m\n    reach: float = 1.0\n", "    b: int = 1\n"),
     "b.py": ("class Config:\n", '    """{}."""\n\n    reach: float = 1.0\n', "    b: int = 1\n"),
+    "c.py": (
+        "class A:\n",
+        '    def a(self):\n        """{}."""\n        return 1.0\n',
+        "    b = 1\n",
+    ),
     "CMakeLists.txt": ("project(a)\n", "install(FILES\n  # {}\n  1.0\n)\n", "ament_package()\n"),
     "table.md": ("# a\n\n", "| {} |\nIt takes 1.0 s.\n", "\n# b\n"),
     "fence.md": ("# a\n\n", "```\n{}\n```\nIt takes 1.0 s.\n", "\n# b\n"),
@@ -510,6 +515,19 @@ def test_what_the_developer_has_deleted_may_be_reworded(path, value):
     result, doubts = Versions(*({path: File(encode(one))} for one in (mine, old, new))).merged()
     assert (doubts, result.conflicts) == ([], {})
     assert result.tree[path].text == mine.replace("1.0", value)
+
+
+@pytest.mark.parametrize(
+    "own", ["        one()\n        two()\n", "        # Mine\n        one()\n"]
+)
+def test_code_in_the_place_of_a_docstring_stays_where_the_model_rewords_that(own):
+    old = (
+        'class A:\n    def a(self):\n        """\n        How far.\n\n        In m.\n        """\n'
+    )
+    mine = old.partition('        """')[0] + own
+    trees = (mine, old, old.replace("How far", "The distance"))
+    result, doubts = Versions(*({"a.py": File(encode(one))} for one in trees)).merged()
+    assert (doubts, result.conflicts, result.tree["a.py"].text) == ([], {}, mine)
 
 
 def test_comment_of_the_model_comes_where_the_developer_has_deleted_another():
