@@ -36,7 +36,7 @@ class LayoutExtension(Extension):
         return "{% filter fold_python %}" + source + "{% endfilter %}"
 
 
-@functools.lru_cache(maxsize=2048)  # an update renders most files alike, before and after
+@functools.lru_cache(maxsize=512)  # an update renders most files alike, before and after
 def fold_python(text: str) -> str:
     """Return Python whose lines have at most 99 columns; what cannot be folded says so to linters.
 

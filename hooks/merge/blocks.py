@@ -223,7 +223,7 @@ def walk(blocks: Iterable[Block], scope: tuple[str, ...] = ()) -> Iterator[tuple
 def checked(blocks: Callable[[str], list[Block]]) -> Callable[[str], list[Block]]:
     """Insist that the blocks are the whole text; the merge and the proof read the same texts."""
 
-    @functools.lru_cache(maxsize=2048)
+    @functools.lru_cache(maxsize=512)
     def check(text: str) -> tuple[Block, ...]:
         found = blocks(text)
         if "".join(block.text for block in found) != text:

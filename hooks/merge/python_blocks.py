@@ -46,7 +46,7 @@ def _words(text: str) -> list[str]:
     return [word for word in re.findall(r"[^\W\d]\w*", text.lower()) if len(word) > 2]
 
 
-@functools.lru_cache(maxsize=2048)
+@functools.lru_cache(maxsize=512)
 def nodes(text: str) -> tuple[ast.AST, ...]:
     """Return the nodes of a module, itself the first; ValueError if that is no Python."""
     return (*ast.walk(parse(text)),)

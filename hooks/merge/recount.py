@@ -74,7 +74,7 @@ class _Text(dict[str, int]):
         return self[tight]
 
 
-_text = functools.lru_cache(maxsize=2048)(_Text)
+_text = functools.lru_cache(maxsize=512)(_Text)
 """The same texts are counted for each of two branches, and after each attempt to merge them."""
 
 
@@ -211,7 +211,7 @@ def _lines(
                     yield f"{line} ({there} times)"
 
 
-@functools.lru_cache(maxsize=2048)
+@functools.lru_cache(maxsize=512)
 def _faults(path: str, text: str) -> frozenset[str]:
     """Return what is not sound in a text."""
     finders = (find for suffixes, find in _SOUND if path.endswith(suffixes))

@@ -61,7 +61,7 @@ def exchange(known: Language, text: str, by: Callable[[Word], str], among: Conta
     return "".join(parts) + text[at:]
 
 
-@functools.lru_cache(maxsize=2048)
+@functools.lru_cache(maxsize=512)
 def all_words(known: Language, text: str) -> tuple[Word, ...]:
     """Return the words of code in a text; an update asks twice."""
     return (*words(known, text),)
