@@ -58,7 +58,7 @@ def definitions(text: str) -> Iterator[str]:
     Those in a class come after its name; `*` is what a variable of the module may have.
     """
     with contextlib.suppress(ValueError):
-        yield from _defined(parse(text))
+        yield from _defined(nodes(text)[0])
 
 
 def _defined(node: ast.AST, owner: str = "") -> Iterator[str]:
