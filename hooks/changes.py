@@ -281,7 +281,7 @@ def _pairs(old: Values, new: Values, dictionary: Dictionary) -> Iterator[_Pair]:
     renamed: dict[tuple[str, str], str] = {}
     for component in components:
         for pair in _partners(old, new, component):
-            if component.is_shared and pair.was:
+            if pair.was:
                 renamed[component.tag, pair.was] = pair.name
             yield replace(pair, label=_label(component.tag, pair.name, ""), level="component")
             yield from _inside(pair, component, pair.name, renamed)

@@ -12,7 +12,7 @@ from copier.errors import UserMessageError
 from jinja2 import Environment, FileSystemLoader
 
 from extensions.compiled import CompiledExtension
-from extensions.paths import PathsExtension
+from extensions.paths import PathsExtension, all_of
 from extensions.spec import SpecExtension, _is_render
 from hooks import faults, model, templates
 from support.repository import ROOT
@@ -26,6 +26,19 @@ def root(tmp_path):
     (tmp_path / "parts/[a].md").write_text("One.\n")
     (tmp_path / "copier.yml").write_text("model:\n  default: '{{ nobody }}'\n")
     return tmp_path
+
+
+def test_names_of_files_are_of_components_alone():
+    """A list of the spec may hold texts: packages that it depends on."""
+    node = {"tag": "node", "timers": [{"name": "poll"}]}
+    spec = {"depends": ["apriltag_msgs"], "nodes": [node]}
+    assert all_of(spec, "timer") == [{"name": "poll", "node": node}]
+
+
+def test_of_several_files_the_first_is_named(root):
+    for name in "abcdefgh":
+        (root / f"parts/part_{name}.jinja").touch()
+    assert templates.found("part_", root) == "parts/part_a.jinja"
 
 
 @pytest.fixture

@@ -732,6 +732,7 @@ def test_what_a_publisher_offers_besides():
     ]
     assert offering([{}, OFFERED, {"liveliness": "automatic"}]) == [OFFERED]
     assert [offers_times([each]) for each in ({}, LIVELINESS, OFFERED)] == [False, False, True]
+    assert offers_times([{}, OFFERED])
     assert sorted(rclpy_qos_names([], [LIVELINESS])) == ["LivelinessPolicy", "QoSProfile"]
     assert rclpy_qos_names([{}], [{"deadline": 0.5}]) == ["QoSProfile"]
     assert rclpy_qos_names([{"depth": 1}]) == ["QoSProfile"]

@@ -316,6 +316,17 @@ def test_order_of_the_developer_stays(order):
     assert "return 'stored'" in text
 
 
+@pytest.mark.parametrize(("order", "expected"), [("bca", "bxca"), ("acb", "cbxa")])
+def test_own_block_beside_one_that_both_sides_move(order, expected):
+    """The developer has put `a` last, and `x` behind `b`; the model orders its blocks anew."""
+    old, mine, new = (
+        "".join(f"def {name}():\n    pass\n" for name in names) for names in ("abc", "bxca", order)
+    )
+    trees = [{"a.py": File(text.encode())} for text in (mine, old, new)]
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    assert re.findall(r"def (\w)", result.tree["a.py"].text) == [*expected]
+
+
 def test_own_file_where_an_earlier_version_had_one_stays():
     """The package has the new name by now; what has the old one is the developer's."""
     generated, own = File(OLD.encode()), File(b"MINE = 1\n")

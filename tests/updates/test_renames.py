@@ -512,6 +512,16 @@ def test_identifiers_that_are_anothers_now():
     ]
 
 
+def test_uses_in_one_line_are_listed_by_name():
+    names = ["watch", "reach", "grip", "lift", "turn"]
+    marks = [Mark(name, f"{name}_2", "component") for name in names]
+    made = ([f"{name}_impl.py" for name in names], [f"zq{at}x_impl.py" for at in range(5)])
+    old, marked = ({path: File(b"a = 1\n") for path in paths} for paths in made)
+    mine = {**old, "helper.py": File(encode(f"all = '{' '.join(names)}'\n"))}
+    said = [*uses(mine, old, {}, mine, plan(old, marked, marks, mine))]
+    assert said == [f"helper.py:1: {name}" for name in sorted(names)]
+
+
 @pytest.mark.parametrize(("other", "wanted"), [("aim", "aim"), ("target", "goal")])
 def test_identifier_that_two_nodes_rename(other, wanted):
     """In an own file nobody can tell whose it is where their new names differ."""
