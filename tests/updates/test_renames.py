@@ -294,6 +294,22 @@ def test_generated_lines_beside_a_deleted_one_take_the_new_name(merge, path, lin
     assert files[path] == changed(new[path], (line.replace("reach", "grasp"), ""))
 
 
+def test_own_lines_of_a_diagram_say_the_new_names(merge):
+    """But not those of a label, of another block, or what another node has, too."""
+    changes = [
+        ('<node name="reach"', '<node name="grasp" was="reach"'),
+        ('name="goal"', 'name="aim" was="goal"'),
+        ('name="load"', 'name="fetch" was="load"'),
+    ]
+    own = '  node_{} --> box["node_reach"]\n  box --> topic_{} & service_load\n'
+    sh = "```sh\nnode_reach\n```\n\n"
+    node = '  node_watch["watch"]\n'
+    edits = [(node, node + own.format("reach", "goal")), ("## Use\n", sh + "## Use\n")]
+    files, _ = merge(SPEC, changes, {"README.md": edits})
+    assert own.format("grasp", "aim") in files["README.md"]
+    assert sh in files["README.md"]
+
+
 def test_edited_callback_leaves_a_node_that_is_renamed(merge):
     """Its lines had another name than those that are counted."""
     changes = [
