@@ -272,7 +272,8 @@ class Renaming:
         if path in self.keys:
             # Only the names of before tell two blocks apart, one of which has the other's name.
             before = known.blocks(self._shifted(path, text))
-            rename(exchanged, before, self.keys[path], known in (CPP, PYTHON, XML, YAML))
+            shows = known in (CPP, PYTHON, XML, YAML) and not path.endswith(".cfg")
+            rename(exchanged, before, self.keys[path], shows)
         return exchanged
 
     def words(self) -> dict[str, str]:
@@ -347,7 +348,7 @@ def rename(
     """Give blocks the names that they have after the update; `before` are the same ones.
 
     `shows`: their texts show it, and one that stays only looks like the model's. What left shows
-    nothing.
+    nothing, nor does a parameter in `cfg/`, whose name is in quotes.
     """
     for block, same in zip(blocks, before, strict=True):
         key = keys.get(same.key, block.key)

@@ -80,6 +80,20 @@ def test_was_itself_is_no_use_of_the_old_name(arm, update):
     assert "arm/notes.txt:1: reach" in still
 
 
+@pytest.mark.parametrize("name", ["kp", "a_gain_whose_name_is_longer"])
+def test_bounds_that_the_developer_gave_stay_with_a_parameter(merge, name):
+    """In ROS 1, where its name is a text in Python."""
+    spec = SPEC.replace('value="1"', 'value="1" min="0" max="10"')
+    changes = [('"gain"', f'"{name}" was="gain"')]
+    edits = [("min=0.0", "min=-5.0"), ("max=10.0", "max=50.0"), ("    '',", "    'Mine',")]
+    (files, said), (new, _) = (
+        merge(spec, changes, {"cfg/Reach.cfg": each}, distro="noetic") for each in (edits, [])
+    )
+    assert files["cfg/Reach.cfg"] == changed(new["cfg/Reach.cfg"], *edits)
+    assert f"    '{name}',\n" in files["cfg/Reach.cfg"]
+    assert not [use for use in said if use.startswith("cfg")]
+
+
 GROUPED = [*itertools.pairwise(["gain", "control.gain", "control.factor", "factor"])]
 
 
