@@ -258,6 +258,18 @@ def test_swapped_names_swap_their_code(arm, update):
     assert "Nothing has changed." in again
 
 
+def test_line_that_took_the_name_of_another_node_does_not_say_the_old_one(merge):
+    """`reach` was `watch`, which is `reach` now."""
+    changes = [
+        ('<node name="reach"', '<node name="watch" was="reach"'),
+        ('<node name="watch" f', '<node name="reach" was="watch" f'),
+    ]
+    own = "from arm.{0}_impl import {1}Impl\n\n# {1}Impl\n"
+    files, said = merge(SPEC, changes, {"arm/own.py": own.format("reach", "Reach")})
+    assert files["arm/own.py"].startswith("from arm.watch_impl import WatchImpl\n")
+    assert [use for use in said if use.startswith("arm/")] == ["arm/own.py:3: ReachImpl"]
+
+
 def test_node_named_like_its_package(merge):
     spec = SPEC.replace('<node name="reach"', '<node name="arm"')
     edit = ("        return True\n", "        self.mine = 1\n        return True\n")
