@@ -28,6 +28,8 @@ _LISTS = "catkin_package|generate_messages|generate_dynamic_reconfigure_options|
 """Commands that a file has once: their first argument, which a formatter moves, is an item."""
 _STATEMENTS = ("if", "foreach", "while", "function", "macro", "block")
 _FENCE = re.compile(r"[ >*-]*(`{3,}(?=[^`]*$)|~{3,})(.*)")
+_TITLE = re.compile(r" {0,3}[^\s#>|<`~=*+-]")
+"""What a heading may begin with that a line of `=` or `-` below it makes one."""
 _CODE = re.compile(
     r"(?P<exact>^[ ]*(?P<mark>`{3,}|~{3,}).*?^[ ]*(?P=mark)|`[^`\n]+`)", re.DOTALL | re.MULTILINE
 )
@@ -129,7 +131,7 @@ def _role(span: Span) -> tuple[str, str]:
 def markdown_blocks(text: str) -> list[Block]:
     """Return the sections of a text, each known by its heading."""
     lines = split(text)
-    heads = []
+    heads: dict[int, str] = {}
     until = ""
     for index, line in enumerate(lines):
         fence = _FENCE.match(line)
@@ -141,11 +143,13 @@ def markdown_blocks(text: str) -> list[Block]:
         elif "<!--" in line and "-->" not in line.rpartition("<!--")[2]:
             until = "-->"
         elif re.match(r"#{1,6} ", line):
-            heads.append(index)
-    blocks = [Block("start", lines[: heads[0] if heads else len(lines)])] if lines else []
-    for i, head in enumerate(heads):
-        end = heads[i + 1] if i + 1 < len(heads) else len(lines)
-        blocks.append(Block(squeezed(lines[head]), lines[head:end]))
+            heads[index] = squeezed(line)
+        elif index and re.match(r" {0,3}(=+|-+)\s*$", line) and _TITLE.match(lines[index - 1]):
+            level = "#" if "=" in line else "##"
+            heads[index - 1] = squeezed(f"{level} {lines[index - 1]}")
+    blocks = [Block("start", lines[: min(heads, default=len(lines))])] if lines else []
+    for (head, key), end in zip(heads.items(), [*heads, len(lines)][1:], strict=True):
+        blocks.append(Block(key, lines[head:end]))
     return [block for block in numbered(blocks) if block.lines]
 
 

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import os
 import posixpath
+from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 from types import MappingProxyType
 
 from . import lines
-from .languages import language
+from .languages import PYTHON, language
 from .merging import Version, Way, conflict, merge
+from .python_blocks import definitions
 from .renaming import Renaming
 from .tree import LINK, File, Tree, encode
 
@@ -174,6 +176,8 @@ class _Package:
             # What a developer puts around code, the merge follows on the one side alone.
             other = merge(path, *versions[::-1], True)
             outcome = outcome if other.conflict else other
+        if language(path, theirs) is PYTHON and ours != versions[0].text:
+            outcome.own += _met(ours, versions[0].text)
         for name in ("removed", "missing", "own", "gone", "reworded"):
             if parts := getattr(outcome, name):
                 getattr(self.result, name)[source if name in _OF_BEFORE else path] = parts
@@ -199,6 +203,12 @@ class _Package:
         elif new != old:
             self.result.conflicts[path] = _stages(old, mine, new)
         return mine
+
+
+def _met(before: str, after: str) -> list[str]:
+    """Return what a rename gives the name of another function, which hides it or is hidden."""
+    had, have = (Counter(definitions(text)) for text in (before, after))
+    return [name.rpartition(".")[2] for name, n in have.items() if n > 1 >= had[name]]
 
 
 def _stages(*versions: File | None) -> dict[int, bytes]:

@@ -68,6 +68,8 @@ class Renaming:
     """
     heads: dict[str, dict[str, str]] = field(default_factory=dict)
     """By file, the heads of such lines that change, each as it is after the update."""
+    ids: dict[str, dict[str, str]] = field(default_factory=dict)
+    """By file of Markdown, what its diagrams call nodes and topics."""
     attributes: dict[str, dict[xml_blocks.Attribute, str]] = field(default_factory=dict)
     """By file of XML, what becomes of the value of an attribute of a generated element."""
     vocabulary: dict[str, set[str]] = field(default_factory=dict)
@@ -201,6 +203,8 @@ class Renaming:
             return _with_nodes(_with_keys(text, keys, holders), self.components)
         if known is XML:
             return xml_blocks.exchange(text, self.attributes.get(path, {}))
+        if path in self.ids:
+            text = _with_ids(text, self.ids[path], self.generated[path])
         exact = {**self.everywhere, **self.in_file.get(path, {})}
         members = self.members.get(path, {})
         names = {*exact, *members, *self.packages, *self.targets}
@@ -268,7 +272,8 @@ class Renaming:
         if path in self.keys:
             # Only the names of before tell two blocks apart, one of which has the other's name.
             before = known.blocks(self._shifted(path, text))
-            rename(exchanged, before, self.keys[path], known in (CPP, PYTHON, XML, YAML))
+            shows = known in (CPP, PYTHON, XML, YAML) and not path.endswith(".cfg")
+            rename(exchanged, before, self.keys[path], shows)
         return exchanged
 
     def words(self) -> dict[str, str]:
@@ -343,7 +348,7 @@ def rename(
     """Give blocks the names that they have after the update; `before` are the same ones.
 
     `shows`: their texts show it, and one that stays only looks like the model's. What left shows
-    nothing.
+    nothing, nor does a parameter in `cfg/`, whose name is in quotes.
     """
     for block, same in zip(blocks, before, strict=True):
         key = keys.get(same.key, block.key)
@@ -365,6 +370,21 @@ def _referred(path: str, text: str, packages: Mapping[str, str]) -> str:
     start = "^" if path.endswith((".msg", ".srv", ".action")) else _REFERENCE
     pattern = rf"(?m)({start})({'|'.join(map(re.escape, packages))})(?![\w-])"
     return re.sub(pattern, lambda m: m[1] + packages[m[2]], text) if packages else text
+
+
+_DIAGRAM = re.compile(r"^ *```mermaid\n.*?^ *```", re.MULTILINE | re.DOTALL)
+_LABEL = r'"[^"\n]*"'
+
+
+def _with_ids(text: str, ids: Mapping[str, str], generated: Collection[str]) -> str:
+    """Exchange the ids of diagrams in the developer's lines."""
+
+    def exchanged(line: re.Match[str]) -> str:
+        is_made = line[0].strip() in generated
+        return line[0] if is_made else re.sub(form, lambda m: ids.get(m[0], m[0]), line[0])
+
+    form = rf"{_LABEL}|\w+"
+    return _DIAGRAM.sub(lambda diagram: re.sub(".+", exchanged, diagram[0]), text)
 
 
 _ABOVE_PARAMETERS = r"[^\n]*\n(?:\s*#[^\n]*\n)*\s+ros__parameters:"
@@ -461,6 +481,8 @@ def plan(
         elif known is CPP and first == "include":
             renaming.roots.add(rest[0])
         renaming.keys[before] = _keys(reader, before, text)
+        if known is MARKDOWN:
+            renaming.ids[before] = reader.ids(text)
         if known is YAML:
             made = key_nodes(old[before].written)
             renaming.key_holders[before] = {holder for holder, _ in made}
@@ -608,6 +630,15 @@ class _Reader:
                     self.ways(element), self.ways(value), strict=True
                 ):
                     found[re.sub(" .*/", " ", holder), name, before] = after
+        return found
+
+    def ids(self, text: str) -> dict[str, str]:
+        """Return what diagrams call what is marked; not where some of one name keep theirs."""
+        found: dict[str, str] = {}
+        for word in re.findall(r"\w+", re.sub(_LABEL, "", "".join(_DIAGRAM.findall(text)))):
+            before, after = self.both(word)
+            is_clear = found.get(before, after) == after and not self.is_gone(word)
+            found[before] = after if is_clear else before
         return found
 
     def keys(self, text: str) -> dict[str, str]:

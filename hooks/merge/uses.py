@@ -41,6 +41,8 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
         is_renamed = package != _project(after) or word.removeprefix(sign) in known
         known |= {word.replace(sign, package)} if is_renamed else set()
     taken = _uses_of_taken(mine, old, renaming)
+    swapped = known & {*renaming.words().values()}
+    fresh = _exchanged(mine, renaming) if swapped else {}
     for path, file in sorted(found.items()):
         if not (known or taken) or file.text is None:
             continue
@@ -50,7 +52,8 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
                 said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
                 said = _MARKUP.sub(" ", said) if language(path, "") is XML else said
                 said = _PATTERN.sub(" ", said)
-                for word in sorted(known & {*re.findall(r"\w+", said), *_NESTED.findall(said)}):
+                used = known & {*re.findall(r"\w+", said), *_NESTED.findall(said)}
+                for word in sorted(used - (fresh.get((path, line), set()) & swapped)):
                     yield f"{path}:{number}: {word}"
                 for word in taken.get((path, line), ()):
                     yield f"{path}:{number}: {word}, which is another's now"
@@ -253,6 +256,18 @@ def _words(tree: Tree, owner: str = "") -> set[str]:
     """Return the words of files, of those alone that have the name of a component in theirs."""
     files = (file for path, file in tree.items() if owner in PurePosixPath(path).stem)
     return {word for file in files for word in re.findall(r"\w+", file.written)}
+
+
+def _exchanged(mine: Tree, renaming: Renaming) -> dict[tuple[str, str], set[str]]:
+    """Return the words that lines have by the rename alone, as those are afterwards."""
+    found: dict[tuple[str, str], set[str]] = {}
+    for path, file in mine.items():
+        text = plain(file.written)
+        lines, after = split(text), split(renaming.text(path, text))
+        for line, now in zip(lines, after, strict=True) if len(lines) == len(after) else ():
+            before, later = ({*re.findall(r"\w+", each)} for each in (line, now))
+            found.setdefault((renaming.path(path), now), later).difference_update(before)
+    return found
 
 
 def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str, str], list[str]]:

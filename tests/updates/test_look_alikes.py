@@ -87,6 +87,17 @@ def test_method_of_another_class_keeps_its_name(change, base):
     assert own in (package / "arm/reach_impl.py").read_text()
 
 
+def test_method_that_has_the_new_name_already_is_said(change):
+    """Python knows the later one alone."""
+    method = "    def serve_grab(self, n):\n        return n + 1\n\n"
+    edits = {"arm/reach_impl.py": ("    def deactivate", method + "    def deactivate")}
+    package, said = change(edits, SPEC, LOAD, '<serviceServer name="grab" was="load"')
+    text = (package / "arm/reach_impl.py").read_text()
+    assert method in text
+    assert text.count("def serve_grab(") == 2
+    assert "yours     arm/reach_impl.py: serve_grab, which the model makes now, too" in said
+
+
 def test_method_of_a_base_of_the_logic_takes_the_new_name(change):
     own = "class Loader:\n    def serve_load(self, request):\n        return None\n\n\n"
     edits = {"arm/reach_impl.py": ("class ReachImpl:", own + "class ReachImpl(Loader):")}

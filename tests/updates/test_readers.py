@@ -845,6 +845,7 @@ FENCES = {
     "indented": ("Words.\n", "Words.\n\n- a\n\n  ```sh\n  ## no heading\n  ```\n"),
     "in a line": ("Words.\n", "Words and ```code``` and\n``` more ``` words.\n"),
     "underlined": ("Words.\n", "Words.\n\nMine\n----\n\nMore words.\n"),
+    "lines": ("Words.\n", "Words.\n\n---\n\n- a\n---\n\n| a |\n---\n\n```\nb\n---\n```\n---\n"),
     "own heading": ("## Interface\n", "## Interface\n\n### Notes\n\nMine.\n\n### Table\n"),
     "comment": ("Words.\n", "Words.\n\n<!--\n## no heading\n-->\n"),
     "changed heading": ("## Licence", "## Licence and thanks"),
@@ -1136,6 +1137,9 @@ HEADINGS = {
     "deeper": ("## Topics\n", "### Topics\n"),
     "of a section that changes": ("# Arm\n", "# My arm\n"),
     "words of another": ("## Topics\n", "## Nodes\n"),
+    "underlined": ("## Topics\n", "Topics\n------\n"),
+    "underlined, other words": ("## Topics\n", "What it says\n============\n"),
+    "underlined title": ("# Arm\n", "Arm\n===\n"),
 }
 
 

@@ -80,6 +80,20 @@ def test_was_itself_is_no_use_of_the_old_name(arm, update):
     assert "arm/notes.txt:1: reach" in still
 
 
+@pytest.mark.parametrize("name", ["kp", "a_gain_whose_name_is_longer"])
+def test_bounds_that_the_developer_gave_stay_with_a_parameter(merge, name):
+    """In ROS 1, where its name is a text in Python."""
+    spec = SPEC.replace('value="1"', 'value="1" min="0" max="10"')
+    changes = [('"gain"', f'"{name}" was="gain"')]
+    edits = [("min=0.0", "min=-5.0"), ("max=10.0", "max=50.0"), ("    '',", "    'Mine',")]
+    (files, said), (new, _) = (
+        merge(spec, changes, {"cfg/Reach.cfg": each}, distro="noetic") for each in (edits, [])
+    )
+    assert files["cfg/Reach.cfg"] == changed(new["cfg/Reach.cfg"], *edits)
+    assert f"    '{name}',\n" in files["cfg/Reach.cfg"]
+    assert not [use for use in said if use.startswith("cfg")]
+
+
 GROUPED = [*itertools.pairwise(["gain", "control.gain", "control.factor", "factor"])]
 
 
@@ -244,6 +258,18 @@ def test_swapped_names_swap_their_code(arm, update):
     assert "Nothing has changed." in again
 
 
+def test_line_that_took_the_name_of_another_node_does_not_say_the_old_one(merge):
+    """`reach` was `watch`, which is `reach` now."""
+    changes = [
+        ('<node name="reach"', '<node name="watch" was="reach"'),
+        ('<node name="watch" f', '<node name="reach" was="watch" f'),
+    ]
+    own = "from arm.{0}_impl import {1}Impl\n\n# {1}Impl\n"
+    files, said = merge(SPEC, changes, {"arm/own.py": own.format("reach", "Reach")})
+    assert files["arm/own.py"].startswith("from arm.watch_impl import WatchImpl\n")
+    assert [use for use in said if use.startswith("arm/")] == ["arm/own.py:3: ReachImpl"]
+
+
 def test_node_named_like_its_package(merge):
     spec = SPEC.replace('<node name="reach"', '<node name="arm"')
     edit = ("        return True\n", "        self.mine = 1\n        return True\n")
@@ -292,6 +318,22 @@ def test_generated_lines_beside_a_deleted_one_take_the_new_name(merge, path, lin
     changes = [('<node name="reach"', '<node name="grasp" was="reach"')]
     (files, _), (new, _) = (merge(SPEC, changes, {path: e}) for e in ([(line, "")], []))
     assert files[path] == changed(new[path], (line.replace("reach", "grasp"), ""))
+
+
+def test_own_lines_of_a_diagram_say_the_new_names(merge):
+    """But not those of a label, of another block, or what another node has, too."""
+    changes = [
+        ('<node name="reach"', '<node name="grasp" was="reach"'),
+        ('name="goal"', 'name="aim" was="goal"'),
+        ('name="load"', 'name="fetch" was="load"'),
+    ]
+    own = '  node_{} --> box["node_reach"]\n  box --> topic_{} & service_load\n'
+    sh = "```sh\nnode_reach\n```\n\n"
+    node = '  node_watch["watch"]\n'
+    edits = [(node, node + own.format("reach", "goal")), ("## Use\n", sh + "## Use\n")]
+    files, _ = merge(SPEC, changes, {"README.md": edits})
+    assert own.format("grasp", "aim") in files["README.md"]
+    assert sh in files["README.md"]
 
 
 def test_edited_callback_leaves_a_node_that_is_renamed(merge):
