@@ -209,9 +209,14 @@ class Joiner:
         own = self.files(branches.merge) if branches.merge else now
         if own != now:  # what came after the merge
             whole = {path for path in result.conflicts if own.get(path) == now.get(path)}
-            trees = (_only(tree, {*tree} - whole) for tree in (result.tree, own, now))
+            # Marks are no code: what came after is merged with what was ours alone.
+            joined = result.tree | _only(result.settled, {*result.conflicts} - whole)
+            trees = (_only(tree, {*tree} - whole) for tree in (joined, own, now))
             later = settle(people(*trees))
-            later.conflicts |= {p: c for p, c in result.conflicts.items() if p in later.tree}
+            for path in result.conflicts.keys() & later.tree.keys() - later.conflicts.keys():
+                later.conflicts[path] = result.conflicts[path]
+                versions = (_only(tree, {path}) for tree in (later.tree, made.old, made.new))
+                _ask_again(later, path, people(*versions))
             for name in ("tree", "conflicts", "rejected", "settled"):
                 getattr(later, name).update(_only(getattr(result, name), whole))
             result = later
@@ -308,10 +313,15 @@ def _keep_conflicts(result: Result, side: Side, moved: Mapping[str, str]) -> Non
         if new and file and file.text is not None:
             old = File(encode(made.renaming.text(source, file.text)))
             mine = {target: result.tree[target]}
-            again = Versions(mine, {target: old}, {target: new}).merged()[0]
-            if target in again.conflicts:
-                for name in ("tree", "conflicts", "rejected", "settled"):
-                    getattr(result, name)[target] = getattr(again, name)[target]
+            _ask_again(result, target, Versions(mine, {target: old}, {target: new}))
+
+
+def _ask_again(result: Result, path: str, made: Versions) -> None:
+    """Put the conflict of a file into what it has become since."""
+    again = made.merged()[0]
+    if path in again.rejected:
+        for name in ("tree", "conflicts", "rejected", "settled"):
+            getattr(result, name)[path] = getattr(again, name)[path]
 
 
 def _refuse_older(version: str, others: Iterable[str]) -> None:

@@ -286,8 +286,9 @@ def test_what_came_after_a_wrong_merge_stays(team):
     assert team.git("diff", "--cached", "--name-only") == ""
 
 
+@pytest.mark.parametrize("later", ["", "beside"])
 @pytest.mark.parametrize("inline", [True, False])
-def test_conflict_of_a_wrong_merge_is_asked_once_whatever_came_after(team, inline):
+def test_conflict_of_a_wrong_merge_is_asked_once_whatever_came_after(team, inline, later):
     """Between marks in the file, or in one beside it."""
     for branch, word in (("topic", "True"), ("main", "False")):
         team.git("checkout", "-q", branch)
@@ -296,6 +297,7 @@ def test_conflict_of_a_wrong_merge_is_asked_once_whatever_came_after(team, inlin
         commit(team.folder, "Answer")
     merge_wrong(team, "README.md")
     (team.folder / "notes.txt").write_text("mine\n")
+    team.edit(**({"home": later} if later else {}))
     commit(team.folder, "Go on")
     assert "CONFLICT  arm.py" in team.update(*BOTH, inline=inline)
     text = (team.folder / "arm.py").read_text()
@@ -307,6 +309,7 @@ def test_conflict_of_a_wrong_merge_is_asked_once_whatever_came_after(team, inlin
         assert (marks, "return True" in text) == ([], False)
         assert "+        return True\n" in (team.folder / "arm.py.rej").read_text()
     assert "return False" in text
+    assert f"{later} = 1" in text or not later
 
 
 def test_base_of_branches_that_have_merged_each_other(team):
