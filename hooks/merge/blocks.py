@@ -249,6 +249,11 @@ def squeezed(text: str, quoted: re.Pattern[str] = _QUOTED) -> str:
     return "".join([*parts, collapsed(text[at:])]).strip()
 
 
+def comments(sign: str) -> Callable[[Sequence[str]], list[str]]:
+    """Return what says of each line whether it is a comment, which begins with a sign."""
+    return lambda lines: ["comment" * line.lstrip().startswith(sign) for line in lines]
+
+
 def collapsed(text: str) -> str:
     """Return a text with one blank where there are several."""
     return re.sub(r"\s+", " ", text)

@@ -217,8 +217,7 @@ class Joiner:
                 later.conflicts[path] = result.conflicts[path]
                 versions = (_only(tree, {path}) for tree in (later.tree, made.old, made.new))
                 _ask_again(later, path, people(*versions))
-            for name in ("tree", "conflicts", "rejected", "settled"):
-                getattr(later, name).update(_only(getattr(result, name), whole))
+            _take(later, result, whole)
             result = later
         result.tree |= {path: file for path, file in now.items() if path.endswith(SUFFIX)}
         return Joined(sides, made, result, own)
@@ -320,8 +319,13 @@ def _ask_again(result: Result, path: str, made: Versions) -> None:
     """Put the conflict of a file into what it has become since."""
     again = made.merged()[0]
     if path in again.rejected:
-        for name in ("tree", "conflicts", "rejected", "settled"):
-            getattr(result, name)[path] = getattr(again, name)[path]
+        _take(result, again, {path})
+
+
+def _take(result: Result, other: Result, paths: Collection[str]) -> None:
+    """Put what another result says of some paths into a result."""
+    for name in ("tree", "conflicts", "rejected", "settled"):
+        getattr(result, name).update(_only(getattr(other, name), paths))
 
 
 def _refuse_older(version: str, others: Iterable[str]) -> None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 from . import cpp_blocks, outlines, python_blocks, xml_blocks
-from .blocks import Block, checked, squeezed
+from .blocks import Block, checked, comments, squeezed
 from .lines import margin, split
 
 
@@ -33,19 +33,15 @@ def _margin_counts(line: str) -> str:
     return line[: margin(line)] + squeezed(line)
 
 
-def _comments(sign: str) -> Callable[[list[str]], list[str]]:
-    return lambda lines: ["comment" * line.lstrip().startswith(sign) for line in lines]
-
-
 TEXT = Language(_lines, operator.eq, str.rstrip)
 PYTHON = Language(
     checked(python_blocks.blocks), python_blocks.same, _margin_counts, python_blocks.asides
 )
-CPP = Language(checked(cpp_blocks.blocks), cpp_blocks.same, squeezed, _comments("//"))
+CPP = Language(checked(cpp_blocks.blocks), cpp_blocks.same, squeezed, comments("//"))
 XML = Language(checked(xml_blocks.blocks), xml_blocks.same, squeezed)
-YAML = Language(checked(outlines.yaml_blocks), outlines.same_yaml, _margin_counts, _comments("#"))
+YAML = Language(checked(outlines.yaml_blocks), outlines.same_yaml, _margin_counts, comments("#"))
 CMAKE = Language(
-    checked(outlines.cmake_blocks), outlines.same_cmake, outlines.cmake_key, _comments("#")
+    checked(outlines.cmake_blocks), outlines.same_cmake, outlines.cmake_key, comments("#")
 )
 MARKDOWN = Language(
     checked(outlines.markdown_blocks),

@@ -282,8 +282,9 @@ class _Merger:
         merged = lines.merge_lines(mine, old, new, known.key, known.same, self.of_people)
         if self.of_people or not lines.conflicts(merged):
             return merged
-        gone = {*known.asides(old)} - {*known.asides(mine), ""}
-        made, came = ([*zip(known.asides(side), side, strict=True)] for side in (old, new))
+        sides = (mine, old, new)
+        had, made, came = ([*zip(known.asides(side), side, strict=True)] for side in sides)
+        gone = {kind for kind, _ in made} - {"", *(kind for kind, _ in had)}
         old, new = ([line for kind, line in told if kind not in gone] for told in (made, came))
         bare = lines.merge_lines(mine, old, new, known.key, known.same)
         if lines.conflicts(bare):

@@ -14,7 +14,7 @@ import warnings
 from collections.abc import Iterator, Sequence
 from typing import cast
 
-from .blocks import THEN, Block, Span, arrange, squeezed, unicode
+from .blocks import THEN, Block, Span, arrange, comments, squeezed, unicode
 from .lines import Merged, split
 
 _ENDS = ("", " pass\n", "\nclass _: pass\n")
@@ -270,8 +270,8 @@ def with_imports(merged: Merged) -> Merged:
 
 
 def asides(lines: Sequence[str]) -> list[str]:
-    """Say of each line of a block whether it is a comment, or of the docstring of a function."""
-    found = ["comment" * line.lstrip().startswith("#") for line in lines]
+    """Say of each line of a block whether it is a comment, or of a docstring."""
+    found = comments("#")(lines)
     with contextlib.suppress(ValueError):
         for node in parse(textwrap.dedent("".join(lines))).body:
             first = node.body[0] if isinstance(node, SCOPES) else node

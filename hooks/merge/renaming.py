@@ -374,16 +374,17 @@ def _referred(path: str, text: str, packages: Mapping[str, str]) -> str:
 
 _DIAGRAM = re.compile(r"^ *```mermaid\n.*?^ *```", re.MULTILINE | re.DOTALL)
 _LABEL = r'"[^"\n]*"'
+_LABEL_OR_WORD = re.compile(rf"{_LABEL}|\w+")
 
 
 def _with_ids(text: str, ids: Mapping[str, str], generated: Collection[str]) -> str:
     """Exchange the ids of diagrams in the developer's lines."""
 
     def exchanged(line: re.Match[str]) -> str:
-        is_made = line[0].strip() in generated
-        return line[0] if is_made else re.sub(form, lambda m: ids.get(m[0], m[0]), line[0])
+        if line[0].strip() in generated:
+            return line[0]
+        return _LABEL_OR_WORD.sub(lambda m: ids.get(m[0], m[0]), line[0])
 
-    form = rf"{_LABEL}|\w+"
     return _DIAGRAM.sub(lambda diagram: re.sub(".+", exchanged, diagram[0]), text)
 
 
