@@ -522,6 +522,15 @@ def test_kill_at_its_start(stage):
         node.check()
 
 
+def test_request_to_the_node_that_had_its_port(stage):
+    """The master sends it to a node that was killed; the port may be another node's by now."""
+    only_ros1(stage, "ROS 2 has no master")
+    node = stage.active("")
+    stage.peer.request_at_data_port(node=stage.name("probe"), topic="/rosout")
+    node.wait("update", count=len(node.events("update")) + 10)
+    assert node.stop() == 0, node.story()
+
+
 def use_master(stage, address):
     """Let the nodes and the peers that a test starts from now on have another master."""
     its = {"ROS_MASTER_URI": address}

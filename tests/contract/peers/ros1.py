@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import socket
 import threading
 import time
 from xmlrpc.client import ServerProxy
@@ -215,6 +216,13 @@ class Peer:
                 address = master.lookupNode(node)
         with contextlib.suppress(OSError):  # it may end before it answers
             ServerProxy(address).shutdown("/peer", "killed")
+
+    def request_at_data_port(self, node, topic):
+        """Send the port of the node's data how a request of the master begins."""
+        api = ServerProxy(rosgraph.Master("/peer").lookupNode(node))
+        _, host, port = api.requestTopic("/peer", topic, [["TCPROS"]])[2]
+        with socket.create_connection((host, port)) as connection:
+            connection.sendall(b"POST /RPC2 HTTP/1.1\r\n")
 
     def set_parameter(self, node, name, value, waits=True):
         if not waits:
