@@ -13,7 +13,7 @@ from pathlib import Path
 import copier
 import pytest
 
-from support import ros
+from support import copier_once, ros
 from support.command import run_copier
 from support.direct_render import Renderer, variants
 from support.model_checks import template
@@ -110,17 +110,20 @@ def _clean_environment(tmp_path_factory):
             "[user]\nname = Test Er\nemail = test@example.org\n[init]\ndefaultBranch = main\n"
         )
         patch.delenv("ROS_DISTRO", raising=False)
-        # Copier 9.19 asks git for core.fileMode once a file; here it is what git takes by default.
-        asks = "copier._main.Worker._sync_git_index_executable_bit"
-        patch.setattr(asks, lambda *_: None, raising=False)
+        copier_once.use(patch, _of_the_run(tmp_path_factory) / "clones")
         yield
+
+
+def _of_the_run(tmp_path_factory):
+    """Return the folder that all processes of a run share."""
+    folder = tmp_path_factory.getbasetemp()
+    return folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder
 
 
 @pytest.fixture(scope="session")
 def once(tmp_path_factory):
     """Make a folder once in a run, in whichever of its processes needs it first."""
-    run = tmp_path_factory.getbasetemp()
-    run = run.parent if "PYTEST_XDIST_WORKER" in os.environ else run
+    run = _of_the_run(tmp_path_factory)
 
     def get(name, make):
         folder, made = run / name, run / f"{name}.made"

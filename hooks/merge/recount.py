@@ -12,7 +12,7 @@ import builtins
 import functools
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import accumulate
 
 import yaml
@@ -38,6 +38,8 @@ _CLOSES = re.compile(r"end\w+ *\(.*\)|</.*>|\W+")
 _PROGRAM = re.compile(r"[\"']([\w.-]+) *= *[\w.]+:\w+[\"']")
 """A program in `setup.py`: of two with one name, the last one is installed."""
 Places = list[tuple[str, str]]
+Member = tuple[str, str]
+"""A class of C++, and a function of it."""
 _CMAKE = ("CMakeLists.txt", ".cmake")
 _STRING = r'"(?:\\.|[^"\\\n])*"'
 _COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
@@ -54,9 +56,10 @@ def _lower(text: str) -> str:
     return re.sub(r"(?m)^\s*\w+(?=\s*\()", lambda found: found[0].lower(), text)
 
 
-def _tight(text: str) -> str:
-    """Return a text without what a formatter changes: blanks, quotes, brackets, commas, rules."""
-    words = _WORD.findall(re.sub("(?<=/[/*])[!<]+", "", re.sub("-{3,}", "---", text)))
+@functools.lru_cache(maxsize=1 << 15)  # most lines are those of all sides
+def _tight(line: str) -> str:
+    """Return a line without what a formatter changes: blanks, quotes, brackets, commas, rules."""
+    words = _WORD.findall(re.sub("(?<=/[/*])[!<]+", "", re.sub("-{3,}", "---", line)))
     return "".join(f"\t{word}\n" for word in words if word)
 
 
@@ -65,8 +68,8 @@ class _Text(dict[str, int]):
 
     def __init__(self, text: str) -> None:
         text = _NAMES.sub(lambda found: re.sub(r",[ \t]*(?=\w)", ",\n", found[0]), text)
-        self.tight = _tight(text)
-        lines = ((line.strip(), _tight(line)) for line in text.split("\n"))
+        lines = [(line.strip(), _tight(line)) for line in text.split("\n")]
+        self.tight = "".join(tight for _, tight in lines)
         self.lines = [(line, tight) for line, tight in lines if tight and not _IMPORT.match(tight)]
 
     def __missing__(self, tight: str) -> int:
@@ -316,16 +319,13 @@ def _halves(
         for tree in trees
     ]
     defined = [_defined(code) for code in codes]
+    sides = [*zip(defined, codes, strict=True)]
     wrong: Places = []
     made = {*codes[2], *result.origins}  # what the developer has made is not merged
     classes = {cls for cls, _ in defined[2]}  # a file of another may be the developer's now
     for name in {one for one in {*defined[1], *defined[2]} if one[0] in classes}:
-        has = [
-            (name in names, _declared(code, name))
-            for names, code in zip(defined, codes, strict=True)
-        ]
-        is_half = [one != other for one, other in has]
-        if (True, True) in has[1:3] and is_half[3] and not (is_half[0] or is_half[2]):
+        is_new = _is_half(*sides[3], name) and not any(_is_half(*sides[i], name) for i in (0, 2))
+        if is_new and any(name in names and _declared(code, name) for names, code in sides[1:3]):
             places = {renaming.path(defined[1].get(name, "")), defined[2].get(name, "")}
             places = {defined[3][name]} if name in defined[3] else places
             what = f"{'::'.join(name)} is but half there"
@@ -333,20 +333,30 @@ def _halves(
     return wrong
 
 
-def _defined(code: dict[str, str]) -> dict[tuple[str, str], str]:
+def _is_half(defined: Mapping[Member, str], code: dict[str, str], member: Member) -> bool:
+    return (member in defined) != _declared(code, member)
+
+
+def _defined(code: dict[str, str]) -> dict[Member, str]:
     """Return the members that sources define, each with its path."""
-    found: dict[tuple[str, str], str] = {}
+    found: dict[Member, str] = {}
     for path, text in code.items():
         found |= {(c, n): path for c, n in _DEFINITION.findall(text) if path.endswith(".cpp")}
     return found
 
 
-def _declared(code: dict[str, str], member: tuple[str, str]) -> bool:
-    """Say whether a header declares a member of a class, above the bracket that ends the class."""
+def _declared(code: dict[str, str], member: Member) -> bool:
+    """Say whether a header declares a member of a class."""
+    named = re.compile(rf"(?:[>&*]|\w\s)\s*(?<!return\s){member[1]}\s*\(")  # not a call
+    headers = (t for path, t in code.items() if path.endswith(".hpp") and member[0] in t)
+    return any(named.search(body) for text in headers for body in _bodies(text, member[0]))
+
+
+@functools.lru_cache(maxsize=4096)  # of a class, whose members are asked for one after the other
+def _bodies(text: str, name: str) -> list[str]:
+    """Return the classes of a name, each to the bracket that ends it."""
     body = re.compile(
-        rf"(?ms)^([ \t]*)[^\n;{{}}]*\b(?:class|struct)\b(?:[^;:{{]|::)*\b{member[0]}\b[^;{{]*\{{"
+        rf"(?ms)^([ \t]*)[^\n;{{}}]*\b(?:class|struct)\b(?:[^;:{{]|::)*\b{name}\b[^;{{]*\{{"
         r".*?(?:^\1\}|\Z)"
     )
-    named = re.compile(rf"(?:[>&*]|\w\s)\s*(?<!return\s){member[1]}\s*\(")  # not a call
-    headers = (text for path, text in code.items() if path.endswith(".hpp"))
-    return any(named.search(found[0]) for text in headers for found in body.finditer(text))
+    return [found[0] for found in body.finditer(text)]

@@ -8,6 +8,7 @@ import pytest
 
 from hooks.merge.package import Result, merge_package
 from hooks.merge.proof import prove
+from hooks.merge.recount import _bodies as bodies
 from hooks.merge.recount import _faults, recount
 from hooks.merge.renaming import Renaming
 from hooks.merge.tree import LINK, PLAIN, File, encode
@@ -349,6 +350,17 @@ def test_function_that_leaves_leaves_whole(conflicts):
         found = {**result.tree, path: File(encode(old[path]))}
         said = recount(*sides, result, found, [])
         assert "WorkerImpl::serve_load is but half there" in [what for _, what in said], path
+
+
+def test_each_class_is_read_once():
+    """Not for each of its members, nor in the headers of others: a package may have many nodes."""
+    names = [f"Node{letter}Impl" for letter in "ABCDEF"]
+    old = {f"include/arm/{name}.hpp": HPP.replace("WorkerImpl", name) for name in names}
+    old |= {f"src/{name}.cpp": CPP.replace("WorkerImpl", name) for name in names}
+    side = {path: File(encode(text)) for path, text in old.items()}
+    bodies.cache_clear()
+    assert recount(side, side, side, Renaming(), {""}.__contains__, Result(), side, []) == []
+    assert bodies.cache_info().misses == len(names)
 
 
 def test_function_that_leaves_stays_in_a_file_of_the_developers_own():

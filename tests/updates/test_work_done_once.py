@@ -7,10 +7,12 @@ import tempfile
 
 import copier
 import copier._main
+import copier._template
 import jinja2.environment
 import pytest
 from jinja2.nodes import Template
 
+from support import copier_once
 from support.arm import SPEC
 from support.repository import commit
 
@@ -19,6 +21,12 @@ CHANGES = {
     "an interface": (SPEC.replace('name="stop"', 'name="halt"'), 1),
     "a rename": (SPEC.replace('<node name="reach"', '<node name="grasp" was="reach"'), 2),
 }
+
+
+@pytest.fixture(autouse=True)
+def cloned_each_time(monkeypatch):
+    """Each copy and update has a folder of its own for the template, as users have."""
+    monkeypatch.setattr(copier._template, "clone", copier_once.CLONE)
 
 
 @pytest.mark.parametrize(("spec", "expected"), CHANGES.values(), ids=CHANGES)
