@@ -6,6 +6,7 @@ take turns, so that a busy machine slows all alike. Fails where a ratio is above
 
 from __future__ import annotations
 
+import itertools
 import os
 import shutil
 import statistics
@@ -18,6 +19,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 ROUNDS = int(os.environ.get("BENCH_ROUNDS", "3"))
+MODELS = ("python_model", "cpp_model")
 COPIES, UPDATES = (1, 100), (1, 10, 50)  # nodes
 COPIER = (sys.executable, "-m", "copier")
 QUIET = ("--trust", "--defaults", "--quiet")
@@ -48,27 +50,29 @@ class Job:
 def main() -> int:
     """Print the table; return 1 if a target is missed."""
     missed = 0
-    print("nodes  command                template     user s   ratio  target")
-    for nodes in sorted({*COPIES, *UPDATES}):
+    print("model         nodes  command                template     user s   ratio  target")
+    for model, nodes in itertools.product(MODELS, sorted({*COPIES, *UPDATES})):
         with tempfile.TemporaryDirectory() as folder:
-            missed += compare(nodes, Workshop(Path(folder), nodes).jobs())
+            missed += compare(
+                f"{model:12}  {nodes:5}", Workshop(Path(folder), model, nodes).jobs()
+            )
     if missed:
         print(f"{missed} of these ratios are above their targets.")
     return 1 if missed else 0
 
 
-def compare(nodes: int, jobs: list[Job]) -> int:
+def compare(packages: str, jobs: list[Job]) -> int:
     """Run the jobs in turn and print their medians; return how many miss their targets."""
     times: dict[tuple[str, str], list[float]] = {(job.what, job.template): [] for job in jobs}
     for turn in range(ROUNDS):
-        print(f"  {nodes} nodes, round {turn + 1} of {ROUNDS}", end="\r", file=sys.stderr)
+        print(f"{packages} nodes, round {turn + 1} of {ROUNDS}", end="\r", file=sys.stderr)
         for job in jobs:
             times[job.what, job.template].append(job.run())
     medians = {key: statistics.median(taken) for key, taken in times.items()}
     missed = 0
     for job in jobs:
         median = medians[job.what, job.template]
-        line = f"{nodes:5}  {job.what:22} {job.template:12} {median:6.2f}"
+        line = f"{packages}  {job.what:22} {job.template:12} {median:6.2f}"
         if job.base:
             # Bare Copier has nothing to do in any of its updates.
             same = medians.get((job.what, job.base)) or medians["update, nothing", job.base]
@@ -83,9 +87,9 @@ def compare(nodes: int, jobs: list[Job]) -> int:
 class Workshop:
     """The templates, and a package of each, for specs of so many nodes."""
 
-    def __init__(self, folder: Path, nodes: int) -> None:
+    def __init__(self, folder: Path, model: str, nodes: int) -> None:
         """Publish the model and make the packages; `folder` is empty."""
-        self.folder, self.nodes, self.copies = folder, nodes, 0
+        self.folder, self.model, self.nodes, self.copies = folder, model, nodes, 0
         (folder / "home").mkdir()
         (folder / "gitconfig").write_text(
             "[user]\nname = Bench\nemail = bench@example.org\n"
@@ -103,12 +107,12 @@ class Workshop:
         self.git(collection, "repack", "-adq")
         self.sources = {
             "collection": str(collection),
-            "published": "gh:org/python_model",
+            "published": f"gh:org/{model}",
             "bare": "gh:org/static",
         }
-        model, static = (folder / f"host/org/{name}.git" for name in ("python_model", "static"))
-        self.git(folder, "init", "--quiet", "--bare", "--initial-branch=main", str(model))
-        self.run(sys.executable, "scripts/publish.py", "python_model", str(model), cwd=collection)
+        published, static = (folder / f"host/org/{name}.git" for name in (model, "static"))
+        self.git(folder, "init", "--quiet", "--bare", "--initial-branch=main", str(published))
+        self.run(sys.executable, "scripts/publish.py", model, str(published), cwd=collection)
         for template in ("published", "collection"):
             self.copy(template, self.package(template))
         self.make_static(folder / "static")
@@ -165,7 +169,7 @@ class Workshop:
     def copy(self, template: str, target: Path) -> float:
         """Make a package; return user seconds."""
         data = ["-d", f"spec_file={self.spec}", "-d", "ros_distro=kilted"]
-        data += ["-d", "model=python_model"] if template == "collection" else []
+        data += ["-d", f"model={self.model}"] if template == "collection" else []
         data = ["-d", "answer=yes"] if template == "bare" else data
         source = self.sources[template]
         return self.run(*COPIER, "copy", *QUIET, *data, source, str(target), cwd=self.folder)
