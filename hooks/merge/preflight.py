@@ -19,7 +19,7 @@ from ..faults import SpecError
 from ..package import SUFFIX
 from .branches import under_way
 from .git import changed, is_repository, tracked, untracked
-from .renaming import plan_renames
+from .renaming import plan_moves
 from .render import Renderer, recorded_answers
 from .tree import SUBMODULE, TOO_LARGE, is_too_large, read_paths
 
@@ -54,7 +54,7 @@ def check(
         old = renderer.recorded(answers)
         touched |= set(old.tree)
         _refuse_large(package, old.tree)
-        renaming = plan_renames(answers, (recorded, spec), dictionary, old.tree, modes, renderer)
+        renaming = plan_moves(answers, (recorded, spec), dictionary, old.tree, modes, renderer)
         renaming.follow(moved, old.tree, renderer.fresh(new_answers).tree)
         moves = {path: renaming.path(path) for path in modes}
         moves = {path: after for path, after in moves.items() if after != path}
