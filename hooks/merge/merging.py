@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 
 from ..changes import GONE
-from . import lines, python_blocks
+from . import lines, outlines, python_blocks
 from .blocks import Block, is_comment, walk
 from .languages import CPP, MARKDOWN, PYTHON, TEXT, YAML, Language, language
 from .lines import Conflict, Merged
@@ -279,6 +279,9 @@ class _Merger:
     def lines(self, mine: lines.Lines, old: lines.Lines, new: lines.Lines) -> Merged:
         """Merge lines; in a conflict without comments and the like that the developer deleted."""
         known = self.language
+        if known is MARKDOWN:
+            ours, base = outlines.joined_rows(mine, old, new)
+            mine, old = [ours.get(row, row) for row in mine], [base.get(row, row) for row in old]
         merged = lines.merge_lines(mine, old, new, known.key, known.same, self.of_people)
         if self.of_people or not lines.conflicts(merged):
             return merged

@@ -1183,6 +1183,31 @@ def test_table_that_a_formatter_has_aligned_changes_as_any_other(row, after):
     assert result.tree["README.md"].text == sides[1]
 
 
+ROWS = "# Arm\n\n| Topic | Type | |\n|---|---|---|\n| pose | a | |\n| goal | a | |\n"
+
+
+@pytest.mark.parametrize(
+    ("mine", "new", "wanted"),
+    [
+        ("| goal | a | mine |\n", "| goal | b | |\n", "| goal | b | mine |\n"),
+        ("| goal | a | x \\| y |\n", "| goal | b | |\n", "| goal | b | x \\| y |\n"),
+        (
+            "| goal | a | mine |\n",
+            "| goal | b | |\n| x | | |\n",
+            "| goal | b | mine |\n| x | | |\n",
+        ),
+        ("| goal | a | mine |\n", "| goal | b | new |\n", None),
+        ("| goal | a | mine | more |\n", "| goal | b | |\n", None),
+    ],
+)
+def test_row_of_which_both_sides_have_changed_other_cells(mine, new, wanted):
+    row = "| goal | a | |\n"
+    texts = [ROWS.replace(row, mine), ROWS, ROWS.replace(row, new)]
+    result, doubts = Versions(*({"a.md": File(encode(text))} for text in texts)).merged()
+    assert (bool(result.conflicts), doubts) == (not wanted, [])
+    assert not wanted or result.tree["a.md"].text == ROWS.replace(row, wanted)
+
+
 def test_section_with_another_heading_leaves_and_is_said():
     new = TABLES[: TABLES.index("## Topics")]
     mine = changed(TABLES, ("## Topics", "## What it says"))
