@@ -25,6 +25,7 @@ from .languages import CMAKE, CPP, MARKDOWN, PYTHON, TEXT, XML, YAML, Language, 
 from .lines import split
 from .origins import SELF, Class, Names, classes_in, origins, related
 from .python_blocks import definitions, imports
+from .references import STARTED, References, with_packages
 from .render import Renderer
 from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python
 from .tokens import Word, all_words, exchange, quoted
@@ -55,6 +56,10 @@ class Renaming:
     members: dict[str, dict[str, str]] = field(default_factory=dict)
     """By file, the names that count after one of the `holders` alone."""
     packages: dict[str, str] = field(default_factory=dict)
+    package: str = ""
+    """Its name before the update."""
+    programs: dict[str, str] = field(default_factory=dict)
+    """The programs of nodes, and the classes of components, as launch files have them."""
     targets: dict[str, str] = field(default_factory=dict)
     """The names of nodes, which are those of targets in CMake."""
     components: dict[str, str] = field(default_factory=dict)
@@ -178,13 +183,25 @@ class Renaming:
     def text(self, path: str, text: str) -> str:
         """Return a file with its identifiers exchanged."""
         if (path, text) not in self._texts:
-            exchanged = _referred(path, self._exchanged(path, text), self.packages)
+            exchanged = with_packages(path, self._exchanged(path, text), self.packages)
             self._texts[path, text] = self._shifted(path, exchanged)
         return self._texts[path, text]
 
     def _shifted(self, path: str, text: str) -> str:
         found = self.shifts[path](text) if path in self.shifts else None
         return found[0] if found else text
+
+    @property
+    def references(self) -> References:
+        """What becomes of the things of the package, where its name is beside theirs."""
+        return References(self.package, self.programs, self._path_of_now, self._names_in)
+
+    def _path_of_now(self, path: str) -> str:
+        found = self.path(path)
+        return path if GONE in found else found
+
+    def _names_in(self, path: str) -> Mapping[str, str]:
+        return {**self.everywhere, **self.in_file[path]} if path in self.in_file else {}
 
     def behind(self, path: str, text: str) -> list[int] | None:
         """Return the numbers of the lines that a file of another ROS cannot have, from 1.
@@ -198,11 +215,15 @@ class Renaming:
 
     def _exchanged(self, path: str, text: str) -> str:
         known = language(path, text)
+        if known is XML:
+            made = self.attributes.get(path, {})
+            return xml_blocks.exchange(
+                text, lambda one: made.get(one) or self.references.attribute(one)
+            )
+        text = self.references.exchanged(known, text)
         if known is YAML:
             keys, holders = self.keys.get(path, {}), self.key_holders.get(path)
             return _with_nodes(_with_keys(text, keys, holders), self.components)
-        if known is XML:
-            return xml_blocks.exchange(text, self.attributes.get(path, {}))
         if path in self.ids:
             text = _with_ids(text, self.ids[path], self.generated[path])
         exact = {**self.everywhere, **self.in_file.get(path, {})}
@@ -357,21 +378,6 @@ def rename(
         rename(block.children, same.children, keys, shows)
 
 
-_REFERENCE = (
-    r"package://|\$\(find(?:-pkg-\w+)? +|\b(?:get_package_\w+|FindPackage\w+)\([\"']"
-    r"|\bpkg: *[\"']?|\b(?:pkg|package)=[\"']|\bros(?:2 )?(?:launch|run) +"
-    r"|\b(?:import_module|patch)\([\"']|[\"'][\w.-]+ *= *(?=[\w.]+:)"
-)
-"""What stands before the name of a package where ROS, or Python, looks for one by it."""
-
-
-def _referred(path: str, text: str, packages: Mapping[str, str]) -> str:
-    """Exchange the names of packages that need no origin; in an interface those of types."""
-    start = "^" if path.endswith((".msg", ".srv", ".action")) else _REFERENCE
-    pattern = rf"(?m)({start})({'|'.join(map(re.escape, packages))})(?![\w-])"
-    return re.sub(pattern, lambda m: m[1] + packages[m[2]], text) if packages else text
-
-
 _DIAGRAM = re.compile(r"^ *```mermaid\n.*?^ *```", re.MULTILINE | re.DOTALL)
 _LABEL = r'"[^"\n]*"'
 _LABEL_OR_WORD = re.compile(rf"{_LABEL}|\w+")
@@ -489,6 +495,10 @@ def plan(
             renaming.key_holders[before] = {holder for holder, _ in made}
         if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
             renaming.attributes[before] = reader.attributes(text)
+    name = re.search(r"<name>\s*([\w-]+)", old.get("package.xml", File(b"")).written)
+    renaming.package = name[1] if name else ""
+    values = [pair for each in renaming.attributes.values() for pair in each.items()]
+    renaming.programs = {before: after for (_, sort, before), after in values if sort in STARTED}
     renaming.classes = _classes(old, [*renaming.paths], renaming.roots)
     mine = {*mine}
     _follow_moved(renaming, mine - old.keys(), mine)
