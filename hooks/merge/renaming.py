@@ -27,7 +27,7 @@ from .origins import SELF, Class, Names, classes_in, origins, related
 from .python_blocks import definitions, imports
 from .references import STARTED, References, with_packages
 from .render import Renderer
-from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python
+from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python, with_ends
 from .tokens import Word, all_words, exchange, quoted
 from .tree import File, Tree
 
@@ -140,7 +140,8 @@ class Renaming:
         names = self._exact() - {name for _, name in self.made.get(path, ())}
         spaces = self.packages.keys() if path not in self.paths else set()
         own = declared(text, names, spaces).difference(*self.made.values())
-        return own - {((), space) for space in spaces}
+        # A namespace in itself is one that two branches of a condition open.
+        return own - {(around, space) for space in spaces for around in ((), (space,))}
 
     def _exact(self) -> set[str]:
         """Return all identifiers that are exchanged somewhere."""
@@ -236,7 +237,7 @@ class Renaming:
         if is_same and not heads and names.isdisjoint(re.findall(r"[A-Za-z_]\w*", text)):
             return text
 
-        is_marked = MARK not in text
+        before, is_marked = text, MARK not in text
         if is_marked and known is CPP:
             own = self.scopes | self._scopes(path, text)
             text = marked_in_cpp(text, own, set().union(*self.made.values()), names)
@@ -282,7 +283,8 @@ class Renaming:
             pair[0] if n in told else _as_made(known, *pair, generated, heads)
             for n, pair in enumerate(pairs)
         )
-        return found.replace(MARK, "") if is_marked else found
+        found = found.replace(MARK, "") if is_marked else found
+        return with_ends(before, found) if known is CPP else found
 
     def blocks(self, known: Language, path: str, text: str) -> list[Block]:
         """Return the blocks of a file, with the names and lines that they have after the update.

@@ -530,6 +530,32 @@ def test_classes_that_are_related_to_the_models_in_other_files(pairs):
             assert renaming.text(path, text) == (text if "other" in path else wanted), path
 
 
+CLOSED = {
+    "namespace arm\n{\n}  // namespace arm\n": "namespace robot\n{\n}  // namespace robot\n",
+    "namespace arm::tools {\n}  /* end of namespace arm::tools */\n": (
+        "namespace robot::tools {\n}  /* end of namespace robot::tools */\n"
+    ),
+    "namespace arm {namespace b {\nnamespace {\n}  // namespace\n}}  // namespace arm::b\n": (
+        "namespace robot {namespace b {\nnamespace {\n}  // namespace\n}}  // namespace robot::b\n"
+    ),
+    # What closes another one, is about it, or is in a text
+    "namespace own\n{\nnamespace arm {class A;}  // namespace arm\n}\n": None,
+    "namespace arms\n{\n}  // namespace arms of namespace arm\n": None,
+    "void f()\n{\n}  // namespace arm\n": None,
+    'namespace arm {\n// namespace arm\nf("}  // namespace arm");\n}  // namespace arm2\n': (
+        'namespace robot {\n// namespace arm\nf("}  // namespace arm");\n}  // namespace arm2\n'
+    ),
+    "#if A\nnamespace arm {\n#else\nnamespace arm {\n#endif\n}  // namespace arm\n": (
+        "#if A\nnamespace robot {\n#else\nnamespace robot {\n#endif\n}  // namespace robot\n"
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "wanted"), CLOSED.items())
+def test_comment_where_a_namespace_ends_says_its_name(text, wanted):
+    assert Renaming(packages={"arm": "robot"}).text("a.cpp", text) == (wanted or text)
+
+
 OF_PACKAGE = {
     "import arm\n\nuse(arm.x, x.arm)\n": "import robot\n\nuse(robot.x, x.arm)\n",
     "import os, arm\n\nuse(arm)\n": "import os, robot\n\nuse(robot)\n",
