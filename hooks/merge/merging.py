@@ -25,6 +25,8 @@ _LOOSE = re.compile(
 """Blocks that are known by what they say, or that nobody misses."""
 _IMPORTED = re.compile(r"^\s*from \S+ import|[\s,]")
 """What is no part of a name that is imported: it may have an import of its own."""
+_ABOVE = re.compile(r"\s*\n|")
+"""Empty lines above a block."""
 _UNNAMED = re.compile(r"from |import |install |list ")
 """Blocks of which there may be several with one key."""
 
@@ -249,7 +251,9 @@ class _Merger:
         is_import = self.language is PYTHON and mine.key.startswith("from ") and not mine.children
         is_joined = is_import and mine.text.count("\n") == 1
         if self.is_same(mine, old) and not is_joined:
-            return lines.split(new.text)
+            above = [_ABOVE.match(block.text)[0] for block in (mine, old, new)]  # type: ignore[index]
+            text = new.text if above[1] != above[2] else above[0] + new.text[len(above[2]) :]
+            return lines.split(text)
         names = python_blocks.joined_import(mine.text, old.text, new.text) if is_import else None
         if names is not None:
             return lines.split(names)

@@ -65,6 +65,12 @@ class Origins:
             self.within |= dict.fromkeys(lines, words | outer)
         return {*self.classes}
 
+    def name(self, alias: str, classes: Names) -> set[str]:
+        """Take another name for some classes; return it where there are any."""
+        for each in classes:
+            self.classes[alias] = self.classes.get(alias, set()) | self.classes[each]
+        return {alias} if classes else set()
+
     def hold(self, name: str, classes: Names) -> None:
         """Note that objects of some classes of the package have a name."""
         if (words := self.holders.setdefault(name, set())) is not None:
@@ -161,12 +167,13 @@ def _python(
 ) -> None:
     _imports(found, tree, roots, names)
     found.types = found.ours
-    kin = found.relate(_python_classes(tree, found.foreign), classes)
-    bindings = [*_bindings(tree)]
-    aliases = {name for name, value in bindings if last_word(value) in kin}
-    found.lent = lent_in_python(tree, (kin - found.foreign) | aliases, found.foreign)
-    ours = kin - found.foreign
-    for target, value in bindings:
+    ours = found.relate(_python_classes(tree, found.foreign), classes) - found.foreign
+    for node in tree:
+        if isinstance(node, ast.Assign | ast.AnnAssign) and isinstance(node.value, _TYPES):
+            target = node.target if isinstance(node, ast.AnnAssign) else node.targets[0]
+            ours |= found.name(last_word(target), ours.intersection(type_words(node.value)))
+    found.lent = lent_in_python(tree, ours, found.foreign)
+    for target, value in _bindings(tree):
         word, made = last_word(value), {*type_words(value)} & ours
         if made:
             found.hold(target, made)
@@ -221,6 +228,8 @@ def _keywords(found: Origins, tree: Iterable[ast.AST], classes: set[str]) -> set
     return ours - others
 
 
+_TYPES = (ast.Name, ast.Attribute, ast.Subscript, ast.BinOp)
+"""What is written in place of a class: itself, `Optional[...]`, `... | None`."""
 _CYCLE = "run_cycle"
 """What runs a cycle in tests, and returns its data."""
 _OF_FIELDS = ("replace", _CYCLE)
@@ -294,6 +303,7 @@ def _bindings(tree: Iterable[ast.AST]) -> Iterator[tuple[str, ast.expr]]:
 
 _INCLUDE = re.compile(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"](\w+|\.\.?)/')
 _USING = re.compile(r"\busing\s+(?:(namespace)\s+)?(?:(\w+)\s*=\s*)?(?:::)?(\w+)(?:::(\w+))*\s*;")
+_NAMED = r"\busing\s+(\w+)\s*=[^;]*\b({0})\b|\btypedef\b[^;]*\b({0})\b[^;]*?\b(\w+)\s*;"
 _ALIAS = re.compile(r"\bnamespace\s+(\w+)\s*=\s*(?:::)?(\w+)")
 
 
@@ -314,6 +324,9 @@ def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Classes
     kin = found.relate(_cpp_classes(code(text), roots), classes, names)
     found.ours |= kin if is_user else set()
     types = "|".join(map(re.escape, {*classes} - found.foreign)) or "(?!)"
+    for first, last, name, other in re.findall(_NAMED.format(types), text):
+        kin |= found.name(first or other, {last or name})
+    types = "|".join([types, *map(re.escape, kin - {*classes})])
     ours = rf"(?<![\w:])(?:(?:::)?(?:{spaces})::){'?' * is_user}({types})\b"
     declared = rf"{ours}[\s&*>)]*(?:const\b)?[\s&*]*\b(\w+)\b(?!\s*::)"
     made = rf"\bauto\b[\s&*]*(\w+)\s*=[^;=]*?{ours}"

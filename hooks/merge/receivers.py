@@ -126,8 +126,6 @@ def lent_in_cpp(text: str, names: set[str], ours: set[str], spaces: set[str]) ->
     read = code(text)
     signs, lines = read.signs, read.lines
     generic = {*re.findall(r"\b(?:typename|class)(?:\s*\.\.\.)?\s+(\w+)\s*[,>=]", text)}
-    types = "|".join(map(re.escape, ours)) or "(?!)"
-    ours = ours | {*re.findall(rf"\busing\s+(\w+)\s*=[^;]*\b(?:{types})\b", text)}
 
     def bindings() -> Iterator[tuple[bool, _Binding]]:
         for at, sign in enumerate(signs[:-1]):

@@ -162,6 +162,14 @@ OURS = {
         "from .grasp_interface import GraspConfig\n\n\nclass A(GraspConfig):\n    pass\n\n\n"
         "def f(config: A):\n    config.factor\n"
     ),
+    "from .reach_interface import ReachConfig\n\nC: TypeAlias = ReachConfig | None\n"
+    "D = Optional[ReachConfig]\n\n\ndef f(config: C, data: vendor.D):\n"
+    "    config.gain, data.in_goal\n\n\ndef g(config: D, e: D):\n    config.gain, e.gain\n": (
+        "from .grasp_interface import GraspConfig\n\nC: TypeAlias = GraspConfig | None\n"
+        "D = Optional[GraspConfig]\n\n\ndef f(config: C, data: vendor.D):\n"
+        "    config.factor, data.in_goal\n\n\ndef g(config: D, e: D):\n"
+        "    config.factor, e.factor\n"
+    ),
     "config = fetch(config)\nconfig.gain\n": "config = fetch(config)\nconfig.factor\n",
     "from .reach_interface import ReachData\n\n__all__ = [\n    'f', \"ReachData\",\n]\n"
     "__all__ += ('ReachData', ReachData)\n": (
@@ -301,6 +309,10 @@ CPP_OURS = {
     ),
     "using C = lab::ReachConfig;\nvoid f(const C & config) {config.gain;}\n": (
         "using C = lab::GraspConfig;\nvoid f(const C & config) {config.factor;}\n"
+    ),
+    "namespace lab {\ntypedef ReachConfig C;\nvoid f(C & config, C e) {config.gain, e.gain;}}\n": (
+        "namespace lab {\ntypedef GraspConfig C;\n"
+        "void f(C & config, C e) {config.factor, e.factor;}}\n"
     ),
     "void f() {data_.in_goal = this->config_.gain + config->gain;}\n": (
         "void f() {data_.in_target = this->config_.factor + config->factor;}\n"

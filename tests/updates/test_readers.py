@@ -643,6 +643,31 @@ def test_function_that_leaves_has_the_name_of_one_that_stays():
     assert result.removed == {}
 
 
+@pytest.mark.parametrize(
+    ("path", "old", "item", "own", "change"),
+    [
+        (
+            "a.py",
+            "import a\n\nfrom b import (\n    c,\n)\n",
+            "from b",
+            "from a import b\n",
+            ("c", "d"),
+        ),
+        ("a.hpp", "#include <a>\n\nclass A : B\n{\n};\n", "class A", "class C;\n", ("B", "D")),
+        ("CMakeLists.txt", "project(a)\n\nadd(b)\n", "add", "set(c 1)\n", ("(b)", "(b c)")),
+        ("a.yaml", "a: 1\n\nb: 2\n", "b", "c: 3\n", ("2", "4")),
+        ("a.xml", "<a>\n\n  <b>1</b>\n</a>\n", "  <b>", "  <c/>\n", ("1", "2")),
+    ],
+)
+def test_item_that_changes_keeps_to_what_the_developer_has_put_above_it(
+    path, old, item, own, change
+):
+    mine, new = old.replace(item, own + item, 1), old.replace(*change)
+    merges, found, _ = merge(path, mine, old, new)
+    assert merges
+    assert found == new.replace(item, own + item, 1)
+
+
 def test_empty_line_above_the_first_include_stays_when_that_leaves():
     old = "#define A\n\n#include <a>\n#include <b>\n\nvoid f();\n"
     new = changed(old, ("#include <a>\n", ""))
