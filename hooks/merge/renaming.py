@@ -518,7 +518,8 @@ def _classes(tree: Tree, paths: Iterable[str], roots: Names) -> dict[str, set[st
     for path in paths:
         lines = split(tree[path].written)
         for name, bases, places in classes_in(language(path, ""), tree[path].written, roots):
-            if name not in found or not path.startswith("test/"):  # no stand-in
+            is_class = bool(places)  # no other name of one
+            if is_class and (name not in found or not path.startswith("test/")):  # no stand-in
                 inside = "".join(lines[places.start : places.stop])
                 found.setdefault(name, set()).update(re.findall(r"\w+", inside))
                 derived.append((name, bases))

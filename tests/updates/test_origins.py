@@ -497,6 +497,10 @@ OF_RELATIVES = {
         "from .sub2 import Sub2\n\nsub = Sub2()\nsub.receive_say(a.receive_say)\n"
         "Sub2.receive_say(sub)\n"
     ),
+    "lab/types.py": "from .reach_impl import ReachImpl\n\nSub3 = ReachImpl\n",
+    "lab/use3.py": "from .types import Sub3\n\n\ndef f(c: Sub3):\n    c.receive_say(1)\n",
+    "include/lab/types.hpp": "namespace lab {\nusing Sub3 = const ReachImpl;\n}\n",
+    "src/use3.cpp": "#include <lab/types.hpp>\nlab::Sub3 c;\nc.receive_say(b.receive_say);\n",
     "lab/other.py": (
         "from vendor import Base\n\n\nclass Other(Base):\n    def receive_say(self, m):\n"
         "        super().receive_say(m)\n\n\nclass A:\n    def receive_say(self):\n        a\n"
