@@ -234,8 +234,9 @@ def same_markdown(one: str, other: str) -> bool:
 
 
 def asides(lines: Sequence[str]) -> list[str]:
-    """Say of each line whether it is of a diagram or example between fences, or of a table."""
-    found = ["table" * line.startswith("|") for line in lines]
+    """Say of each line whether it is of a diagram or example between fences, a table, a list."""
+    kinds = {"|": "table", "- ": "list"}
+    found = [next((k for s, k in kinds.items() if line.startswith(s)), "") for line in lines]
     text = "".join(lines)
     for match in _CODE.finditer(text):
         if match["mark"]:
