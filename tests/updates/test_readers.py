@@ -668,6 +668,12 @@ def test_item_that_changes_keeps_to_what_the_developer_has_put_above_it(
     assert found == new.replace(item, own + item, 1)
 
 
+def test_section_that_changes_keeps_the_empty_line_below_it_to_one_of_the_developer():
+    old, own = "# Arm\n\n- a\n", "\n## Ours\n\nBe kind.\n"
+    new = old.replace("- a", "- b")
+    assert merge("a.md", old + own, old, new)[:2] == (True, new + own)
+
+
 def test_empty_line_above_the_first_include_stays_when_that_leaves():
     old = "#define A\n\n#include <a>\n#include <b>\n\nvoid f();\n"
     new = changed(old, ("#include <a>\n", ""))
