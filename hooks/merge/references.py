@@ -1,7 +1,7 @@
 """What files say of the package where ROS, or Python, looks for something by its name.
 
 Such a word is in a text, whose origin nobody can tell: it is the package beside it that says whose
-it is. A program, a path below the share of the package, a module.
+it is. A program, a path below the share of the package, a module. Decision 155.
 """
 
 from __future__ import annotations

@@ -35,6 +35,9 @@ _DEEPEST = 3
 """How often a class may derive from another one: a node's of a group's of the runtime's."""
 _MARK = re.compile(r"zq(\d+)x", re.IGNORECASE)
 _GROUPED = re.compile(r"(?m)^\s*(\w+(?:[./]\w+)+):")
+_MADE = "_interface"
+_OF_NODE = re.compile(r"\b([a-z]\w*)_(?:interface|impl|types|ros)\b")
+"""The node whose module or header, or whose namespace, is named."""
 _OTHER_SIGN = str.maketrans("./", "/.")
 """Between nested names: a dot in ROS 2, a stroke in ROS 1."""
 _ABOUT_TARGETS = re.compile(
@@ -111,8 +114,14 @@ class Renaming:
             for dot in re.finditer(r"\.|$", name):
                 inner.setdefault(name[: dot.start()], set()).add(name)
 
+        stems = {PurePosixPath(path).stem: path for path in self.in_file}
+        nodes = {stem.removesuffix(_MADE): p for stem, p in stems.items() if stem.endswith(_MADE)}
         for path, file in mine.items() if self.names else ():
             known = language(path, "")
+            near = {*_OF_NODE.findall(file.written)} & nodes.keys()
+            if path not in self.paths and known in (PYTHON, CPP) and len(near) == 1:
+                for exact in (self.in_file, self.members):  # several nodes may have these
+                    exact[path] = {**exact.get(path, {}), **exact[nodes[min(near)]]}
             if path.endswith((".py", ".hpp", ".h")) and not path.startswith("test/"):
                 classes += classes_in(known, file.written, self.roots)  # other files see them
             if known is PYTHON:

@@ -874,3 +874,40 @@ def test_own_lines_start_what_is_renamed_with_its_package(render, update):
         ("reach.yaml", "grasp.yaml"),
         ("arm.launch.xml", "robot.launch.xml"),
     )
+
+
+OF_ONE_NODE = {
+    "python_model": {
+        "arm/base.py": "from arm.reach_interface import LoadRequest\n\n\nclass Base:\n"
+        "    def serve_load(self, request: LoadRequest):\n        request\n",
+        "arm/both.py": "from arm import reach_interface, watch_interface\n\n"
+        "reach_interface.LoadRequest, watch_interface.LoadRequest\n",
+    },
+    "cpp_model": {
+        "include/arm/base.hpp": '#include "arm/reach_interface.hpp"\nnamespace arm\n{\n'
+        "void load(reach_types::LoadService::Request & request);\n}\n",
+        "include/arm/both.hpp": '#include "arm/reach_interface.hpp"\n'
+        '#include "arm/watch_interface.hpp"\nnamespace arm\n{\n'
+        "void load(watch_types::LoadService a, reach_types::LoadService b);\n}\n",
+    },
+}
+
+
+@pytest.mark.parametrize("model", OF_ONE_NODE)
+def test_own_files_about_one_node_follow_where_another_node_has_the_name_too(
+    render, update, model
+):
+    package = render(SPEC, model=model, name="arm")
+    own = OF_ONE_NODE[model]
+    for path, text in own.items():
+        (package / path).write_text(text)
+    if model == "python_model":  # whose logic derives from one of these
+        logic = package / "arm/reach_impl.py"
+        text = changed(logic.read_text(), ("class ReachImpl:", "class ReachImpl(Base):"))
+        logic.write_text(text.replace("from arm.", "from arm.base import Base\nfrom arm.", 1))
+    said = update(package, ('name="load"', 'name="fetch" was="load"'))
+    about_one, about_both = own
+    wanted = own[about_one].replace("Load", "Fetch").replace("serve_load", "serve_fetch")
+    assert (package / about_one).read_text() == wanted
+    assert (package / about_both).read_text() == own[about_both]
+    assert f"still     {about_both}" in said
