@@ -19,7 +19,7 @@ from .settings import EVERY, Setting, dotted, node_calls, settings
 from .tokens import words
 from .tree import File, Tree
 
-_NAMES = re.compile(rf"""\b(?:name|{WAS})\s*=\s*("[^"]*"|'[^']*')""")
+_NAME_BEFORE = re.compile(rf"""\b{WAS}\s*=\s*("[^"]*"|'[^']*')""")
 _MARKUP = re.compile(r"""</?[\w:.-]+|[\w:.-]+(?=\s*=\s*["'])""")
 """The tags and attributes of XML, which are not the developer's words."""
 _PATTERN = re.compile(r"_(?=\*)|(?<=\*)_")
@@ -49,7 +49,7 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
         generated = set(split(new.get(path, File(b"")).written))
         for number, line in enumerate(split(plain(file.text)), 1):
             if line not in generated:
-                said = _NAMES.sub("", line) if path.endswith(SUFFIX) else line
+                said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
                 said = _MARKUP.sub(" ", said) if language(path, "") is XML else said
                 said = _PATTERN.sub(" ", said)
                 used = known & {*re.findall(r"\w+", said), *_NESTED.findall(said)}
