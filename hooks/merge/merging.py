@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 
 from ..changes import GONE
-from . import lines, python_blocks
+from . import lines, outlines, python_blocks
 from .blocks import Block, is_comment, walk
 from .languages import CPP, MARKDOWN, PYTHON, TEXT, YAML, Language, language
 from .lines import Conflict, Merged
@@ -25,6 +25,8 @@ _LOOSE = re.compile(
 """Blocks that are known by what they say, or that nobody misses."""
 _IMPORTED = re.compile(r"^\s*from \S+ import|[\s,]")
 """What is no part of a name that is imported: it may have an import of its own."""
+_ABOVE = re.compile(r"(?:\s*\n)?")
+"""Empty lines above a block."""
 _UNNAMED = re.compile(r"from |import |install |list ")
 """Blocks of which there may be several with one key."""
 
@@ -249,7 +251,7 @@ class _Merger:
         is_import = self.language is PYTHON and mine.key.startswith("from ") and not mine.children
         is_joined = is_import and mine.text.count("\n") == 1
         if self.is_same(mine, old) and not is_joined:
-            return lines.split(new.text)
+            return lines.split(_framed(mine.text, old.text, new.text))
         names = python_blocks.joined_import(mine.text, old.text, new.text) if is_import else None
         if names is not None:
             return lines.split(names)
@@ -279,6 +281,9 @@ class _Merger:
     def lines(self, mine: lines.Lines, old: lines.Lines, new: lines.Lines) -> Merged:
         """Merge lines; in a conflict without comments and the like that the developer deleted."""
         known = self.language
+        if known is MARKDOWN:
+            ours, base = outlines.joined_rows(mine, old, new)
+            mine, old = [ours.get(row, row) for row in mine], [base.get(row, row) for row in old]
         merged = lines.merge_lines(mine, old, new, known.key, known.same, self.of_people)
         if self.of_people or not lines.conflicts(merged):
             return merged
@@ -294,6 +299,15 @@ class _Merger:
 
     def is_same(self, one: Block, other: Block) -> bool:
         return one.text == other.text or self.language.same(one.text, other.text)
+
+
+def _framed(mine: str, old: str, new: str) -> str:
+    """Return what is new between the developer's empty lines, where it changes none of them."""
+    above = [found[0] for text in (mine, old, new) if (found := _ABOVE.match(text))]
+    below = [text[len(text.rstrip()) :] for text in (mine, old, new)]
+    if above[1] == above[2]:
+        new = above[0] + new.removeprefix(above[2])
+    return new.removesuffix(below[2]) + below[0] if below[1] == below[2] else new
 
 
 def _order(mine: list[str], old: list[str], new: list[str]) -> list[str]:

@@ -10,10 +10,11 @@ import contextlib
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import takewhile
 
 from .languages import CPP, PYTHON, Language
 from .python_blocks import last_line, nodes
-from .receivers import Lent, last_word, lent_in_cpp, lent_in_python, type_words
+from .receivers import Lent, is_class, last_word, lent_in_cpp, lent_in_python, type_words
 from .scopes import Code, code
 from .tokens import BEFORE_TYPE, Word
 
@@ -161,12 +162,9 @@ def _python(
 ) -> None:
     _imports(found, tree, roots, names)
     found.types = found.ours
-    kin = found.relate(_python_classes(tree, found.foreign), classes)
-    bindings = [*_bindings(tree)]
-    aliases = {name for name, value in bindings if last_word(value) in kin}
-    found.lent = lent_in_python(tree, (kin - found.foreign) | aliases, found.foreign)
-    ours = kin - found.foreign
-    for target, value in bindings:
+    ours = found.relate(_python_classes(tree, found.foreign), classes) - found.foreign
+    found.lent = lent_in_python(tree, ours, found.foreign)
+    for target, value in _bindings(tree):
         word, made = last_word(value), {*type_words(value)} & ours
         if made:
             found.hold(target, made)
@@ -221,6 +219,8 @@ def _keywords(found: Origins, tree: Iterable[ast.AST], classes: set[str]) -> set
     return ours - others
 
 
+_TYPES = (ast.Name, ast.Attribute, ast.Subscript, ast.BinOp)
+"""What is written in place of a class: itself, `Optional[...]`, `... | None`."""
 _CYCLE = "run_cycle"
 """What runs a cycle in tests, and returns its data."""
 _OF_FIELDS = ("replace", _CYCLE)
@@ -228,7 +228,10 @@ _OF_FIELDS = ("replace", _CYCLE)
 
 
 Class = tuple[str, set[str], range]
-"""A class: its name, what it derives from, "" being of others, and its lines."""
+"""A class: its name, what it derives from, "" being of others, and its lines.
+
+Another name of a class has none, and is of that one.
+"""
 
 
 def related(found: Iterable[Class], classes: Classes) -> dict[str, set[str]]:
@@ -263,11 +266,21 @@ def _python_classes(tree: Iterable[ast.AST], foreign: set[str]) -> Iterator[Clas
             bases = [{*type_words(base)} for base in node.bases]
             bases = [{""} if base & foreign else base for base in bases]
             yield node.name, set().union(*bases), range(node.lineno - 1, last_line(node))
+        elif isinstance(node, ast.Assign | ast.AnnAssign) and isinstance(node.value, _TYPES):
+            targets = [node.target] if isinstance(node, ast.AnnAssign) else node.targets
+            for target in targets if any(map(is_class, type_words(node.value))) else ():
+                yield last_word(target), {*type_words(node.value)}, range(0)
 
 
 def _cpp_classes(read: Code, roots: Names) -> Iterator[Class]:
     """Yield the classes of a file, and what it defines of them out of their bodies."""
     within = read.scopes
+    for number, sign in enumerate(read.signs):
+        if sign in ("using", "typedef"):
+            after = [*takewhile(";".__ne__, read.signs[number + 1 :])]
+            words, is_given = [*filter(str.isidentifier, after)], after[1:2] == ["="]
+            for name in words[:1] if is_given else words[-1:] if sign == "typedef" else ():
+                yield name, {*words} - {name}, range(0)
     for at, (path, kind, bases, start) in within.items():
         chains = [base.removeprefix("::").split("::") for base in bases]
         bases = {chain[-1] if chain[0] in (*roots, chain[-1]) else "" for chain in chains}
@@ -313,7 +326,7 @@ def _cpp(found: Origins, text: str, roots: Names, names: Names, classes: Classes
     found.types = {*classes} | {*roots}
     kin = found.relate(_cpp_classes(code(text), roots), classes, names)
     found.ours |= kin if is_user else set()
-    types = "|".join(map(re.escape, {*classes} - found.foreign)) or "(?!)"
+    types = "|".join(map(re.escape, kin - found.foreign)) or "(?!)"
     ours = rf"(?<![\w:])(?:(?:::)?(?:{spaces})::){'?' * is_user}({types})\b"
     declared = rf"{ours}[\s&*>)]*(?:const\b)?[\s&*]*\b(\w+)\b(?!\s*::)"
     made = rf"\bauto\b[\s&*]*(\w+)\s*=[^;=]*?{ours}"

@@ -234,8 +234,9 @@ def same_markdown(one: str, other: str) -> bool:
 
 
 def asides(lines: Sequence[str]) -> list[str]:
-    """Say of each line whether it is of a diagram or example between fences, or of a table."""
-    found = ["table" * line.startswith("|") for line in lines]
+    """Say of each line whether it is of a diagram or example between fences, a table, a list."""
+    kinds = {"|": "table", "- ": "list"}
+    found = [next((k for s, k in kinds.items() if line.startswith(s)), "") for line in lines]
     text = "".join(lines)
     for match in _CODE.finditer(text):
         if match["mark"]:
@@ -251,3 +252,44 @@ def row(line: str) -> str:
         return line
     rule = re.sub("-+", "-", line) if re.fullmatch(r"[|:\s-]+", line) else line
     return re.sub(r"[ \t]*(\||$)[ \t]*", r"\1", rule)
+
+
+def joined_rows(*sides: Sequence[str]) -> tuple[dict[str, str], dict[str, str]]:
+    """Merge by cell what both sides have made of the rows of tables, each of other cells.
+
+    `sides` are the developer's, the old and the new version of a section. Returns what becomes
+    of the developer's rows, and of the old ones.
+    """
+    joined: dict[str, str] = {}
+    came: dict[str, str] = {}
+    mine, old, new = map(_rows, sides)
+    for key in mine.keys() & old.keys() & new.keys():
+        rows = [side[key] for side in (mine, old, new)]
+        cells = [*itertools.zip_longest(*map(_cells, rows))]
+        found = [*itertools.starmap(_joined_cell, cells)]
+        text = "" if None in found else "|".join(map(str, found))
+        if row(text) not in ("", row(rows[2])):
+            joined[rows[0]], came[rows[1]] = text, rows[2]
+    return joined, came
+
+
+def _rows(lines: Sequence[str]) -> dict[str, str]:
+    """Return the rows of tables by their first cells, but for those that several have."""
+    found: dict[str, list[str]] = {}
+    for line in lines:
+        if line.startswith("|"):
+            found.setdefault(_cells(line)[1].strip(), []).append(line)
+    return {key: rows[0] for key, rows in found.items() if not rows[1:]}
+
+
+def _cells(row: str) -> list[str]:
+    return re.split(r"(?<!\\)\|", row)
+
+
+def _joined_cell(mine: str | None, old: str | None, new: str | None) -> str | None:
+    """Return a cell of which one side, if any, has made something; none where both have."""
+    if mine is None or old is None or new is None:
+        return None
+    if new.strip() in (mine.strip(), old.strip()):
+        return mine
+    return new if mine.strip() == old.strip() else None

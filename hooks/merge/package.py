@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import posixpath
-from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
@@ -207,8 +206,10 @@ class _Package:
 
 def _met(before: str, after: str) -> list[str]:
     """Return what a rename gives the name of another function, which hides it or is hidden."""
-    had, have = (Counter(definitions(text)) for text in (before, after))
-    return [name.rpartition(".")[2] for name, n in have.items() if n > 1 >= had[name]]
+    had: dict[str, set[str]] = {}
+    for name, now in zip(definitions(before), definitions(after), strict=False):
+        had.setdefault(now, set()).add(name)
+    return [now.rpartition(".")[2] for now, names in had.items() if len(names) > 1]
 
 
 def _stages(*versions: File | None) -> dict[int, bytes]:

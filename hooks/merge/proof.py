@@ -9,10 +9,11 @@ from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 
 from .blocks import Block, is_comment, walk
-from .languages import PYTHON, TEXT, Language, language
+from .languages import MARKDOWN, PYTHON, TEXT, Language, language
 from .lines import MARKS, plain, split
 from .matching import identify, match, opened, tell_apart, wrap
 from .merging import readable
+from .outlines import joined_rows
 from .package import Result
 from .renaming import Renaming
 from .tree import File, Tree
@@ -111,6 +112,11 @@ class _Prover:
         text = "".join(line for side, line in sides if side != "new")
         shown = Counter(known.key(line) for side, line in sides if side == "mine")
         there = identify(_blocks(known, text, "", Renaming()), before, after)
+        joined = _joined(after, before, theirs) if known is MARKDOWN else {}
+        lines = [
+            (scope, row if (row := joined.get(line)) and row in text else line, number)
+            for scope, line, number in lines
+        ]
         gone = _imported(known, before) - _imported(known, theirs) if theirs else set[str]()
         removed, generated = result.removed.get(path, []), {*split(old), *gone}
         for scope, line, number in self._not_there(known, lines, there, generated):
@@ -159,6 +165,15 @@ class _Prover:
                 self.proof.in_place += 1
             else:
                 yield scope, line, number
+
+
+def _joined(*sides: list[Block]) -> dict[str, str]:
+    """Return what becomes of rows of tables that both sides have changed."""
+    found: dict[str, str] = {}
+    mine, old, new = ({block.key: block.lines for block in side} for side in sides)
+    for key in mine.keys() & old.keys() & new.keys():
+        found |= joined_rows(mine[key], old[key], new[key])[0]
+    return found
 
 
 def _number(lines: list[str], number: int, line: str) -> int:

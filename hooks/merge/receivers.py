@@ -79,7 +79,7 @@ def _is_type(annotation: ast.expr, ours: set[str]) -> bool | None:
     found = {*type_words(annotation)}
     if found & ours:
         return True
-    return False if any(map(_is_class, found - _NO_CLASS)) else None
+    return False if any(map(is_class, found - _NO_CLASS)) else None
 
 
 def _is_made(value: ast.expr, ours: set[str], foreign: set[str]) -> bool | None:
@@ -90,11 +90,11 @@ def _is_made(value: ast.expr, ours: set[str], foreign: set[str]) -> bool | None:
     first = value.func
     while isinstance(first, ast.Attribute):
         first = first.value
-    is_other = _is_class(last_word(value.func)) or last_word(first) in foreign
+    is_other = is_class(last_word(value.func)) or last_word(first) in foreign
     return False if is_other else None
 
 
-def _is_class(word: str) -> bool:
+def is_class(word: str) -> bool:
     """Say whether a word is written as a class, and not as a variable of types."""
     return word[:1].isupper() and len(word) > 1
 
@@ -126,8 +126,6 @@ def lent_in_cpp(text: str, names: set[str], ours: set[str], spaces: set[str]) ->
     read = code(text)
     signs, lines = read.signs, read.lines
     generic = {*re.findall(r"\b(?:typename|class)(?:\s*\.\.\.)?\s+(\w+)\s*[,>=]", text)}
-    types = "|".join(map(re.escape, ours)) or "(?!)"
-    ours = ours | {*re.findall(rf"\busing\s+(\w+)\s*=[^;]*\b(?:{types})\b", text)}
 
     def bindings() -> Iterator[tuple[bool, _Binding]]:
         for at, sign in enumerate(signs[:-1]):
@@ -151,7 +149,7 @@ def lent_in_cpp(text: str, names: set[str], ours: set[str], spaces: set[str]) ->
     def verdict(type_: list[str]) -> bool | None:
         if {*type_} & ours:
             return True
-        is_other = _is_class(type_[-1]) and type_[-1] not in generic if type_ else False
+        is_other = is_class(type_[-1]) and type_[-1] not in generic if type_ else False
         is_other = is_other or (len(type_) > 1 and type_[0] not in (*spaces, "std", "auto"))
         return False if is_other else None
 

@@ -31,6 +31,8 @@ _IMPORT = re.compile(r"\tfrom\n\t\w+\n(\t\.\n\t\w+\n)*\timport\n")
 """An import, which one may split; that each used name has one is looked for below."""
 _NAMES = re.compile(r"\bfrom \S+ import \([^)]*\)")
 """Names that are imported, of which a line may have several."""
+_ROW = re.compile(r"(?m)^\|.*\|$")
+"""A row of a table, of which both sides may have changed cells."""
 _NAMESPACE = re.compile(r"(?m)^[ \t]*(namespace\b[^;{]*\{|\}[ \t]*//.*\bnamespace\b.*$)")
 """What begins and ends a namespace, which may be opened again; its braces are counted below."""
 _CLOSES = re.compile(r"end\w+ *\(.*\)|</.*>|\W+")
@@ -68,8 +70,9 @@ class _Text(dict[str, int]):
 
     def __init__(self, text: str) -> None:
         text = _NAMES.sub(lambda found: re.sub(r",[ \t]*(?=\w)", ",\n", found[0]), text)
-        lines = [(line.strip(), _tight(line)) for line in text.split("\n")]
-        self.tight = "".join(tight for _, tight in lines)
+        self.tight = "".join(map(_tight, text.split("\n")))
+        text = _ROW.sub(lambda found: found[0].replace("|", "\n"), text)
+        lines = ((line.strip(), _tight(line)) for line in text.split("\n"))
         self.lines = [(line, tight) for line, tight in lines if tight and not _IMPORT.match(tight)]
 
     def __missing__(self, tight: str) -> int:

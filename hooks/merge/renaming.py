@@ -25,8 +25,9 @@ from .languages import CMAKE, CPP, MARKDOWN, PYTHON, TEXT, XML, YAML, Language, 
 from .lines import split
 from .origins import SELF, Class, Names, classes_in, origins, related
 from .python_blocks import definitions, imports
+from .references import STARTED, References, with_packages
 from .render import Renderer
-from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python
+from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python, with_ends
 from .tokens import Word, all_words, exchange, quoted
 from .tree import File, Tree
 
@@ -34,6 +35,9 @@ _DEEPEST = 3
 """How often a class may derive from another one: a node's of a group's of the runtime's."""
 _MARK = re.compile(r"zq(\d+)x", re.IGNORECASE)
 _GROUPED = re.compile(r"(?m)^\s*(\w+(?:[./]\w+)+):")
+_MADE = "_interface"
+_OF_NODE = re.compile(r"\b([a-z]\w*)_(?:interface|impl|types|ros)\b")
+"""The node whose module or header, or whose namespace, is named."""
 _OTHER_SIGN = str.maketrans("./", "/.")
 """Between nested names: a dot in ROS 2, a stroke in ROS 1."""
 _ABOUT_TARGETS = re.compile(
@@ -55,6 +59,10 @@ class Renaming:
     members: dict[str, dict[str, str]] = field(default_factory=dict)
     """By file, the names that count after one of the `holders` alone."""
     packages: dict[str, str] = field(default_factory=dict)
+    package: str = ""
+    """Its name before the update."""
+    programs: dict[str, str] = field(default_factory=dict)
+    """The programs of nodes, and the classes of components, as launch files have them."""
     targets: dict[str, str] = field(default_factory=dict)
     """The names of nodes, which are those of targets in CMake."""
     components: dict[str, str] = field(default_factory=dict)
@@ -106,8 +114,14 @@ class Renaming:
             for dot in re.finditer(r"\.|$", name):
                 inner.setdefault(name[: dot.start()], set()).add(name)
 
+        stems = {PurePosixPath(path).stem: path for path in self.in_file}
+        nodes = {stem.removesuffix(_MADE): p for stem, p in stems.items() if stem.endswith(_MADE)}
         for path, file in mine.items() if self.names else ():
             known = language(path, "")
+            near = {*_OF_NODE.findall(file.written)} & nodes.keys()
+            if path not in self.paths and known in (PYTHON, CPP) and len(near) == 1:
+                for exact in (self.in_file, self.members):  # several nodes may have these
+                    exact[path] = {**exact.get(path, {}), **exact[nodes[min(near)]]}
             if path.endswith((".py", ".hpp", ".h")) and not path.startswith("test/"):
                 classes += classes_in(known, file.written, self.roots)  # other files see them
             if known is PYTHON:
@@ -135,7 +149,8 @@ class Renaming:
         names = self._exact() - {name for _, name in self.made.get(path, ())}
         spaces = self.packages.keys() if path not in self.paths else set()
         own = declared(text, names, spaces).difference(*self.made.values())
-        return own - {((), space) for space in spaces}
+        # A namespace in itself is one that two branches of a condition open.
+        return own - {(around, space) for space in spaces for around in ((), (space,))}
 
     def _exact(self) -> set[str]:
         """Return all identifiers that are exchanged somewhere."""
@@ -178,13 +193,25 @@ class Renaming:
     def text(self, path: str, text: str) -> str:
         """Return a file with its identifiers exchanged."""
         if (path, text) not in self._texts:
-            exchanged = _referred(path, self._exchanged(path, text), self.packages)
+            exchanged = with_packages(path, self._exchanged(path, text), self.packages)
             self._texts[path, text] = self._shifted(path, exchanged)
         return self._texts[path, text]
 
     def _shifted(self, path: str, text: str) -> str:
         found = self.shifts[path](text) if path in self.shifts else None
         return found[0] if found else text
+
+    @property
+    def references(self) -> References:
+        """What becomes of the things of the package, where its name is beside theirs."""
+        return References(self.package, self.programs, self._path_of_now, self._names_in)
+
+    def _path_of_now(self, path: str) -> str:
+        found = self.path(path)
+        return path if GONE in found else found
+
+    def _names_in(self, path: str) -> Mapping[str, str]:
+        return {**self.everywhere, **self.in_file[path]} if path in self.in_file else {}
 
     def behind(self, path: str, text: str) -> list[int] | None:
         """Return the numbers of the lines that a file of another ROS cannot have, from 1.
@@ -198,11 +225,15 @@ class Renaming:
 
     def _exchanged(self, path: str, text: str) -> str:
         known = language(path, text)
+        if known is XML:
+            made = self.attributes.get(path, {})
+            return xml_blocks.exchange(
+                text, lambda one: made.get(one) or self.references.attribute(one)
+            )
+        text = self.references.exchanged(known, text)
         if known is YAML:
             keys, holders = self.keys.get(path, {}), self.key_holders.get(path)
             return _with_nodes(_with_keys(text, keys, holders), self.components)
-        if known is XML:
-            return xml_blocks.exchange(text, self.attributes.get(path, {}))
         if path in self.ids:
             text = _with_ids(text, self.ids[path], self.generated[path])
         exact = {**self.everywhere, **self.in_file.get(path, {})}
@@ -215,7 +246,7 @@ class Renaming:
         if is_same and not heads and names.isdisjoint(re.findall(r"[A-Za-z_]\w*", text)):
             return text
 
-        is_marked = MARK not in text
+        before, is_marked = text, MARK not in text
         if is_marked and known is CPP:
             own = self.scopes | self._scopes(path, text)
             text = marked_in_cpp(text, own, set().union(*self.made.values()), names)
@@ -261,7 +292,8 @@ class Renaming:
             pair[0] if n in told else _as_made(known, *pair, generated, heads)
             for n, pair in enumerate(pairs)
         )
-        return found.replace(MARK, "") if is_marked else found
+        found = found.replace(MARK, "") if is_marked else found
+        return with_ends(before, found) if known is CPP else found
 
     def blocks(self, known: Language, path: str, text: str) -> list[Block]:
         """Return the blocks of a file, with the names and lines that they have after the update.
@@ -380,21 +412,6 @@ def rename(
         rename(block.children, same.children, keys, shows)
 
 
-_REFERENCE = (
-    r"package://|\$\(find(?:-pkg-\w+)? +|\b(?:get_package_\w+|FindPackage\w+)\([\"']"
-    r"|\bpkg: *[\"']?|\b(?:pkg|package)=[\"']|\bros(?:2 )?(?:launch|run) +"
-    r"|\b(?:import_module|patch)\([\"']|[\"'][\w.-]+ *= *(?=[\w.]+:)"
-)
-"""What stands before the name of a package where ROS, or Python, looks for one by it."""
-
-
-def _referred(path: str, text: str, packages: Mapping[str, str]) -> str:
-    """Exchange the names of packages that need no origin; in an interface those of types."""
-    start = "^" if path.endswith((".msg", ".srv", ".action")) else _REFERENCE
-    pattern = rf"(?m)({start})({'|'.join(map(re.escape, packages))})(?![\w-])"
-    return re.sub(pattern, lambda m: m[1] + packages[m[2]], text) if packages else text
-
-
 _DIAGRAM = re.compile(r"^ *```mermaid\n.*?^ *```", re.MULTILINE | re.DOTALL)
 _LABEL = r'"[^"\n]*"'
 _LABEL_OR_WORD = re.compile(rf"{_LABEL}|\w+")
@@ -505,6 +522,10 @@ def plan(
             renaming.key_holders[before] = {holder for holder, _ in made}
         if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
             renaming.attributes[before] = reader.attributes(text)
+    name = re.search(r"<name>\s*([\w-]+)", old.get("package.xml", File(b"")).written)
+    renaming.package = name[1] if name else ""
+    values = [pair for each in renaming.attributes.values() for pair in each.items()]
+    renaming.programs = {before: after for (_, sort, before), after in values if sort in STARTED}
     renaming.classes = _classes(old, [*renaming.paths], renaming.roots)
     mine = {*mine}
     _follow_moved(renaming, mine - old.keys(), mine)
@@ -536,7 +557,8 @@ def _classes(tree: Tree, paths: Iterable[str], roots: Names) -> dict[str, set[st
     for path in paths:
         lines = split(tree[path].written)
         for name, bases, places in classes_in(language(path, ""), tree[path].written, roots):
-            if name not in found or not path.startswith("test/"):  # no stand-in
+            is_class = bool(places)  # no other name of one
+            if is_class and (name not in found or not path.startswith("test/")):  # no stand-in
                 inside = "".join(lines[places.start : places.stop])
                 found.setdefault(name, set()).update(re.findall(r"\w+", inside))
                 derived.append((name, bases))

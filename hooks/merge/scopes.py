@@ -219,6 +219,22 @@ def marked_in_cpp(text: str, own: Declared, old: Declared, names: Collection[str
     return "".join(parts)
 
 
+def with_ends(before: str, after: str) -> str:
+    """Return exchanged C++ whose comments at the ends of namespaces say their names of `after`."""
+    lines, read, other = split(after), code(before), code(after)
+    for at, end in other.closed.items():
+        scope = read.scopes.get(at)
+        if scope is None or scope.kind != "namespace":
+            continue
+        new = other.scopes[at].path
+        for start in range(len(new)):
+            name = re.escape("::".join(scope.path[start:]))
+            form = rf"(\}}\s*(?://|/\*)[^*]*?\bnamespace\s+){name}(?![\w:])"
+            line = other.lines[end]
+            lines[line] = re.sub(form, rf"\g<1>{'::'.join(new[start:])}", lines[line])
+    return "".join(lines)
+
+
 def marked_in_python(
     path: str,
     text: str,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from xml.parsers import expat
 
 from .blocks import Block, Span, arrange, squeezed
@@ -79,14 +79,13 @@ def attributes(text: str) -> Iterator[tuple[Attribute, int]]:
                 yield (name, found["name"], found["value"][1:-1]), found.start("value") + 1
 
 
-def exchange(text: str, values: Mapping[Attribute, str]) -> str:
-    """Return a text with the values of some attributes exchanged."""
+def exchange(text: str, by: Callable[[Attribute], str]) -> str:
+    """Return a text with the values of its attributes exchanged, as `by` says."""
     parts: list[str] = []
     at = 0
     for found, start in attributes(text):
-        if found in values:
-            parts += [text[at:start], values[found]]
-            at = start + len(found[2])
+        parts += [text[at:start], by(found)]
+        at = start + len(found[2])
     return "".join(parts) + text[at:]
 
 

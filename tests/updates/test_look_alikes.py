@@ -98,6 +98,17 @@ def test_method_that_has_the_new_name_already_is_said(change):
     assert "yours     arm/reach_impl.py: serve_grab, which the model makes now, too" in said
 
 
+def test_property_of_a_class_that_is_renamed_is_no_method_twice(change):
+    own = (
+        "    @property\n    def a(self):\n        return 1\n\n    @a.setter\n    def a(self, b):\n"
+    )
+    own += "        use(b)\n\n"
+    edits = {"arm/reach_impl.py": ("    def deactivate", own + "    def deactivate")}
+    package, said = change(edits, SPEC, 'name="reach"', 'name="grasp" was="reach"')
+    assert own in (package / "arm/grasp_impl.py").read_text()
+    assert "yours" not in said
+
+
 def test_method_of_a_base_of_the_logic_takes_the_new_name(change):
     own = "class Loader:\n    def serve_load(self, request):\n        return None\n\n\n"
     edits = {"arm/reach_impl.py": ("class ReachImpl:", own + "class ReachImpl(Loader):")}

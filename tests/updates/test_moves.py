@@ -132,6 +132,29 @@ def test_tuned_values_move_along(render, move, model, distro):
     assert {file: file.read_text() for file in texts} == texts
 
 
+@each_way
+@pytest.mark.parametrize("model", MODELS)
+def test_cell_of_a_table_that_the_developer_has_edited_moves_along(render, move, model, distro):
+    """In a row whose type is written otherwise in the other ROS."""
+    packages = {
+        ros: render(SPECS[model], model=model, ros_distro=ros, name=f"{ros}/hand") for ros in OTHER
+    }
+    rows = {
+        ros: next(re.finditer(r"\| `pose` .*\n", (package / "README.md").read_text()))[0]
+        for ros, package in packages.items()
+    }
+    mine = {ros: row.replace("|  |\n", "| Where it is, m |\n") for ros, row in rows.items()}
+    assert len({*rows.values(), *mine.values()}) == 4
+    change(packages[distro], "README.md", (rows[distro], mine[distro]))
+    said = move(packages[distro], OTHER[distro])
+    text = (packages[distro] / "README.md").read_text()
+    assert text == changed(
+        (packages[OTHER[distro]] / "README.md").read_text(),
+        (rows[OTHER[distro]], mine[OTHER[distro]]),
+    )
+    assert "left with" not in said
+
+
 LAUNCH = {
     "noetic": """
   <arg name="side" default="left" doc="Which arm"/>

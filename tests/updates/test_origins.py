@@ -162,6 +162,14 @@ OURS = {
         "from .grasp_interface import GraspConfig\n\n\nclass A(GraspConfig):\n    pass\n\n\n"
         "def f(config: A):\n    config.factor\n"
     ),
+    "from .reach_interface import ReachConfig\n\nC: TypeAlias = ReachConfig | None\n"
+    "D = Optional[ReachConfig]\n\n\ndef f(config: C, data: vendor.D):\n"
+    "    config.gain, data.in_goal\n\n\ndef g(config: D, e: D):\n    config.gain, e.gain\n": (
+        "from .grasp_interface import GraspConfig\n\nC: TypeAlias = GraspConfig | None\n"
+        "D = Optional[GraspConfig]\n\n\ndef f(config: C, data: vendor.D):\n"
+        "    config.factor, data.in_goal\n\n\ndef g(config: D, e: D):\n"
+        "    config.factor, e.factor\n"
+    ),
     "config = fetch(config)\nconfig.gain\n": "config = fetch(config)\nconfig.factor\n",
     "from .reach_interface import ReachData\n\n__all__ = [\n    'f', \"ReachData\",\n]\n"
     "__all__ += ('ReachData', ReachData)\n": (
@@ -301,6 +309,10 @@ CPP_OURS = {
     ),
     "using C = lab::ReachConfig;\nvoid f(const C & config) {config.gain;}\n": (
         "using C = lab::GraspConfig;\nvoid f(const C & config) {config.factor;}\n"
+    ),
+    "namespace lab {\ntypedef ReachConfig C;\nvoid f(C & config, C e) {config.gain, e.gain;}}\n": (
+        "namespace lab {\ntypedef GraspConfig C;\n"
+        "void f(C & config, C e) {config.factor, e.factor;}}\n"
     ),
     "void f() {data_.in_goal = this->config_.gain + config->gain;}\n": (
         "void f() {data_.in_target = this->config_.factor + config->factor;}\n"
@@ -485,6 +497,10 @@ OF_RELATIVES = {
         "from .sub2 import Sub2\n\nsub = Sub2()\nsub.receive_say(a.receive_say)\n"
         "Sub2.receive_say(sub)\n"
     ),
+    "lab/types.py": "from .reach_impl import ReachImpl\n\nSub3 = ReachImpl\n",
+    "lab/use3.py": "from .types import Sub3\n\n\ndef f(c: Sub3):\n    c.receive_say(1)\n",
+    "include/lab/types.hpp": "namespace lab {\nusing Sub3 = const ReachImpl;\n}\n",
+    "src/use3.cpp": "#include <lab/types.hpp>\nlab::Sub3 c;\nc.receive_say(b.receive_say);\n",
     "lab/other.py": (
         "from vendor import Base\n\n\nclass Other(Base):\n    def receive_say(self, m):\n"
         "        super().receive_say(m)\n\n\nclass A:\n    def receive_say(self):\n        a\n"
@@ -528,6 +544,32 @@ def test_classes_that_are_related_to_the_models_in_other_files(pairs):
             wanted = re.sub(r"(?<![(][ab]\.)\breceive_say", "receive_speak", text)
             wanted = wanted.replace("Reach", "Grasp").replace("reach", "grasp")
             assert renaming.text(path, text) == (text if "other" in path else wanted), path
+
+
+CLOSED = {
+    "namespace arm\n{\n}  // namespace arm\n": "namespace robot\n{\n}  // namespace robot\n",
+    "namespace arm::tools {\n}  /* end of namespace arm::tools */\n": (
+        "namespace robot::tools {\n}  /* end of namespace robot::tools */\n"
+    ),
+    "namespace arm {namespace b {\nnamespace {\n}  // namespace\n}}  // namespace arm::b\n": (
+        "namespace robot {namespace b {\nnamespace {\n}  // namespace\n}}  // namespace robot::b\n"
+    ),
+    # What closes another one, is about it, or is in a text
+    "namespace own\n{\nnamespace arm {class A;}  // namespace arm\n}\n": None,
+    "namespace arms\n{\n}  // namespace arms of namespace arm\n": None,
+    "void f()\n{\n}  // namespace arm\n": None,
+    'namespace arm {\n// namespace arm\nf("}  // namespace arm");\n}  // namespace arm2\n': (
+        'namespace robot {\n// namespace arm\nf("}  // namespace arm");\n}  // namespace arm2\n'
+    ),
+    "#if A\nnamespace arm {\n#else\nnamespace arm {\n#endif\n}  // namespace arm\n": (
+        "#if A\nnamespace robot {\n#else\nnamespace robot {\n#endif\n}  // namespace robot\n"
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "wanted"), CLOSED.items())
+def test_comment_where_a_namespace_ends_says_its_name(text, wanted):
+    assert Renaming(packages={"arm": "robot"}).text("a.cpp", text) == (wanted or text)
 
 
 OF_PACKAGE = {

@@ -643,6 +643,37 @@ def test_function_that_leaves_has_the_name_of_one_that_stays():
     assert result.removed == {}
 
 
+@pytest.mark.parametrize(
+    ("path", "old", "item", "own", "change"),
+    [
+        (
+            "a.py",
+            "import a\n\nfrom b import (\n    c,\n)\n",
+            "from b",
+            "from a import b\n",
+            ("c", "d"),
+        ),
+        ("a.hpp", "#include <a>\n\nclass A : B\n{\n};\n", "class A", "class C;\n", ("B", "D")),
+        ("CMakeLists.txt", "project(a)\n\nadd(b)\n", "add", "set(c 1)\n", ("(b)", "(b c)")),
+        ("a.yaml", "a: 1\n\nb: 2\n", "b", "c: 3\n", ("2", "4")),
+        ("a.xml", "<a>\n\n  <b>1</b>\n</a>\n", "  <b>", "  <c/>\n", ("1", "2")),
+    ],
+)
+def test_item_that_changes_keeps_to_what_the_developer_has_put_above_it(
+    path, old, item, own, change
+):
+    mine, new = old.replace(item, own + item, 1), old.replace(*change)
+    merges, found, _ = merge(path, mine, old, new)
+    assert merges
+    assert found == new.replace(item, own + item, 1)
+
+
+def test_section_that_changes_keeps_the_empty_line_below_it_to_one_of_the_developer():
+    old, own = "# Arm\n\n- a\n", "\n## Ours\n\nBe kind.\n"
+    new = old.replace("- a", "- b")
+    assert merge("a.md", old + own, old, new)[:2] == (True, new + own)
+
+
 def test_empty_line_above_the_first_include_stays_when_that_leaves():
     old = "#define A\n\n#include <a>\n#include <b>\n\nvoid f();\n"
     new = changed(old, ("#include <a>\n", ""))
@@ -1181,6 +1212,31 @@ def test_table_that_a_formatter_has_aligned_changes_as_any_other(row, after):
     result = Versions(*trees).merge({})
     assert (Versions(*trees).doubts(result), result.conflicts) == ([], {})
     assert result.tree["README.md"].text == sides[1]
+
+
+ROWS = "# Arm\n\n| Topic | Type | |\n|---|---|---|\n| pose | a | |\n| goal | a | |\n"
+
+
+@pytest.mark.parametrize(
+    ("mine", "new", "wanted"),
+    [
+        ("| goal | a | mine |\n", "| goal | b | |\n", "| goal | b | mine |\n"),
+        ("| goal | a | x \\| y |\n", "| goal | b | |\n", "| goal | b | x \\| y |\n"),
+        (
+            "| goal | a | mine |\n",
+            "| goal | b | |\n| x | | |\n",
+            "| goal | b | mine |\n| x | | |\n",
+        ),
+        ("| goal | a | mine |\n", "| goal | b | new |\n", None),
+        ("| goal | a | mine | more |\n", "| goal | b | |\n", None),
+    ],
+)
+def test_row_of_which_both_sides_have_changed_other_cells(mine, new, wanted):
+    row = "| goal | a | |\n"
+    texts = [ROWS.replace(row, mine), ROWS, ROWS.replace(row, new)]
+    result, doubts = Versions(*({"a.md": File(encode(text))} for text in texts)).merged()
+    assert (bool(result.conflicts), doubts) == (not wanted, [])
+    assert not wanted or result.tree["a.md"].text == ROWS.replace(row, wanted)
 
 
 def test_section_with_another_heading_leaves_and_is_said():

@@ -542,6 +542,17 @@ def test_code_in_the_place_of_a_docstring_stays_where_the_model_rewords_that(own
     assert (doubts, result.conflicts, result.tree["a.py"].text) == ([], {}, mine)
 
 
+@pytest.mark.parametrize(
+    ("item", "made"), [("- c: go\n", ""), ("- c: go\n", "- c: goes\n- d: stops\n")]
+)
+def test_words_in_the_place_of_a_list_stay_where_the_model_changes_that(item, made):
+    old = "# Arm\n\n## The logic\n\nIn `a.py`:\n\n- a: is\n- b: was\n- c: go\n\nMore.\n"
+    mine = re.sub("In .*go\n", "See the wiki.\n", old, flags=re.DOTALL)
+    trees = (mine, old, old.replace(item, made))
+    result, doubts = Versions(*({"a.md": File(encode(one))} for one in trees)).merged()
+    assert (doubts, result.conflicts, result.tree["a.md"].text) == ([], {}, mine)
+
+
 def test_comment_of_the_model_comes_where_the_developer_has_deleted_another():
     old = "def f():\n    # One\n    one()\n    two()\n"
     mine = old.replace("    # One\n", "")

@@ -705,3 +705,208 @@ def rename_in_launch_file(one, other, mine, change=("", "")):
     trees = [{"arm.launch": File(encode(text))} for text in (old.replace(*mine), old, new, marked)]
     renaming = plan(trees[1], trees[3], marks, ["arm.launch"])
     return Versions(*trees[:3], renaming), new
+
+
+# What starts or loads the node, in files of the developer's: in lines with `vendor` another's.
+STARTED = {
+    "launch/own.launch.xml": """\
+<launch>
+  <arg name="file" default="$(find-pkg-share arm)/config/reach.yaml"/>
+  <node pkg='arm' exec='reach' args="--params-file $(find-pkg-share arm)/config/reach.yaml">
+    <param from="$(find-pkg-share arm)/config/reach.yaml"/>
+    <param from="$(find-pkg-share vendor)/config/reach.yaml"/>
+  </node>
+  <node pkg="vendor" exec="reach"/>
+</launch>
+""",
+    "launch/own.launch": """\
+<launch>
+  <node pkg="arm" type="reach" name="first">
+    <rosparam command="load" file="$(find arm)/config/reach.yaml"/>
+    <rosparam command="load" file="$(eval find('arm') + '/config/reach.yaml')"/>
+    <rosparam command="load" file="$(find vendor)/config/reach.yaml"/>
+  </node>
+  <node pkg="vendor" type="reach"/>
+</launch>
+""",
+    "launch/own.launch.yaml": """\
+launch:
+- node:
+    pkg: arm
+    exec: reach
+    param:
+    - from: $(find-pkg-share arm)/config/reach.yaml
+    - from: $(find-pkg-share vendor)/config/reach.yaml
+- node: {exec: "reach", pkg: "arm"}
+- node: {exec: reach, pkg: vendor}
+""",
+    "launch/own.launch.py": """\
+own = 'arm'
+share = get_package_share_directory(own)
+folder = PathJoinSubstitution([FindPackageShare('arm'), 'config'])
+other = get_package_share_directory('vendor')
+twice = get_package_share_directory('arm')
+twice = get_package_share_directory('vendor')
+files = [
+    os.path.join(get_package_share_directory('arm'), 'config', 'reach.yaml'),
+    'é', os.path.join(share, 'config', "reach.yaml"),
+    os.path.join(share, 'config/reach.yaml'),
+    share + '/config/reach.yaml',
+    Path(share) / 'config' / 'reach.yaml',
+    get_package_share_path('arm').joinpath('config', 'reach.yaml'),
+    PathJoinSubstitution([FindPackageShare(package='arm'), 'config', 'reach.yaml']),
+    PathJoinSubstitution([folder, 'reach.yaml']),
+    [FindPackageShare("arm"), '/config/reach.yaml'],
+    os.path.join(rospkg.RosPack().get_path('arm'), 'config', 'reach.yaml'),
+    os.path.join(other, 'config', 'reach.yaml'),  # of vendor
+    os.path.join(twice, 'config', 'reach.yaml'),  # of vendor
+    os.path.join(share, 'config', vendor, 'reach.yaml'),
+    os.path.join(share, 'vendor', 'reach.yaml'),
+]
+Node(package='arm', executable='reach', parameters=files)
+Node(package=own, executable='reach')
+Node(package='vendor', executable='reach')
+Node(package=other, executable='reach')  # of vendor
+
+
+def one():
+    near = get_package_share_directory('arm')
+    return os.path.join(near, 'config', 'reach.yaml')
+
+
+def two(far):
+    near = get_package_share_directory('arm')
+    far = far or get_package_share_directory('arm')
+    use(os.path.join(near, 'config', 'reach.yaml'))
+    return os.path.join(far, 'config', 'reach.yaml')  # of vendor, perhaps
+""",
+    "docs/run.md": """\
+Either `ros2 run arm reach --ros-args` or `rosrun arm reach`, with package://arm/config/reach.yaml
+`ros2 run vendor reach`, `ros2 run arm vendor_reach`, package://vendor/config/reach.yaml
+`ros2 launch arm vendor/reach.yaml`
+""",
+}
+LOADED = {
+    "python_model": {
+        "arm/load.py": """\
+module = import_module("arm.reach_impl")
+patch('arm.reach_impl.ReachImpl.use', use)
+import_module("vendor.reach_impl")
+patch('arm.vendor.reach_impl')
+"""
+    },
+    "cpp_model": {
+        "src/load.cpp": """\
+auto file = get_package_share_directory("arm") + "/config/reach.yaml";
+auto other = get_package_share_directory("vendor") + "/config/reach.yaml";
+""",
+        "launch/composed.launch.xml": """\
+<launch>
+  <load_composable_node target="a">
+    <composable_node pkg="arm" plugin="arm::ReachNode" name="b"/>
+    <composable_node pkg="vendor" plugin="arm::ReachNode"/>
+  </load_composable_node>
+</launch>
+""",
+        "launch/composed.launch.py": """\
+ComposableNode(package='arm', plugin='arm::ReachNode')
+ComposableNode(package='vendor', plugin='arm::ReachNode')
+""",
+    },
+}
+
+
+@pytest.mark.parametrize("model", LOADED)
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_own_files_start_and_load_what_was_renamed(merge, model, distro):
+    """Where they say that it is of the package; another's stays, and is listed."""
+    own = {**STARTED, **LOADED[model]}
+    if distro == "noetic":  # which has no components
+        own = {path: text for path, text in own.items() if "composed" not in path}
+    change = ('<node name="reach"', '<node name="grasp" was="reach"')
+    files, said = merge(SPEC, [change], own, model=model, distro=distro)
+    for path, text in own.items():
+        lines = text.splitlines()
+        kept = [n for n, line in enumerate(lines) if "vendor" in line]
+        for number, line in enumerate(lines):
+            if number not in kept:
+                lines[number] = line.replace("Reach", "Grasp").replace("reach", "grasp")
+        assert files[path].splitlines() == lines
+        listed = {f"{path}:{n + 1}" for n in kept if "reach" in re.findall(r"\w+", lines[n])}
+        assert listed <= {use.rpartition(":")[0] for use in said}
+
+
+def test_own_lines_start_what_has_changed_places(merge):
+    """Generated lines beside them do, too, each once."""
+    changes = [
+        ('name="reach"', 'name="watch" was="reach"'),
+        ('"watch" f', '"reach" was="watch" f'),
+    ]
+    launch, end = "launch/arm.launch.xml", "</launch>"
+    own = '<node pkg="arm" exec="{0}"><param from="$(find-pkg-share arm)/config/{0}.yaml"/></node>'
+    both = "".join(map(own.format, ("reach", "watch")))
+    program = "            'own = arm.reach_ros:main',\n"
+    setup = ("        'console_scripts': [\n", f"        'console_scripts': [\n{program}")
+    (files, _), (made, _) = (
+        merge(SPEC, changes, edits)
+        for edits in ({launch: [(end, both + end)], "setup.py": [setup]}, {})
+    )
+    swapped = "".join(map(own.format, ("watch", "reach")))
+    assert files[launch] == changed(made[launch], (end, swapped + end))
+    lines = [*made["setup.py"].splitlines(), program.replace("reach", "watch").rstrip()]
+    assert sorted(files["setup.py"].splitlines()) == sorted(lines)
+
+
+def test_own_lines_start_what_is_renamed_with_its_package(render, update):
+    package = render(SPEC, name="arm")
+    own = package / "launch/own.launch.py"
+    text = "share = FindPackageShare('arm')\nNode(package='arm', executable='reach')\n"
+    text += "[share, '/config/reach.yaml']\nshare / 'launch' / 'arm.launch.xml'\nreach = 'arm'\n"
+    own.write_text(text)
+    git(package, "mv", "arm.ros_package", "robot.ros_package")
+    update(package, ('name="arm"', 'name="robot" was="arm"'), ('"reach"', '"grasp" was="reach"'))
+    assert own.read_text() == changed(
+        text,
+        ("Share('arm')", "Share('robot')"),
+        ("='arm'", "='robot'"),
+        ("'reach'", "'grasp'"),
+        ("reach.yaml", "grasp.yaml"),
+        ("arm.launch.xml", "robot.launch.xml"),
+    )
+
+
+OF_ONE_NODE = {
+    "python_model": {
+        "arm/base.py": "from arm.reach_interface import LoadRequest\n\n\nclass Base:\n"
+        "    def serve_load(self, request: LoadRequest):\n        request\n",
+        "arm/both.py": "from arm import reach_interface, watch_interface\n\n"
+        "reach_interface.LoadRequest, watch_interface.LoadRequest\n",
+    },
+    "cpp_model": {
+        "include/arm/base.hpp": '#include "arm/reach_interface.hpp"\nnamespace arm\n{\n'
+        "void load(reach_types::LoadService::Request & request);\n}\n",
+        "include/arm/both.hpp": '#include "arm/reach_interface.hpp"\n'
+        '#include "arm/watch_interface.hpp"\nnamespace arm\n{\n'
+        "void load(watch_types::LoadService a, reach_types::LoadService b);\n}\n",
+    },
+}
+
+
+@pytest.mark.parametrize("model", OF_ONE_NODE)
+def test_own_files_about_one_node_follow_where_another_node_has_the_name_too(
+    render, update, model
+):
+    package = render(SPEC, model=model, name="arm")
+    own = OF_ONE_NODE[model]
+    for path, text in own.items():
+        (package / path).write_text(text)
+    if model == "python_model":  # whose logic derives from one of these
+        logic = package / "arm/reach_impl.py"
+        text = changed(logic.read_text(), ("class ReachImpl:", "class ReachImpl(Base):"))
+        logic.write_text(text.replace("from arm.", "from arm.base import Base\nfrom arm.", 1))
+    said = update(package, ('name="load"', 'name="fetch" was="load"'))
+    about_one, about_both = own
+    wanted = own[about_one].replace("Load", "Fetch").replace("serve_load", "serve_fetch")
+    assert (package / about_one).read_text() == wanted
+    assert (package / about_both).read_text() == own[about_both]
+    assert f"still     {about_both}" in said
