@@ -24,7 +24,7 @@ _KINDS = sorted(
 _TYPES = ("bool", "int", "double", "string")
 _PARAMETER = {"name": "", "type": "int", "value": 0, "min": 0, "max": 0, "choices": [0]}
 _REQUIRED = {**_PARAMETER, "name": "a.b", "type": "int[]", "value": None}
-_HEARD = {"topic_parameter": None, "for_each": None, "deadline": 1.0}
+_HEARD = {"topic_parameter": None, "for_each": None, "deadline": 1.0, "qos": "sensor_data"}
 _SERVICE = {"reliability": "best_effort", "depth": 1}
 _NODE = {
     "frequency": 1.0,

@@ -42,6 +42,7 @@ def check_imports(package, distro):
     assert not twice, f"package.xml: for tests again: {twice}"
     provided = {
         "pytest": "python3-pytest",
+        "yaml": "python3-yaml",
         "tf2_ros": "tf2_ros" if distro == "noetic" else "tf2_ros_py",
     }
     own = {tree.findtext("name"), "support"}

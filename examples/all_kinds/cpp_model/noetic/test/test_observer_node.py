@@ -17,6 +17,7 @@ class TestObserverNode(NodeTests, unittest.TestCase):
     """Runs the node with the recorder as its logic, and with its own logic."""
 
     name = 'observer'
+    parameter_files = ['observer.yaml']  # in config/
     recorder = find_node('all_kinds', 'test_observer_recorder')
     logic = find_node('all_kinds', 'observer')
     frequency = 12.5  # Hz
@@ -39,7 +40,7 @@ class TestObserverNode(NodeTests, unittest.TestCase):
             None,
         ),
     }
-    synchronizers = {'pair': 0}  # s between stamps
+    synchronizers = {'pair': (0, 5)}  # s between stamps, queue_size
     parameters = {  # default, other values, refused ones
         'limit': (100, [0, 1, -999900, 1000100], [True, 0.5]),
     }

@@ -19,6 +19,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     """Runs the node with the recorder as its logic, and with its own logic."""
 
     name = 'worker'
+    parameter_files = ['worker.yaml']  # in config/
     recorder = find_node('all_kinds', 'test_worker_recorder')
     logic = find_node('all_kinds', 'worker')
     frequency = 20  # Hz
@@ -46,7 +47,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
             'motion',
             geometry_msgs.msg.TwistStamped,
             'subscription',
-            None,
+            'best_effort',
             None,
             None,
         ),
@@ -58,7 +59,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'accept_compute': ('compute', test_msgs.msg.FibonacciAction, 'replace'),
         'action_delegate': ('delegate', test_msgs.msg.FibonacciAction),
     }
-    synchronizers = {'sighting': 0.05}  # s between stamps
+    synchronizers = {'sighting': (0.05, 10)}  # s between stamps, queue_size
     deadlines = {'in_speed': 0.5, 'receive_say': 1}  # s
     threads = ('read',)
     timers = {'poll': 4}  # Hz

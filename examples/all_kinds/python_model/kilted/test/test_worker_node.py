@@ -18,6 +18,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     """Runs the node with the recorder as its logic, and with its own logic."""
 
     name = 'worker'
+    parameter_files = ['worker.yaml']  # in config/
     logic = [
         sys.executable,
         '-c',
@@ -82,7 +83,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'accept_compute': ('compute', test_msgs.action.Fibonacci, 'replace'),
         'action_delegate': ('delegate', test_msgs.action.Fibonacci),
     }
-    synchronizers = {'sighting': 0.05}  # s between stamps
+    synchronizers = {'sighting': (0.05, 10)}  # s between stamps, queue_size
     deadlines = {'in_speed': 0.5, 'receive_say': 1}  # s
     offers = {  # times in s
         'out_counter': {'deadline': 0.5},

@@ -16,6 +16,7 @@ class TestObserverNode(NodeTests, unittest.TestCase):
     """Runs the node with the recorder as its logic, and with its own logic."""
 
     name = 'observer'
+    parameter_files = ['observer.yaml']  # in config/
     logic = [
         sys.executable,
         os.path.join(os.path.dirname(__file__), '..', 'scripts', 'observer'),
@@ -47,7 +48,7 @@ class TestObserverNode(NodeTests, unittest.TestCase):
             None,
         ),
     }
-    synchronizers = {'pair': 0}  # s between stamps
+    synchronizers = {'pair': (0, 5)}  # s between stamps, queue_size
     parameters = {  # default, other values, refused ones
         'limit': (100, [0, 1, -999900, 1000100], [True, 0.5]),
     }

@@ -18,6 +18,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
     """Runs the node with the recorder as its logic, and with its own logic."""
 
     name = 'worker'
+    parameter_files = ['worker.yaml']  # in config/
     logic = [
         sys.executable,
         os.path.join(os.path.dirname(__file__), '..', 'scripts', 'worker'),
@@ -55,7 +56,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
             'motion',
             geometry_msgs.msg.TwistStamped,
             'subscription',
-            None,
+            'best_effort',
             None,
             None,
         ),
@@ -67,7 +68,7 @@ class TestWorkerNode(NodeTests, unittest.TestCase):
         'accept_compute': ('compute', test_msgs.msg.FibonacciAction, 'replace'),
         'action_delegate': ('delegate', test_msgs.msg.FibonacciAction),
     }
-    synchronizers = {'sighting': 0.05}  # s between stamps
+    synchronizers = {'sighting': (0.05, 10)}  # s between stamps, queue_size
     deadlines = {'in_speed': 0.5, 'receive_say': 1}  # s
     threads = ('read',)
     timers = {'poll': 4}  # Hz

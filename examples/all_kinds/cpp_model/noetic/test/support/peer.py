@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from copy import deepcopy
 from io import BytesIO
+from socket import IPPROTO_TCP, TCP_NODELAY
 from threading import Event, Thread
 from time import sleep
 from xmlrpc.client import ServerProxy
@@ -98,7 +99,7 @@ class Peer:
         rospy.Subscriber(topic, message_type, lambda message: messages.append(same(message)))
         return messages
 
-    def publisher(self, message_type, topic, *_):
+    def publisher(self, message_type, topic, reliability=None, *_):
         """Return a publisher that has a subscription."""
         publisher = rospy.Publisher(topic, message_type, queue_size=1000)
         # rospy 1.15 may never hear of a publisher that comes while it subscribes.
@@ -106,6 +107,9 @@ class Peer:
             publisher.unregister()
             publisher = rospy.Publisher(topic, message_type, queue_size=1000)
         assert eventually(publisher.get_num_connections), f'{topic} has no subscription'
+        if reliability == 'best_effort':  # which asks for no delay
+            sockets = [link.socket for link in publisher.impl.connections]
+            assert all(each.getsockopt(IPPROTO_TCP, TCP_NODELAY) for each in sockets), topic
         publish = publisher.publish
         publisher.publish = lambda message: publish(deepcopy(message))  # publish() sets header.seq
         return publisher
@@ -270,6 +274,13 @@ class GoalServer:
         """Send feedback, which a client that does not know the goal yet does not get."""
         if self._handle and self._server.result_pub.get_num_connections():
             self._handle.publish_feedback(self._feedback)
+
+    def close(self):
+        """Serve the action no longer."""
+        self._server.status_timer.shutdown()
+        topics = 'status_pub', 'result_pub', 'feedback_pub', 'goal_sub', 'cancel_sub'
+        for topic in topics:
+            getattr(self._server, topic).unregister()
 
     def finish(self, outcome):
         """End the goal: succeeded or aborted."""

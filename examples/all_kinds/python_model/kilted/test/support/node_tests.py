@@ -4,14 +4,17 @@
 """Tests that every node passes; test_NODE_node.py says what the node is in ROS."""
 
 from concurrent.futures import ThreadPoolExecutor
+import inspect
 import itertools
 import json
+from pathlib import Path
 from signal import SIGINT as INT, SIGTERM as TERM
 from time import monotonic, sleep
 
 from diagnostic_msgs.msg import DiagnosticStatus
 from support.peer import decode, encode, Peer, sample, stamped
 from support.running import eventually, LIFE, RunningNode, TIMEOUT
+import yaml
 
 OK, WARN, ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.ERROR
 OTHER = {'reliable': 'best_effort', 'volatile': 'transient_local'}
@@ -43,8 +46,9 @@ class NodeTests:
         cls.peer = Peer()
         cls.begun = monotonic()
         cls.addClassCleanup(cls.peer.close)
-        cls.given = cls.active(override=True)
-        cls.node = cls.active()
+        cls.given = cls.start(override=True)
+        cls.node = cls.active()  # both start at once
+        assert eventually(lambda: cls.peer.state(cls.given) == 'active'), cls.given.log
 
     @classmethod
     def tearDownClass(cls):
@@ -227,6 +231,13 @@ class NodeTests:
         frame = topic.strip('/')
         publisher = self.peer.publisher(TFMessage, topic, *qos)
         self.assertIn('does not exist', self.node.order('now', f'{member}=map,{frame},0.1'))
+
+        def is_at_once():  # without a timeout
+            begin = monotonic()
+            self.node.order('now', f'{member}=map,{frame}')
+            return monotonic() - begin < 0.5
+
+        self.assertTrue(eventually(is_at_once), member)
         begun = len(self.node.got('begun'))
         with ThreadPoolExecutor() as pool:
             found = pool.submit(self.node.order, 'now', f'{member}=map,{frame},{TIMEOUT}')
@@ -309,17 +320,18 @@ class NodeTests:
             before = heard()
             got = self.peer.subscribe(type_, topic, *qos)
 
-            def publish(number):
+            def publish(number, count=1):
                 message = sample(type_, number)
                 self.node.order(method, f'{member}={encode(message)}')
-                return eventually(lambda: message in got, 0.5 if number == 1 else TIMEOUT)
+                timeout = 0.5 if number == 1 else TIMEOUT
+                return eventually(lambda: got.count(message) >= count, timeout)
 
             self.assertTrue(eventually(lambda: publish(1)), topic)
             self.assertTrue(eventually(lambda: heard() == before + 1), topic)
-            for number in (2, 3):
-                self.assertTrue(publish(number), topic)
+            for number, count in ((2, 1), (3, 1), (3, 2)):  # the same again, too
+                self.assertTrue(publish(number, count), topic)
                 self.turns(more=2)
-            first, *rest = (sample(type_, number) for number in (1, 2, 3))
+            first, *rest = (sample(type_, number) for number in (1, 2, 3, 3))
             if member.startswith('pub_'):  # as many at once as may wait
                 more = [sample(type_, number) for number in range(4, min(depth or 5, 5) + 4)]
                 self.node.order('now', *(f'{member}={encode(each)}' for each in more))
@@ -353,19 +365,20 @@ class NodeTests:
         def send(*apart):
             sent = []
             for seconds in apart or [0.0]:
-                start = next(self.numbers) * (1.0 + 10.0 * self.synchronizers[name])
+                start = next(self.numbers) * (1.0 + 10.0 * self.synchronizers[name][0])
                 stamps = [start] * (len(publishers) - 1) + [start + seconds]
                 sent.append([stamped(type_, at) for (type_, _), at in zip(publishers, stamps)])
             for messages, (_, publisher) in zip(zip(*sent), publishers):
                 for message in messages:  # which wait for those of other topics
                     publisher.publish(message)
+                    sleep(0.01 if apart[2:] else 0.0)
             return sent
 
         return send
 
     def test_synchronizers(self):
         """Messages reach the logic together where their stamps belong together, and only there."""
-        for name, slop in self.synchronizers.items():
+        for name, (slop, size) in self.synchronizers.items():
             send = self.sender(self.node, name)
             types = [type(message) for message in send()[0]]
 
@@ -385,6 +398,14 @@ class NodeTests:
             for apart in (slop / 2, 2 * slop or 0.5):
                 # Best effort may lose a message.
                 self.assertTrue(any(reach(apart, 0.0) for _ in range(3)), f'{name}: {apart} s')
+
+            def keeps_the_newest():  # where more wait than may
+                count = len(got())
+                sent = send(*[0.0] * (size + 1))
+                eventually(lambda: got()[count:][-1:] == sent[-1:], 2.0)
+                return got()[count:] == sent[1:]
+
+            self.assertTrue(size > 20 or eventually(keeps_the_newest), name)
             self.assertTrue(self.peer.change(self.node, 'deactivate'))
             send()
             for _, topic, type_, kind, *_ in self.each('input_'):
@@ -447,11 +468,9 @@ class NodeTests:
         self.turns(more=3)
         self.assertEqual([len(self.node.got(member)) for member, *_ in others], called)
         self.release(len(callbacks))
-        names = {self.interfaces[each][0] for each in callbacks if each in self.interfaces}
-        names.update(self.synchronizers)
-        threads = {name.lstrip('~/')[:13] for name in self.node.got('block')}
-        wanted = {name.lstrip('~/')[:13] for name in names if name[0] != '{'}
-        self.assertLessEqual(wanted, threads)  # Linux keeps 15 letters, with ~/
+        threads = {name.lstrip('~/').replace('/', '_')[:13] for name in self.node.got('block')}
+        names = {member.partition('_')[2].partition('.')[0][:13] for member in callbacks}
+        self.assertLessEqual(names, threads)  # Linux keeps 15 letters, with ~/
 
     def got(self, member, type_):
         """Return the last message that a callback got, in a list."""
@@ -483,7 +502,8 @@ class NodeTests:
         """Every client warns of a missing server, gives up in time, and gets its responses."""
         for member, name, type_ in self.each('client_'):
             request, response = sample(type_.Request), sample(type_.Response, 5)
-            self.assertTrue(eventually(lambda: 'service ' in self.given.log), name)
+            missing = 'service ' + self.interfaces[member][0]
+            self.assertTrue(eventually(lambda: missing in self.given.log), missing)
 
             def waits():
                 begin = monotonic()
@@ -615,7 +635,8 @@ class NodeTests:
             comes('idle', None, None)
             self.assertFalse(node.order('now', send))
             comes('lost', None, None)
-            self.assertTrue(eventually(lambda: 'action ' in node.log), name)
+            missing = 'action ' + self.interfaces[member][0]
+            self.assertTrue(eventually(lambda: missing in node.log), missing)
             server = self.peer.execute(type_, name, feedback, result)
             self.assertTrue(eventually(lambda: node.order('now', send)), name)
             comes('active', feedback, None)
@@ -672,11 +693,11 @@ class NodeTests:
 
         if self.frequency:
             wrong = [self.start(frequency=each) for each in (0.0009, 2e5)]
-            self.assertTrue(eventually(lambda: is_kept(self.node, self.frequency)))
             frequency = (0.5 if self.frequency > 25.0 else 2.0) * self.frequency
             started = monotonic()
             orders = [f'update wait={periods / frequency}' for periods in (3.5, 2.5)]
-            other = self.active(*orders, frequency=frequency)
+            other = self.start(*orders, frequency=frequency)
+            self.assertTrue(eventually(lambda: is_kept(self.node, self.frequency)))
             self.assertTrue(eventually(lambda: other.got('wait')[1:]))
             self.assertTrue(eventually(lambda: is_kept(other, frequency)))
             self.assertRegex(other.log, r'Missed ([2-9]|[1-9]\d+) cycles .*update takes')
@@ -917,6 +938,7 @@ class NodeTests:
         for transition in 'deactivate', 'cleanup':
             self.assertTrue(self.peer.change(node, transition))
         self.assertTrue(eventually(lambda: says(OK, 'unconfigured', None)), last())
+        self.assertEqual(last()[0].values[0].value, 'unconfigured')
         for transition in 'configure', 'activate':
             node.order(transition, 'refuse')
             self.assertFalse(self.peer.change(node, transition))
@@ -943,7 +965,7 @@ class NodeTests:
             topics = self.each('pub_', given=given)
             steps = [f'{member}={encode(type_())}' for member, _, type_, *_ in topics]
             orders.append(' '.join(['cleanup', *steps]))
-        late = self.start('deactivate block', stop_timeout=0.1)
+        late, simple = self.start('deactivate block', stop_timeout=0.1), self.start()
         node = self.start(*orders, autostart=False)
         self.assertEqual(self.peer.state(node), 'unconfigured')
         wanted = {}
@@ -996,9 +1018,9 @@ class NodeTests:
         self.assertFalse(self.peer.change(late, 'configure'))
         late.order('now', 'release')
         self.assertTrue(eventually(lambda: self.peer.change(late, 'configure')))
-        node = self.active()
-        self.assertTrue(self.peer.change(node, 'shutdown'))
-        self.assertTrue(eventually(lambda: node.life() == LIFE), node.life())
+        self.assertTrue(eventually(lambda: self.peer.state(simple) == 'active'), simple.log)
+        self.assertTrue(self.peer.change(simple, 'shutdown'))
+        self.assertTrue(eventually(lambda: simple.life() == LIFE), simple.life())
 
     def test_ends(self):
         """The node ends as its logic and signals have it: exit code, calls and log."""
@@ -1016,7 +1038,8 @@ class NodeTests:
             ('activate fail=lost', 20.0, [], 1, LIFE, 'The logic failed: lost'),
             ('cleanup raise', 20.0, [TERM], 1, LIFE, 'told to raise'),
             ('deactivate block', 2.0, [TERM], 1, LIFE[:3], 'stops: deactivate.'),
-            ('deactivate block', 1e3, [INT, INT], -INT, LIFE[:3], ''),
+            ('deactivate block', 1e3, [INT, TERM], -TERM, LIFE[:3], ''),
+            ('deactivate block', 1e3, [TERM, INT], -INT, LIFE[:3], ''),
             ('deactivate sleep=0.1', 20.0, [TERM], 0, LIFE, '["sleep", true]'),
             ('configure wait=0', -1.0, [], 1, [], 'stop_timeout'),
         ]
@@ -1034,6 +1057,7 @@ class NodeTests:
         for member in callbacks[:1]:
             ends.append((f'{member} block', 0.1, [TERM], 1, LIFE, 'Still running'))
             ends.append((f'{member} sleep=1000 raise', 20.0, [TERM], 1, LIFE, 'told to raise'))
+            ends.append((f'{member} wait=0.5', 20.0, [TERM], 0, LIFE, '["wait", null]'))
         for member, *_ in self.each(*self.can_refuse):
             ends.append((f'{member} refuse', 20.0, [], 1, LIFE, 'no response'))
         for member in self.transforms:
@@ -1048,7 +1072,7 @@ class NodeTests:
             ends.append((f'{method} raise', 20.0, [], 1, LIFE, 'told to raise'))
             ends.append((f'{method} block', 0.1, [TERM], 1, LIFE, 'Still running'))
         if beside:  # their waits end together
-            orders = '\n'.join(f'{method} sleep=1000' for method in beside)
+            orders = '\n'.join(f'{method} sleep=1000' for method in beside) + '\nactivate wait=0.5'
             ends.append((orders, 20.0, [TERM], 0, LIFE, '["sleep", false]'))
         with ThreadPoolExecutor(8) as pool:
             list(pool.map(self.end, ends))
@@ -1080,6 +1104,11 @@ class NodeTests:
         self.assertEqual(node.life(), calls, (order, node.log))
         self.assertIn(text, node.log, order)
         self.assertRegex(node.log, 'ERROR|FATAL' if code == 1 else '.')
+        if is_called and 'wait=' in order:  # what came meanwhile has waited in vain
+            self.assertEqual(len(node.got(method)), 1, (order, node.log))
+        if '\nactivate' in order:  # none was called before its return
+            steps = [name for name, _ in node.reports if name in ('begun', 'wait')]
+            self.assertEqual(steps[:2], ['begun', 'wait'], node.log)
         self.assertTrue(calls or 'Traceback' not in node.log, node.log)
 
     def test_failure(self):
@@ -1090,8 +1119,10 @@ class NodeTests:
         for level in 'info', 'warning', 'error':
             node.order('now', 'log')
             self.assertTrue(eventually(lambda: f'said as {level}' in node.log), node.log)
-            self.assertRegex(node.log, rf'{level[:4].upper()}\w*\] .*said as {level}')
+            for said in f'said as {level}', 'said once':
+                self.assertRegex(node.log, rf'{level[:4].upper()}\w*\] .*{said}')
         self.assertEqual(node.log.count('said once'), 3, node.log)
+        self.assertNotIn('said as debug', node.log)  # at the level that it has by default
         begin = monotonic()
         self.assertTrue(node.order('now', 'sleep=0.5'))
         self.assertGreaterEqual(monotonic() - begin, 0.5)
@@ -1100,7 +1131,17 @@ class NodeTests:
         self.assertIn('The logic failed: lost', node.log)
 
     def test_own_logic(self):
-        """The node runs with its own logic, and ends with exit code 0 at SIGTERM."""
-        node = self.active(command=self.logic)
-        node.signal(TERM)
-        self.assertEqual(node.exit_code(), 0, node.log)
+        """The node runs with its own logic and its files in config/; SIGTERM ends it well."""
+        config = Path(inspect.getfile(type(self))).resolve().parents[1] / 'config'
+        for file in self.parameter_files:
+            command = [*self.logic, '--ros-args', '--params-file', str(config / file)]
+            node = self.active(command=command, autostart=True)
+            for section, given in (yaml.safe_load((config / file).read_text()) or {}).items():
+                names = given.get('ros__parameters', {})  # none where the section has sections
+                owners = '*', '**', self.name, Path(file).stem
+                self.assertTrue(not names or section.split('/')[-1] in owners, section)
+                for name, value in names.items():
+                    is_known = isinstance(value, dict) or self.peer.parameter(node, name).type
+                    self.assertTrue(is_known, f'{file}: {name}')
+            node.signal(TERM)
+            self.assertEqual(node.exit_code(), 0, node.log)

@@ -186,6 +186,7 @@ class _Recorder:
         log.info('said as info')
         log.warning('said as warning')
         log.error('said as error')
+        log.debug_once('said once')
         log.info_once('said once')
         log.error_once('said once')
         log.warning_throttle(1e3, 'said once')
@@ -208,10 +209,10 @@ class _Recorder:
         self._do_broadcaster(name.partition('_')[2], *value, 'broadcast_static')
 
     def _do_listener(self, name, value, _):
-        target, source, timeout, *stamp = value.split(',')
+        target, source, *rest = value.split(',')
         listener = getattr(self.passthrough, name)
-        times = [Time(int(seconds)) for seconds in stamp]
-        found = listener.lookup(target, source, float(timeout), *times)
+        times = [Time(int(seconds)) for seconds in rest[1:]]
+        found = listener.lookup(target, source, *map(float, rest[:1]), *times)
         return listener.reason or found.transform.translation.x
 
     def _count(self, method):

@@ -312,6 +312,7 @@ inline Step logs(const Logger & log)
            log.info("said as info");
            log.warning("said as warning");
            log.error("said as error");
+           log.debug_once("said once");
            log.info_once("said once");
            log.error_once("said once");
            log.warning_throttle(1e3, "said once");
@@ -391,15 +392,17 @@ Step broadcasts(const std::shared_ptr<Broadcaster> & broadcaster, bool is_static
          };
 }
 
-/// The step that looks up a transform along x, or says why not: TARGET,SOURCE,TIMEOUT,STAMP.
+/// The step that looks up a transform along x, or says why not: TARGET,SOURCE, and TIMEOUT,STAMP.
 template<typename Listener>
 Step looks_up(const std::shared_ptr<Listener> & listener)
 {
   return [listener](const std::string & text) {
            const auto words = split(text);
-           const std::chrono::duration<double> timeout(std::stod(words[2]));
+           const bool waits = words.size() > 2;
+           const std::chrono::duration<double> timeout(waits ? std::stod(words[2]) : 0.0);
            const Time stamp(words.size() > 3 ? std::stoll(words[3]) * 1'000'000'000 : 0);
-           const auto found = listener->lookup(words[0], words[1], timeout, stamp);
+           const auto found = waits ? listener->lookup(words[0], words[1], timeout, stamp) :
+             listener->lookup(words[0], words[1]);
            const auto reason = listener->reason();
            return reason.empty() ? to_json(found->transform.translation.x) : to_json(reason);
          };
