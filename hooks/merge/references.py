@@ -29,7 +29,9 @@ _PACKAGE = (
     r"package://|\$\(find(?:-pkg-\w+)? +|\b(?:get_package_\w+|FindPackage\w+)\([\"']"
     r"|\bpkg: *[\"']?|\b(?:pkg|package)=[\"']|\bros(?:2 )?(?:launch|run) +"
 )
-_MODULE = r"\b(?:import_module|patch|setattr)\([\"']|[\"'][\w.-]+ *= *(?=[\w.]+:)"
+_LOADED = r"\b(?:import_module|patch|setattr)\([\"']"
+_INSTALLED = r"[\"'][\w.-]+ *= *"
+"""What stands before the module of a program in `setup.py`."""
 _SHARE = (
     r"\$\(find(?:-pkg-share)? +{0}\)/|package://{0}/"
     r"|\b(?:find|get_package_share_directory|getPath)\([\"']{0}[\"']\) *\+ *[\"']/"
@@ -49,7 +51,7 @@ _Edit = tuple[int, int, str, str]
 def with_packages(path: str, text: str, packages: Mapping[str, str]) -> str:
     """Exchange the names of packages that need no origin; in an interface those of types."""
     is_interface = path.endswith((".msg", ".srv", ".action"))
-    start = "^" if is_interface else f"{_PACKAGE}|{_MODULE}"
+    start = "^" if is_interface else rf"{_PACKAGE}|{_LOADED}|{_INSTALLED}(?=[\w.]+:)"
     pattern = rf"(?m)({start})({'|'.join(map(re.escape, packages))})(?![\w-])"
     return re.sub(pattern, lambda m: m[1] + packages[m[2]], text) if packages else text
 
@@ -83,7 +85,8 @@ class References(NamedTuple):
         )
         ways: list[tuple[str, Callable[[re.Match[str]], str]]] = [
             (rf"({share}){file}", lambda m: m[1] + self.path(m[2])),
-            (rf"({_MODULE})({name}\.[\w.]+)", lambda m: m[1] + self._module(m[2])),
+            (rf"({_INSTALLED})({name}\.[\w.]+)(?=:)", self._installed),
+            (rf"({_LOADED})({name}\.[\w.]+)", lambda m: m[1] + self._module(m[2])),
             (run, lambda m: m[1] + self.programs.get(m[2], m[2])),
             (launch, lambda m: m[1] + self.path(f"launch/{m[2]}").removeprefix("launch/")),
         ]
@@ -99,6 +102,14 @@ class References(NamedTuple):
                 if (written := text[start:end]).count(before) == 1:
                     text = text[:start] + written.replace(before, after) + text[end:]
         return text
+
+    def _installed(self, found: re.Match[str]) -> str:
+        """Return a program that `setup.py` installs, and the module that it runs."""
+        before, module = found.groups()
+        new = self._module(module)
+        if new != module:
+            before = re.sub(r"[\w.-]+", lambda m: self.programs.get(m[0], m[0]), before, count=1)
+        return before + new
 
     def _module(self, text: str) -> str:
         words = text.split(".")

@@ -857,6 +857,18 @@ def test_own_lines_start_what_has_changed_places(merge):
     assert sorted(files["setup.py"].splitlines()) == sorted(lines)
 
 
+@pytest.mark.parametrize("program", ["", "            'mine = arm.{}_ros:main',\n"])
+def test_program_that_was_changed_follows_its_node(merge, program):
+    """One that the developer has deleted stays away."""
+    change = ('<node name="reach"', '<node name="grasp" was="reach"')
+    made, line = "            '{0} = arm.{0}_ros:main',\n", program.format
+    (files, _), (fresh, _) = (
+        merge(SPEC, [change], edits)
+        for edits in ({"setup.py": [(made.format("reach"), line("reach"))]}, {})
+    )
+    assert files["setup.py"] == changed(fresh["setup.py"], (made.format("grasp"), line("grasp")))
+
+
 def test_own_lines_start_what_is_renamed_with_its_package(render, update):
     package = render(SPEC, name="arm")
     own = package / "launch/own.launch.py"
