@@ -45,6 +45,9 @@ _ABOUT_TARGETS = re.compile(
 )
 
 
+_Holder = tuple[str, ...]
+
+
 @dataclass
 class Renaming:
     """What is exchanged in which file. Paths are those before the update."""
@@ -52,8 +55,8 @@ class Renaming:
     paths: dict[str, str] = field(default_factory=dict)
     folders: dict[str, str] = field(default_factory=dict)
     keys: dict[str, dict[str, str]] = field(default_factory=dict)
-    key_holders: dict[str, set[tuple[str, ...]]] = field(default_factory=dict)
-    """By file, the mappings that have generated keys, each by the keys it is in."""
+    settings: dict[str, set[tuple[_Holder, str]]] = field(default_factory=dict)
+    """By file, its generated keys, each with those that it is in."""
     in_file: dict[str, dict[str, str]] = field(default_factory=dict)
     everywhere: dict[str, str] = field(default_factory=dict)
     members: dict[str, dict[str, str]] = field(default_factory=dict)
@@ -232,8 +235,11 @@ class Renaming:
             )
         text = self.references.exchanged(known, text)
         if known is YAML:
-            keys, holders = self.keys.get(path, {}), self.key_holders.get(path)
-            return _with_nodes(_with_keys(text, keys, holders), self.components)
+            if path in self.paths:
+                text = _with_keys(text, self.keys[path], {at for at, _ in self.settings[path]})
+            for keys, holders in [] if path in self.paths else self._parameters(path, text):
+                text = _with_keys(text, keys, holders)
+            return _with_nodes(text, self.components)
         if path in self.ids:
             text = _with_ids(text, self.ids[path], self.generated[path])
         exact = {**self.everywhere, **self.in_file.get(path, {})}
@@ -294,6 +300,20 @@ class Renaming:
         )
         found = found.replace(MARK, "") if is_marked else found
         return with_ends(before, found) if known is CPP else found
+
+    def _parameters(self, path: str, text: str) -> Iterator[tuple[dict[str, str], set[_Holder]]]:
+        """Yield the keys of nodes' parameters in a file of the developer's, and where they are.
+
+        A section, or else the name of the file, says of which node they are.
+        """
+        nodes = {PurePosixPath(one).stem: one for one in self.settings}
+        of_file = max((n for n in nodes if PurePosixPath(path).stem.startswith(n)), default="")
+        for top in {holder[:1] for holder, _ in _settings(text)}:
+            name = top[0].rpartition("/")[2] if top else "*"
+            made = nodes.get(of_file if "*" in name else name, "")
+            holders = {holder for holder, _ in self.settings.get(made, ())}
+            inner = {h[1:] for h in holders if h} if _is_ros2(holders) else holders
+            yield self.keys.get(made, {}), {(*top, *holder) for holder in inner}
 
     def blocks(self, known: Language, path: str, text: str) -> list[Block]:
         """Return the blocks of a file, with the names and lines that they have after the update.
@@ -464,7 +484,12 @@ def _with_keys(text: str, keys: Mapping[str, str], holders: Collection[_Holder] 
     return re.sub(form, exchanged, text)
 
 
-_Holder = tuple[str, ...]
+def _is_ros2(holders: Iterable[_Holder]) -> bool:
+    return any("ros__parameters" in holder for holder in holders)
+
+
+def _settings(text: str) -> set[tuple[_Holder, str]]:
+    return {(holder, str(key.value)) for holder, key in key_nodes(text)}
 
 
 def key_nodes(text: str) -> list[tuple[_Holder, yaml.ScalarNode]]:
@@ -518,8 +543,7 @@ def plan(
         if known is MARKDOWN:
             renaming.ids[before] = reader.ids(text)
         if known is YAML:
-            made = key_nodes(old[before].written)
-            renaming.key_holders[before] = {holder for holder, _ in made}
+            renaming.settings[before] = _settings(old[before].written)
         if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
             renaming.attributes[before] = reader.attributes(text)
     name = re.search(r"<name>\s*([\w-]+)", old.get("package.xml", File(b"")).written)

@@ -620,6 +620,29 @@ def test_keys_are_renamed_below_the_name_that_the_developer_has_given_the_node(t
     assert renaming.text("a.yaml", form.format(top, "gain")) == form.format(top, "factor")
 
 
+OF_THE_NODE = {
+    "config/reach_lab.yaml": "{top}\n{i}gain: 2.0  # gain\n{i}frequency: 5.0\n",
+    "config/lab.yaml": "{own}\n  {i}gain: 2.0\n",
+    "config/vendor.yaml": "vendor:\n{i}gain: 2.0\n{i}own: {{gain: 1.0}}\n",
+    "config/any.yaml": "{top}\n{i}gain: 2.0\n{i}own: {{gain: 1.0}}\n",
+}
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_parameters_in_own_files_about_a_node_are_renamed(merge, distro):
+    """A section says whose they are, or the name of the file; else they stay."""
+    forms = {"top": "# Mine", "own": "reach:", "i": ""}
+    if distro == "kilted":
+        forms = {"top": "/**:\n  ros__parameters:", "own": "/left/reach:\n  ros__parameters:"}
+        forms["i"] = "    "
+    own = {path: text.format(**forms) for path, text in OF_THE_NODE.items()}
+    change = ('name="gain"', 'name="factor" was="gain"')
+    files, _ = merge(SPEC, [change], own, distro=distro)
+    for path, text in own.items():
+        is_ours = path in ("config/reach_lab.yaml", "config/lab.yaml")
+        assert files[path] == (text.replace("gain:", "factor:") if is_ours else text), path
+
+
 def test_what_a_text_of_yaml_has_like_a_key_stays():
     text = "    text: |\n      gain: 2\n    own: '\n      gain: 3'\n"
     form = f"reach:\n  ros__parameters:\n    {{}}: 1\n{text}"
