@@ -307,7 +307,8 @@ class Renaming:
         A section, or else the name of the file, says of which node they are.
         """
         nodes = {PurePosixPath(one).stem: one for one in self.settings}
-        of_file = max((n for n in nodes if PurePosixPath(path).stem.startswith(n)), default="")
+        stem = re.sub("[.-]", "_", PurePosixPath(path).stem) + "_"
+        of_file = max((node for node in nodes if stem.startswith(f"{node}_")), default="")
         for top in {holder[:1] for holder, _ in _settings(text)}:
             name = top[0].rpartition("/")[2] if top else "*"
             made = nodes.get(of_file if "*" in name else name, "")

@@ -624,7 +624,7 @@ OF_THE_NODE = {
     "config/reach_lab.yaml": "{top}\n{i}gain: 2.0  # gain\n{i}frequency: 5.0\n",
     "config/lab.yaml": "{own}\n  {i}gain: 2.0\n",
     "config/vendor.yaml": "vendor:\n{i}gain: 2.0\n{i}own: {{gain: 1.0}}\n",
-    "config/any.yaml": "{top}\n{i}gain: 2.0\n{i}own: {{gain: 1.0}}\n",
+    "config/reaching.yaml": "{top}\n{i}gain: 2.0\n{i}own: {{gain: 1.0}}\n",
 }
 
 
