@@ -753,7 +753,9 @@ NAMED = "{}:\n  # mine\n  ros__parameters:\n    gain: 2\n"
 
 @pytest.mark.parametrize("name", ["reach", "/reach", "/left/reach", "/**/reach", '"reach"'])
 def test_name_of_a_node_above_its_parameters(pairs, name):
-    text, wanted = (NAMED.format(one) for one in (name, name.replace("reach", "grasp")))
+    """The parameters below it, of which one has another name now, are its."""
+    text = NAMED.format(name)
+    wanted = text.replace("reach", "grasp").replace("gain", "factor")
     assert pairs["python_model"].renaming.text("config/mine.yaml", text) == wanted
 
 
