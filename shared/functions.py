@@ -500,9 +500,15 @@ def check_interface(kind: str, attributes: dict[str, Any], ros_distro: str) -> N
         raise ValueError(what, "not-in-dynamic-reconfigure")
     for name in ("value", "min", "max"):
         value = attributes[name]
-        if isinstance(value, int) and not -(2**31) <= value < 2**31:
+        if is_wide(value):
             what = f"{name}: {value} does not fit the 32 bits of dynamic_reconfigure"
             raise ValueError(what, "not-in-dynamic-reconfigure")
+
+
+def is_wide(value: Any) -> bool:
+    """Tell whether an integer, or one of a list, has more than the 32 bits that ROS 1 stores."""
+    each = value if isinstance(value, list) else [value]
+    return any(isinstance(one, int) and not -(2**31) <= one < 2**31 for one in each)
 
 
 def dependencies_from_component(

@@ -61,7 +61,7 @@ def _lower(text: str) -> str:
 @functools.lru_cache(maxsize=1 << 15)  # most lines are those of all sides
 def _tight(line: str) -> str:
     """Return a line without what a formatter changes: blanks, quotes, brackets, commas, rules."""
-    words = _WORD.findall(re.sub("(?<=/[/*])[!<]+", "", re.sub("-{3,}", "---", line)))
+    words = _WORD.findall(re.sub("(?<=/[/*])[!<]+", "", re.sub("-{3,}", "", line)))
     return "".join(f"\t{word}\n" for word in words if word)
 
 

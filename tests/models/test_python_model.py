@@ -6,6 +6,7 @@ import runpy
 import sys
 import types
 import xml.etree.ElementTree as ET
+import xmlrpc.client
 
 import pytest
 import yaml
@@ -54,6 +55,15 @@ def test_values_arrive_as_they_are(render):
     assert code["words"][1] == parameters["words"][1] == 'a "b"'
     assert code["huge"] == parameters["huge"] == 1e22
     assert code["big"] == parameters["big"] == -(2**63)
+
+
+def test_parameter_file_has_what_ros1_can_store(render):
+    """The server of parameters speaks XML-RPC; of a wider integer the node has the default."""
+    package = render(SPECS["hostile"], ros_distro="noetic")
+    parameters = yaml.safe_load((package / "config/first_one.yaml").read_text())
+    assert xmlrpc.client.dumps((parameters,))
+    assert {"huge", "counts"} <= parameters.keys()
+    assert not {"big", "stamps"} & parameters.keys()
 
 
 @pytest.mark.parametrize(

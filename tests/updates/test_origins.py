@@ -135,6 +135,9 @@ OURS = {
     "from . import reach_interface as r\n\nmatch c:\n  case r.ReachConfig(gain=0):\n    d\n": (
         "from . import grasp_interface as r\n\nmatch c:\n  case r.GraspConfig(factor=0):\n    d\n"
     ),
+    "config.gain\ndef f(config: Pid): return replace(config, gain=1)\n": (
+        "config.factor\ndef f(config: Pid): return replace(config, gain=1)\n"
+    ),
     "def f(a: 'ReachImpl'):\n    run_cycle(a, in_goal=low)\n": (
         "def f(a: 'ReachImpl'):\n    run_cycle(a, in_target=low)\n"
     ),

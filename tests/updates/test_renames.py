@@ -777,6 +777,7 @@ files = [
     share + '/config/reach.yaml',
     Path(share) / 'config' / 'reach.yaml',
     get_package_share_path('arm').joinpath('config', 'reach.yaml'),
+    str(get_package_share_path('arm')) + '/config/reach.yaml',
     PathJoinSubstitution([FindPackageShare(package='arm'), 'config', 'reach.yaml']),
     PathJoinSubstitution([folder, 'reach.yaml']),
     [FindPackageShare("arm"), '/config/reach.yaml'],

@@ -46,7 +46,7 @@ class NodeTests:
         cls.peer = Peer()
         cls.begun = monotonic()
         cls.addClassCleanup(cls.peer.close)
-        cls.given = cls.start(override=True)
+        cls.given = cls.start(_override=True)
         cls.node = cls.active()  # both start at once
         assert eventually(lambda: cls.peer.state(cls.given) == 'active'), cls.given.log
 
@@ -63,28 +63,28 @@ class NodeTests:
         assert warnings < 2 + (monotonic() - cls.begun) / 9.0, cls.node.log
 
     @classmethod
-    def active(cls, *orders, **given):
+    def active(cls, /, *orders, **given):
         """Start a node, wait until it is active, and return it."""
         node = cls.start(*orders, **given)
         assert eventually(lambda: cls.peer.state(node) == 'active'), node.log
         return node
 
     @classmethod
-    def start(cls, *orders, command=None, override=False, **given):
-        """Start the node in a namespace of its own, and return it."""
+    def start(cls, /, *orders, _command=None, _override=False, **given):
+        """Start the node in a namespace of its own, and return it; no parameter begins with _."""
         space = f'/test{next(cls.numbers)}'
         node = f'{space}/{cls.name}'
-        if override:
+        if _override:
             given['use_sim_time'] = True
             given = {**cls.others(), **given}
             for _, topic, _, kind, *qos, _ in cls.each(*TOPICS, node=node, given=True):
                 for policy, value in zip(('reliability', 'durability'), qos):
                     if value:
                         given[f'qos_overrides.{topic}.{kind}.{policy}'] = OTHER[value]
-        command = [*(command or cls.recorder), '--ros-args', '-r', '__ns:=' + space]
+        command = [*(_command or cls.recorder), '--ros-args', '-r', '__ns:=' + space]
         for name, value in given.items():
             command += ['-p', f'{name}:={json.dumps(value)}']
-        for _, name, *_ in cls.endpoints(override):
+        for _, name, *_ in cls.endpoints(_override):
             command += ['-r', f'{name}:={space}/absolute{name}'] if name[0] == '/' else []
         running = RunningNode(node, command, *orders)
         cls.addClassCleanup(running.kill)
@@ -147,7 +147,7 @@ class NodeTests:
 
     def test_deadlines(self):
         """A topic is late once when no message has come for so long, and again after the next."""
-        simulated = self.active(override=True)
+        simulated = self.active(_override=True)
         node = self.start()
         for late, *_ in self.lates():
             self.assertTrue(eventually(lambda: node.got(late)), late)
@@ -1135,7 +1135,7 @@ class NodeTests:
         config = Path(inspect.getfile(type(self))).resolve().parents[1] / 'config'
         for file in self.parameter_files:
             command = [*self.logic, '--ros-args', '--params-file', str(config / file)]
-            node = self.active(command=command, autostart=True)
+            node = self.active(_command=command, autostart=True)
             for section, given in (yaml.safe_load((config / file).read_text()) or {}).items():
                 names = given.get('ros__parameters', {})  # none where the section has sections
                 owners = '*', '**', self.name, Path(file).stem

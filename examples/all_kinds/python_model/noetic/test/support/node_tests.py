@@ -41,7 +41,7 @@ class NodeTests:
         cls.numbers = itertools.count(1)
         cls.peer = Peer()
         cls.begun = monotonic()
-        cls.given = cls.active(override=True)
+        cls.given = cls.active(_override=True)
         cls.node = cls.active()
 
     @classmethod
@@ -57,22 +57,22 @@ class NodeTests:
         assert warnings < 2 + (monotonic() - cls.begun) / 9.0, cls.node.log
 
     @classmethod
-    def active(cls, *orders, **given):
+    def active(cls, /, *orders, **given):
         """Start a node, wait until it is active, and return it."""
         node = cls.start(*orders, **given)
         assert eventually(lambda: node.got('activate')), node.log
         return node
 
     @classmethod
-    def start(cls, *orders, command=None, override=False, **given):
-        """Start the node in a namespace of its own, and return it."""
+    def start(cls, /, *orders, _command=None, _override=False, **given):
+        """Start the node in a namespace of its own, and return it; no parameter begins with _."""
         space = f'/test{next(cls.numbers)}'
         node = f'{space}/{cls.name}'
-        if override:
+        if _override:
             given = {**cls.others(), **given}
-        cls.peer.give(node, given, use_sim_time=override)
-        command = [*(command or cls.recorder), '__ns:=' + space]
-        for _, name, *_ in cls.endpoints(override):
+        cls.peer.give(node, given, use_sim_time=_override)
+        command = [*(_command or cls.recorder), '__ns:=' + space]
+        for _, name, *_ in cls.endpoints(_override):
             command += [f'{name}:={space}/absolute{name}'] if name[0] == '/' else []
         running = RunningNode(node, command, *orders)
         cls.addClassCleanup(running.kill)
@@ -133,7 +133,7 @@ class NodeTests:
 
     def test_deadlines(self):
         """A topic is late once when no message has come for so long, and again after the next."""
-        simulated = self.active(override=True)
+        simulated = self.active(_override=True)
         node = self.start()
         for late, *_ in self.lates():
             self.assertTrue(eventually(lambda: node.got(late)), late)
@@ -1008,7 +1008,7 @@ class NodeTests:
             }
             own = {name for name, value in given.items() if not isinstance(value, dict)}
             self.assertLessEqual(own, known, file)
-            node = self.start(command=self.logic, **given)
+            node = self.start(_command=self.logic, **given)
             ready = node.eventually(lambda: self.peer.knows(node) and node.handles(TERM))
             self.assertTrue(ready, node.log)
             sleep(1.0)  # in which the logic may refuse
