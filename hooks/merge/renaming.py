@@ -235,9 +235,11 @@ class Renaming:
             )
         text = self.references.exchanged(known, text)
         if known is YAML:
-            if path in self.paths:
-                text = _with_keys(text, self.keys[path], {at for at, _ in self.settings[path]})
-            for keys, holders in [] if path in self.paths else self._parameters(path, text):
+            if path in self.keys:
+                known_keys = self.settings.get(path)
+                sections = None if known_keys is None else {at for at, _ in known_keys}
+                text = _with_keys(text, self.keys[path], sections)
+            for keys, holders in [] if path in self.keys else self._parameters(path, text):
                 text = _with_keys(text, keys, holders)
             return _with_nodes(text, self.components)
         if path in self.ids:
