@@ -19,7 +19,7 @@ from ..faults import SpecError
 from ..package import SUFFIX
 from .branches import under_way
 from .git import changed, is_repository, tracked, untracked
-from .renaming import plan_moves
+from .renaming import plan_moves, render_marked
 from .render import Renderer, recorded_answers
 from .tree import SUBMODULE, TOO_LARGE, is_too_large, read_paths
 
@@ -54,7 +54,8 @@ def check(
         old = renderer.recorded(answers)
         touched |= set(old.tree)
         _refuse_large(package, old.tree)
-        renaming = plan_moves(answers, (recorded, spec), dictionary, old.tree, modes, renderer)
+        marked = render_marked(answers, (recorded, spec), dictionary, renderer)
+        renaming = plan_moves(old.tree, *marked, modes)
         renaming.follow(moved, old.tree, renderer.fresh(new_answers).tree)
         moves = {path: renaming.path(path) for path in modes}
         moves = {path: after for path, after in moves.items() if after != path}

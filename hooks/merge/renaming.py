@@ -229,17 +229,13 @@ class Renaming:
     def _exchanged(self, path: str, text: str) -> str:
         known = language(path, text)
         if known is XML:
-            made = self.attributes.get(path, {})
+            made, references = self.attributes.get(path, {}), self.references
             return xml_blocks.exchange(
-                text, lambda one: made.get(one) or self.references.attribute(one)
+                text, lambda one: made.get(one) or references.attribute(one)
             )
         text = self.references.exchanged(known, text)
         if known is YAML:
-            if path in self.keys:
-                known_keys = self.settings.get(path)
-                sections = None if known_keys is None else {at for at, _ in known_keys}
-                text = _with_keys(text, self.keys[path], sections)
-            for keys, holders in [] if path in self.keys else self._parameters(path, text):
+            for keys, holders in self._parameters(path, text):
                 text = _with_keys(text, keys, holders)
             return _with_nodes(text, self.components)
         if path in self.ids:
@@ -303,11 +299,18 @@ class Renaming:
         found = found.replace(MARK, "") if is_marked else found
         return with_ends(before, found) if known is CPP else found
 
-    def _parameters(self, path: str, text: str) -> Iterator[tuple[dict[str, str], set[_Holder]]]:
-        """Yield the keys of nodes' parameters in a file of the developer's, and where they are.
+    def _parameters(
+        self, path: str, text: str
+    ) -> Iterator[tuple[dict[str, str], set[_Holder] | None]]:
+        """Yield the keys of a file that are exchanged, and where they are; nowhere else.
 
-        A section, or else the name of the file, says of which node they are.
+        In one of the developer's they are those of nodes' parameters; a section, or else the name
+        of the file, says of which node.
         """
+        if path in self.keys:
+            here = {holder for holder, _ in self.settings[path]} if path in self.settings else None
+            yield self.keys[path], here
+            return
         nodes = {PurePosixPath(one).stem: one for one in self.settings}
         stem = re.sub("[.-]", "_", PurePosixPath(path).stem) + "_"
         of_file = max((node for node in nodes if stem.startswith(f"{node}_")), default="")
@@ -390,27 +393,11 @@ def plan_renames(
     renderer: Renderer,
 ) -> Renaming:
     """Find what the renames of a spec exchange; nothing where it has none."""
-    tree, marks = _marked(answers, contexts, dictionary, renderer)
+    tree, marks = render_marked(answers, contexts, dictionary, renderer)
     return plan(old, tree, marks, mine, dictionary.holders) if marks else Renaming()
 
 
-def plan_moves(
-    answers: Mapping[str, Any],
-    contexts: Contexts,
-    dictionary: Dictionary,
-    old: Tree,
-    mine: Iterable[str],
-    renderer: Renderer,
-) -> Renaming:
-    """Find, in a fraction of the time, what the renames of a spec do to paths alone."""
-    tree, marks = _marked(answers, contexts, dictionary, renderer)
-    renaming, paths = Renaming(), {*mine}
-    _place(renaming, old, tree, _Reader(marks))
-    _follow_moved(renaming, paths - old.keys(), paths)
-    return renaming
-
-
-def _marked(
+def render_marked(
     answers: Mapping[str, Any], contexts: Contexts, dictionary: Dictionary, renderer: Renderer
 ) -> tuple[Tree, Sequence[Mark]]:
     """Render a package with marks for the names of its spec, where any of them changes."""
@@ -560,6 +547,14 @@ def plan(
     for path, file in old.items():
         if language(path, "") is CPP:
             renaming.made[path] = declared(file.written, renaming._exact())
+    return renaming
+
+
+def plan_moves(old: Tree, marked: Tree, marks: Sequence[Mark], mine: Iterable[str]) -> Renaming:
+    """Find, in a fraction of the time, what becomes of paths alone."""
+    renaming, paths = Renaming(), {*mine}
+    _place(renaming, old, marked, _Reader(marks))
+    _follow_moved(renaming, paths - old.keys(), paths)
     return renaming
 
 

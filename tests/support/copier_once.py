@@ -15,7 +15,6 @@ from pathlib import Path
 
 import copier._main
 import copier._template
-import copier._user_data
 import copier._vcs
 
 from support.repository import git
@@ -32,7 +31,6 @@ def use(patch, folder):
     patch.setattr(copier._template, "clone", functools.partial(_clone, folder))
     load = functools.partial(_load, copier._template.load_template_config, folder, {})
     patch.setattr(copier._template, "load_template_config", load)
-    patch.setattr(copier._user_data.AnswersMap, "combined", property(_combined))
     is_bundle = copier._vcs.is_git_bundle
     patch.setattr(copier._vcs, "is_git_bundle", lambda path: path.is_file() and is_bundle(path))
 
@@ -53,14 +51,6 @@ def _clone(folder, url, ref="HEAD", location=None):
             shutil.rmtree(made)
         made.parent.rmdir()
     return str(kept)
-
-
-def _combined(answers):
-    """Return what Copier does, but without the ChainMap that takes most of its time."""
-    found = {**copier._user_data.DEFAULT_DATA, "_external_data": answers.external}
-    for source in ("user_defaults", "last", "metadata", "init", "user"):
-        found |= getattr(answers, source)
-    return found
 
 
 def _load(load, folder, known, path, quiet=False):
