@@ -2,6 +2,7 @@
 
 import jinja2
 import pytest
+from jinja2_ansible_filters.core_filters import to_yaml
 
 from extensions import cpp, python, text
 from extensions.layout import LayoutExtension, fold_python
@@ -145,6 +146,15 @@ def test_python_that_just_fits_is_not_folded():
     assert fold_python(text.replace("x", LONG)) == text.replace("x", LONG).replace(
         f"A[{LONG}]", f"A[\n    {LONG}\n]"
     )
+
+
+@pytest.mark.parametrize(
+    "said",
+    ["plain", "it's", "a: b", "ü", "😀", "a\\b", "a\tb", "two\nlines", "", "no", "long " * 40],
+)
+def test_answers_are_written_as_copier_writes_them(said):
+    values = {"_commit": "1.0.0", "spec": {"name": said, "nodes": [{"tag": said, "more": [said]}]}}
+    assert text.answers(values) == to_yaml(values, width=100)
 
 
 def test_only_python_without_a_frame_is_folded():

@@ -1055,7 +1055,7 @@ class NodeTests:
         for member, *_ in self.each('accept_'):
             ends.append((f'{member} raise', 20.0, [], 1, LIFE, 'told to raise'))
         for member in callbacks[:1]:
-            ends.append((f'{member} block', 0.1, [TERM], 1, LIFE, 'Still running'))
+            ends.append((f'{member} block', 1.0, [TERM], 1, LIFE, 'Still running'))
             ends.append((f'{member} sleep=1000 raise', 20.0, [TERM], 1, LIFE, 'told to raise'))
             ends.append((f'{member} wait=0.5', 20.0, [TERM], 0, LIFE, '["wait", null]'))
         for member, *_ in self.each(*self.can_refuse):
@@ -1070,7 +1070,7 @@ class NodeTests:
         beside = [*self.threads, *self.timers, *(late for late, *_ in self.lates())]
         for method in beside:
             ends.append((f'{method} raise', 20.0, [], 1, LIFE, 'told to raise'))
-            ends.append((f'{method} block', 0.1, [TERM], 1, LIFE, 'Still running'))
+            ends.append((f'{method} block', 1.0, [TERM], 1, LIFE, 'Still running'))
         if beside:  # their waits end together
             orders = '\n'.join(f'{method} sleep=1000' for method in beside) + '\nactivate wait=0.5'
             ends.append((orders, 20.0, [TERM], 0, LIFE, '["sleep", false]'))
@@ -1137,7 +1137,7 @@ class NodeTests:
             command = [*self.logic, '--ros-args', '--params-file', str(config / file)]
             node = self.active(_command=command, autostart=True)
             for section, given in (yaml.safe_load((config / file).read_text()) or {}).items():
-                names = given.get('ros__parameters', {})  # none where the section has sections
+                names = given.get('ros__parameters', {})  # none in a namespace
                 owners = '*', '**', self.name, Path(file).stem
                 self.assertTrue(not names or section.split('/')[-1] in owners, section)
                 for name, value in names.items():

@@ -920,7 +920,7 @@ class NodeTests:
         for member, *_ in self.each('accept_'):
             ends.append((f'{member} raise', 20.0, [], 1, LIFE, 'told to raise'))
         for member in callbacks[:1]:
-            ends.append((f'{member} block', 0.1, [TERM], 1, LIFE, 'Still running'))
+            ends.append((f'{member} block', 1.0, [TERM], 1, LIFE, 'Still running'))
             ends.append((f'{member} sleep=1000 raise', 20.0, [TERM], 1, LIFE, 'told to raise'))
             ends.append((f'{member} wait=0.5', 20.0, [TERM], 0, LIFE, '["wait", null]'))
         for member, *_ in self.each(*self.can_refuse):
@@ -935,7 +935,7 @@ class NodeTests:
         beside = [*self.threads, *self.timers, *(late for late, *_ in self.lates())]
         for method in beside:
             ends.append((f'{method} raise', 20.0, [], 1, LIFE, 'told to raise'))
-            ends.append((f'{method} block', 0.1, [TERM], 1, LIFE, 'Still running'))
+            ends.append((f'{method} block', 1.0, [TERM], 1, LIFE, 'Still running'))
         if beside:  # their waits end together
             orders = '\n'.join(f'{method} sleep=1000' for method in beside) + '\nactivate wait=0.5'
             ends.append((orders, 20.0, [TERM], 0, LIFE, '["sleep", false]'))
