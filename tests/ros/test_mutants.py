@@ -125,7 +125,7 @@ class Cpp:
 
     passed = Python.passed
     failed = Python.failed
-    flags = f"{ros.COMPILER_FLAGS} -include {DATA}/mutants/is_mutant.hpp"
+    flags = f"{ros.FASTEST['CXXFLAGS']} -include {DATA}/mutants/is_mutant.hpp"
     flags = f"-DCMAKE_CXX_FLAGS='{flags}'"
 
     def __init__(self, package, variant):
