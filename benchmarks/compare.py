@@ -300,6 +300,8 @@ def describe(effort: Effort, load: float) -> str:
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
     cores = os.cpu_count() or 1
     state = "shared with other programs" if load > cores / 2 else "idle before"
+    if os.sched_getscheduler(0) != os.SCHED_OTHER:
+        state += ", which had to wait for the nodes"
     return (
         f"Medians of {effort.rounds} rounds on a virtual machine with {cores} cores and"
         f" {memory:.0f} GB of memory, {state} (load {load:.1f})."
