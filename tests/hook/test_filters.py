@@ -39,6 +39,7 @@ from hooks import names
             f"(\n         '{'a' * 50}',\n         '{'b' * 37}',\n     )",
         ),
         (python.python_value, (["a" * 92, "b"], 0), f"(\n    '{'a' * 92}',\n    'b',\n)"),
+        (python.zero_value, ("bool",), False),
         (python.zero_value, ("string",), ""),
         (python.zero_value, ("double",), 0.0),
         (python.zero_value, ("bool[]",), []),

@@ -242,6 +242,14 @@ def test_arguments_below_an_import_are_no_names_that_it_imports():
     assert result.tree[PATH].data == head + new + call
 
 
+def test_key_that_looks_like_an_import_is_none():
+    """The developer has deleted it, and the new version changes it."""
+    texts = "b: 1\n", "from a: 1\nb: 1\n", "from a: 2\nb: 1\n"
+    mine, old, new = ({"a.yaml": File(text.encode())} for text in texts)
+    result = merge_package(mine, old, new, Renaming(), {""}.__contains__)
+    assert (result.tree, result.reworded) == (mine, {"a.yaml": ["from a: 2\n"]})
+
+
 def test_merge_that_could_not_be_read_is_a_conflict():
     """Each side leaves another method of a class; together they leave none."""
     one, other = "    def one(self):\n        return 1\n", "    def other(self):\n        pass\n"
@@ -335,6 +343,14 @@ def test_own_file_where_an_earlier_version_had_one_stays():
     renaming = Renaming()
     renaming.follow({"arm/worker.py": "arm/callbacks.py"}, render, render)
     assert merge_package(mine, render, render, renaming, {""}.__contains__).tree == mine
+
+
+def test_own_file_where_only_other_packages_had_one_stays():
+    own, new = File(b"MINE = 1\n"), {"arm/ros/worker.py": File(OLD.encode())}
+    renaming = Renaming()
+    renaming.follow({"arm/worker.py": "arm/ros/worker.py"}, {}, new)
+    merged = merge_package({"arm/worker.py": own}, {}, new, renaming, {""}.__contains__)
+    assert merged.tree == {"arm/worker.py": own, **new}
 
 
 def test_moved_file_of_a_renamed_node_is_renamed():

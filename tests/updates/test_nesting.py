@@ -434,8 +434,10 @@ def test_alternative_to_a_generated_condition_in_cmake_stays_the_last(update, di
     assert own in found[found.index(before) :]
 
 
-def test_condition_in_one_line_of_cmake_is_one_block():
-    blocks = outlines.cmake_blocks("if(A) set(B 1) else() set(B 2) endif()\nset(C)\n")
+@pytest.mark.parametrize("first", ["", "\n  set(D)\n  "])
+def test_condition_whose_commands_share_a_line_of_cmake_is_one_block(first):
+    text = f"if(A) {first}set(B 1) else() set(B 2) endif()\nset(C)\n"
+    blocks = outlines.cmake_blocks(text)
     assert [(block.key, block.children) for block in blocks] == [("if(A)", []), ("set C", [])]
 
 

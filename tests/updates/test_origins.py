@@ -7,7 +7,8 @@ import pytest
 
 from hooks.merge import languages
 from hooks.merge.languages import CMAKE, MARKDOWN, PYTHON
-from hooks.merge.renaming import Renaming, _as_made, _heads
+from hooks.merge.renaming import Renaming, _as_made, _classes, _heads
+from hooks.merge.scopes import declared
 from hooks.merge.tokens import exchange, words
 from hooks.merge.uses import uses
 from hooks.merge.versions import Versions
@@ -533,6 +534,22 @@ OF_RELATIVES = {
         "void Other::receive_say(A a)\n{\n  this->receive_say(a);\n}\n}\n"
     ),
 }
+
+
+def test_members_of_a_logic_are_those_of_all_its_files_but_none_of_what_tests_have_for_it():
+    texts = {
+        "include/lab/reach_impl.hpp": "class ReachImpl {\n  void load();\n};\n",
+        "src/reach_impl.cpp": "void ReachImpl::load()\n{\n  gain_ = 1;\n}\n",
+        "test/support/recorder/lab/reach_impl.hpp": "class ReachImpl {\n  void record();\n};\n",
+    }
+    found = _classes(tree_of(texts), texts, ())
+    assert {"load", "gain_"} < found["ReachImpl"]
+    assert "record" not in found["ReachImpl"]
+
+
+def test_class_below_a_namespace_that_is_used_is_in_none():
+    text = "using namespace std;\nclass Reach {};\n"
+    assert declared(text, ["Reach"]) == {((), "Reach")}
 
 
 def test_classes_that_are_related_to_the_models_in_other_files(pairs):
