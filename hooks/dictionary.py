@@ -541,7 +541,6 @@ class _Reader:
     def scope(self, label: Located, item: Any, known: Set[str]) -> Scope:
         """Read where names land: a mapping from tags to the names that they make there."""
         place = f"names: {label}"
-        self.places[place] = label.place
         own = ("in", "ignore_case", "ros", "parts", "reserved")
         if not isinstance(item, dict) or not all(
             isinstance(forms, list) for key, forms in item.items() if key not in own[:4]

@@ -18,12 +18,12 @@ class Located(str):
     """A text of a YAML file."""
 
     file = ""
-    line = 0
+    line: int
 
     @property
     def place(self) -> str:
         """The file and the line where the text stands; nothing if it is said nowhere."""
-        return f"{self.file}:{self.line}" if self.line else ""
+        return f"{self.file}:{self.line}" if self.file else ""
 
     def here(self, text: str) -> Located:
         """Return another text that stands where this one does."""

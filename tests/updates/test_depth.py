@@ -170,5 +170,12 @@ def test_versions_of_one_depth(old, new):
     assert shift(old, new, MINE) is None
 
 
+def test_keys_of_groups_have_the_sign_of_the_other_ros():
+    old, new = "/**:\n  ros__parameters:\n    axis.x: 1\n", "axis/x: 1\n"
+    renaming = Renaming()
+    renaming.move(*({"config/reach.yaml": File(encode(text))} for text in (old, new)))
+    assert renaming.keys == {"config/reach.yaml": {"axis.x": "axis/x"}}
+
+
 def test_other_languages():
     assert shift(FLAT, DEEP, MINE, path="config/reach.txt") is None
