@@ -105,7 +105,10 @@ def merge_lines(
         return [Conflict(ours, old[start:end], theirs)]
 
     ours, theirs = (_matches(old, side, key) for side in (mine, new))
-    sides = [*_changes(mine, ours, True)], [*_changes(new, theirs, False)]
+    sides = [
+        [_Change(start, end, other[first:last], is_mine) for start, end, first, last in gaps]
+        for other, gaps, is_mine in ((mine, _gaps(ours), True), (new, _gaps(theirs), False))
+    ]
     changes = sorted(
         [*_parted(old, *sides), *_parted(old, *sides[::-1])],
         key=lambda change: (change.start, change.end, change.is_mine),
@@ -127,12 +130,17 @@ def merge_lines(
     return [*merged, *stable[at:]]
 
 
-def _changes(other: Lines, matches: _Matches, is_mine: bool) -> Iterator[_Change]:
+def changed(old: Sequence[str], new: Sequence[str]) -> Iterator[tuple[int, int, int, int]]:
+    """Yield what differs: from where to where in the old lines, and in the new ones."""
+    return _gaps(SequenceMatcher(None, old, new, False).get_matching_blocks())
+
+
+def _gaps(matches: Iterable[tuple[int, int, int]]) -> Iterator[tuple[int, int, int, int]]:
     """Yield what is between matches."""
     start = first = 0
     for end, last, size in matches:
         if start < end or first < last:
-            yield _Change(start, end, list(other[first:last]), is_mine)
+            yield start, end, first, last
         start, first = end + size, last + size
 
 
