@@ -64,10 +64,9 @@ def blocks(text: str) -> list[Block]:
     kept, at = _whole(tokens, 0)
     if at < len(tokens):
         raise ValueError(f"line {tokens[at].line + 1}: {tokens[at].text}, without its beginning")
-    tokens = kept
-    spans, at = _scope(tokens, 0)
-    if at < len(tokens):
-        raise ValueError(f"line {tokens[at].line + 1}: a brace that nothing opens")
+    spans, at = _scope(kept, 0)
+    if at < len(kept):
+        raise ValueError(f"line {kept[at].line + 1}: a brace that nothing opens")
     return arrange(lines, _with_conditions(spans), 0, len(lines), _COMMENTS)
 
 
