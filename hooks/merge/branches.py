@@ -256,19 +256,19 @@ def _only(files: Mapping[str, Any], paths: Collection[str]) -> dict[str, Any]:
 def settle(made: Versions) -> Result:
     """Merge in memory; SpecError if lines would not be in their place."""
     result, wrong = made.merged()
-    if wrong:
-        raise SpecError(
-            "nothing was joined, for these lines would not be where you have written them; take"
-            " them out on their branch, join, and put them in again:"
-            + listed(f"{path}: {what}" for path, what in wrong),
-            "merge-not-proved",
-        )
+    refuse(
+        (f"{path}: {what}" for path, what in wrong),
+        "nothing was joined, for these lines would not be where you have written them; take"
+        " them out on their branch, join, and put them in again",
+        "merge-not-proved",
+    )
     return result
 
 
-def listed(lines: Iterable[str]) -> str:
-    """Return the first lines of a list, each on a line of its own."""
-    return "".join(f"\n  {line}" for line in [*lines][:20]) + "\n"
+def refuse(lines: Iterable[str], why: str, id_: str) -> None:
+    """Insist that there are no such lines; else SpecError says why, and the first of them."""
+    if found := [f"\n  {line}" for line in lines][:20]:
+        raise SpecError(f"{why}:{''.join(found)}\n", id_)
 
 
 def people(mine: Tree, old: Tree, new: Tree) -> Versions:

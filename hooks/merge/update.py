@@ -12,7 +12,7 @@ from ..changes import Contexts, changed_answers, changes, left
 from ..dictionary import Dictionary
 from ..faults import SpecError, UnrenderedError
 from . import git
-from .branches import Branches, Joined, Joiner, listed, under_way, wrong_merge
+from .branches import Branches, Joined, Joiner, refuse, under_way, wrong_merge
 from .package import Result
 from .proof import Proof, places
 from .render import Renderer, begin, recorded_answers
@@ -114,20 +114,18 @@ class Update:
 
     def _insist(self, made: Versions, result: Result, found: Tree, proof: Proof) -> None:
         """Look once more, at what is on the disk now."""
-        if lost := [*places(made.mine, proof.lost, made.renaming)]:
-            raise SpecError(
-                "the update was undone, for it would have put lines of yours where you did not"
-                " write them; take these lines out and commit; update; put them in again:"
-                + listed(lost),
-                "merge-not-proved",
-            )
-        if wrong := made.wrong(result, found, proof):
-            raise SpecError(
-                "the update was undone, for these files would not be what both sides made of them;"
-                " take your changes of them out and commit; update; put them in again:"
-                + listed(f"{path}: {what}" for path, what in wrong),
-                "merge-not-proved",
-            )
+        refuse(
+            places(made.mine, proof.lost, made.renaming),
+            "the update was undone, for it would have put lines of yours where you did not"
+            " write them; take these lines out and commit; update; put them in again",
+            "merge-not-proved",
+        )
+        refuse(
+            (f"{path}: {what}" for path, what in made.wrong(result, found, proof)),
+            "the update was undone, for these files would not be what both sides made of them;"
+            " take your changes of them out and commit; update; put them in again",
+            "merge-not-proved",
+        )
 
     def _joined(self, joiner: Joiner, branches: Branches, joined: Joined, inline: bool) -> Report:
         """Put two joined branches in place; leave it to git to end what it has begun."""
