@@ -143,13 +143,9 @@ def _with_conditions(spans: list[Span]) -> list[Span]:
     return nested(spans, _role)
 
 
-def same(one: str, other: str) -> bool:
-    """Say whether two texts differ in form alone: in blanks, in where a comment is wrapped."""
-    return _words(one) == _words(other)
-
-
 @functools.lru_cache(maxsize=2048)
-def _words(text: str) -> list[str]:
+def meaning(text: str) -> list[str]:
+    """Return a text without what is but form: blanks, and where a comment is wrapped."""
     words: list[str] = []
     for token in tokenize(text):
         if token.kind == "comment":

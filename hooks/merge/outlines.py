@@ -219,18 +219,15 @@ def _lower(text: str) -> str:
     return _COMMAND.sub(lambda match: match[0].lower() if match["name"] else match[0], text)
 
 
-def same_cmake(one: str, other: str) -> bool:
-    """Say whether two texts differ in form alone: capitals of commands, blanks between words."""
-    texts = (
-        _BESIDE.sub(lambda match: match["sign"] or match[0], _lower(text)) for text in (one, other)
-    )
-    return len({squeezed(text, _CMAKE_EXACT) for text in texts}) == 1
+def cmake_meaning(text: str) -> str:
+    """Return a text without what is but form: capitals of commands, blanks between words."""
+    tight = _BESIDE.sub(lambda match: match["sign"] or match[0], _lower(text))
+    return squeezed(tight, _CMAKE_EXACT)
 
 
-def same_markdown(one: str, other: str) -> bool:
-    """Say whether two texts differ in form alone: tables, blanks, but for those of code."""
-    texts = ("".join(map(row, split(text))) for text in (one, other))
-    return len({squeezed(text, _CODE) for text in texts}) == 1
+def markdown_meaning(text: str) -> str:
+    """Return a text without what is but form: that of tables, blanks, but for those of code."""
+    return squeezed("".join(map(row, split(text))), _CODE)
 
 
 def asides(lines: Sequence[str]) -> list[str]:
