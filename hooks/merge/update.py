@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -45,18 +45,10 @@ class Update:
     ) -> Report:
         """Merge, put in place, prove.
 
-        Args:
-            answers: those of the new version, the context among them.
-            renderer: renders the package.
-            dictionary: what names the items of a context.
-            moved: the new paths of files that the new version of the model renames.
-            inline: whether conflicts go between marks, else to files that end in .rej.
-            given: the names of the answers that this update was given.
-
-        Raises:
-            SpecError: a line of the developer's would not be in its place, or there could be no
-                other update; nothing has changed.
-
+        The first four are those of a `Joiner`. `inline`: conflicts go between marks, else to files
+        that end in .rej. `given` are the names of the answers that this update was given.
+        It raises SpecError where a line of the developer's would not be in its place, or there
+        could be no other update; nothing has changed.
         """
         about = (answers, renderer, dictionary, moved)
         joiner = Joiner(self.package, self.answers_file, *about)
@@ -129,6 +121,12 @@ class Update:
 
     def _joined(self, joiner: Joiner, branches: Branches, joined: Joined, inline: bool) -> Report:
         """Put two joined branches in place; leave it to git to end what it has begun."""
+
+        def kept(path: str) -> str:
+            """Return what `git show` wants for a file of what was joined, or is joined again."""
+            merge = branches.merge[:7]
+            return f"{merge}:./{path}" if merge else git.keep(self.package, joined.own[path].data)
+
         result, (ours, theirs) = joined.result, joined.sides
         self.snapshot.put(result, {self.answers_file}, inline)
         found = read_paths(self.package, result.tree)
@@ -151,29 +149,17 @@ class Update:
         }
         for name in ("moved", "removed", "missing", "own"):
             getattr(result, name).update(getattr(ours.result, name))
-        other = theirs.commit[:7]
-        before = theirs.versions.mine
+        other, before = theirs.commit[:7], theirs.versions.mine
         more = [*removed(other, self.package, before, theirs.result.tree, theirs.result)]
         more += left_behind(f"{other}:./{{}}".format, theirs.proof.left)
-        more += left_behind(self._kept(branches, joined), joiner.own_lines(joined))
-        proofs = [side.proof for side in joined.sides]
-        proof = Proof(
-            sum(proof.total for proof in proofs),
-            sum(proof.in_place for proof in proofs),
-            [left for proof in proofs for left in proof.left],
-        )
-        shown = replace(proof, left=ours.proof.left)
-        lines = report(
-            self.package, ours.versions.mine, found, result, said, sorted(still), shown, more
-        )
+        more += left_behind(kept, joiner.own_lines(joined))
+        one, two = ours.proof, theirs.proof
+        proof = Proof(one.total + two.total, one.in_place + two.in_place, one.left + two.left)
+        before = ours.versions.mine
+        here = replace(proof, left=one.left)
+        lines = report(self.package, before, found, result, said, sorted(still), here, more)
         lines.lines[-1] = proof.sentence
         return lines
-
-    def _kept(self, branches: Branches, joined: Joined) -> Callable[[str], str]:
-        """Return what `git show` wants for a file of the merge that was joined again."""
-        if branches.merge:
-            return f"{branches.merge[:7]}:./{{}}".format
-        return lambda path: git.keep(self.package, joined.own[path].data)
 
 
 def _noted(branches: Branches) -> str:
