@@ -69,7 +69,7 @@ def nested(spans: Iterable[Span], role: Callable[[Span], tuple[str, str]]) -> li
     """Put what stands between the beginning and the end of a condition inside of one item.
 
     `role` says of an item which statement it belongs to, and whether it is the `start`, another
-    `branch` or the `end` of that; of any other item, two empty texts. Each branch is an item, too.
+    `branch` or the `end` of that; of any other item, an empty text. Each branch is an item, too.
     It raises ValueError where something ends that has not begun, or does not end.
     """
     found: list[Span] = []

@@ -79,8 +79,7 @@ def _directive(token: _Token) -> Span:
 
 def _role(span: Span) -> tuple[str, str]:
     """Say whether a directive begins a condition, goes on with it or ends it."""
-    part = _part(span.key)
-    return ("if", part) if part else ("", "")
+    return "if", _part(span.key)
 
 
 def _part(directive: str) -> str:

@@ -42,9 +42,8 @@ def yaml_blocks(text: str) -> list[Block]:
     except yaml.YAMLError as error:
         raise ValueError(str(error)) from error
     lines = split(text)
-    spans: list[Span] = []
-    for node in filter(None, nodes):
-        spans += _keys(text, lines, node, _ends(text, node))  # before `---` or `...`
+    ends = ((node, _ends(text, node)) for node in nodes if node)  # before `---` or `...`
+    spans = [span for node, end in ends for span in _keys(text, lines, node, end)]
     return arrange(lines, spans, 0, len(lines))
 
 
@@ -131,7 +130,7 @@ def _role(span: Span) -> tuple[str, str]:
 def markdown_blocks(text: str) -> list[Block]:
     """Return the sections of a text, each known by its heading."""
     lines = split(text)
-    heads: dict[int, str] = {}
+    heads = {0: "start"}
     until = ""
     for index, line in enumerate(lines):
         fence = _FENCE.match(line)
@@ -147,9 +146,8 @@ def markdown_blocks(text: str) -> list[Block]:
         elif index and re.match(r" {0,3}(=+|-+)\s*$", line) and _TITLE.match(lines[index - 1]):
             level = "#" if "=" in line else "##"
             heads[index - 1] = squeezed(f"{level} {lines[index - 1]}")
-    blocks = [Block("start", lines[: min(heads, default=len(lines))])] if lines else []
-    for (head, key), end in zip(heads.items(), [*heads, len(lines)][1:], strict=True):
-        blocks.append(Block(key, lines[head:end]))
+    ends = [*heads, len(lines)][1:]
+    blocks = [Block(heads[at], lines[at:end]) for at, end in zip(heads, ends, strict=True)]
     return [block for block in numbered(blocks) if block.lines]
 
 

@@ -329,10 +329,8 @@ def _is_half(defined: Mapping[Member, str], code: dict[str, str], member: Member
 
 def _defined(code: dict[str, str]) -> dict[Member, str]:
     """Return the members that sources define, each with its path."""
-    found: dict[Member, str] = {}
-    for path, text in code.items():
-        found |= {(c, n): path for c, n in _DEFINITION.findall(text) if path.endswith(".cpp")}
-    return found
+    sources = {path: text for path, text in code.items() if path.endswith(".cpp")}
+    return {member: path for path in sources for member in _DEFINITION.findall(sources[path])}
 
 
 def _declared(code: dict[str, str], member: Member) -> bool:
