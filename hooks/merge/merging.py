@@ -47,11 +47,6 @@ class Outcome:
         """Say whether the developer must choose."""
         return lines.conflicts(self.merged)
 
-    @property
-    def text(self) -> str:
-        """Return the file, a conflict between marks."""
-        return lines.text(self.merged)
-
 
 @dataclass(frozen=True)
 class Version:
