@@ -75,7 +75,7 @@ def carry_build_files(
             found[path] = carrier.file(path, ours, base)
             result.back[path] = carrier.back
         texts = carrier.texts()
-        CMAKE.blocks(texts.get(_CMAKE, ""))
+        CMAKE.blocks(texts[_CMAKE])
     except (ValueError, RecursionError):
         return  # the merge by block stands
     for path in paths:

@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
+from io import StringIO
 from itertools import pairwise
 from os.path import commonprefix
 
@@ -54,8 +55,7 @@ class _Change:
 
 def split(text: str) -> Lines:
     """Split at newlines alone, and keep them."""
-    lines = text.split("\n")
-    return [line + "\n" for line in lines[:-1]] + ([lines[-1]] if lines[-1] else [])
+    return StringIO(text).readlines()
 
 
 def margin(line: str) -> int:

@@ -101,12 +101,10 @@ def by_line(
 
     outcome = Outcome(lines.merge_lines(ours, base, theirs, known.key, same, of_people))
     could_be_read = readable(known, [mine.text])
-    is_known = known not in (CPP, PYTHON) or (of_people and could_be_read)
-    if not is_known and _names(known, old) != _names(known, new):
-        return conflict(path, mine, old, new)  # lines alone do not tell whose a body is
-    if outcome.conflict or not could_be_read or readable(known, outcome.merged):
-        return outcome
-    return conflict(path, mine, old, new)
+    is_clear = known not in (CPP, PYTHON) or (of_people and could_be_read)
+    is_clear = is_clear or _names(known, old) == _names(known, new)  # else whose is a body?
+    is_read = outcome.conflict or not could_be_read or readable(known, outcome.merged)
+    return outcome if is_clear and is_read else conflict(path, mine, old, new)
 
 
 def conflict(

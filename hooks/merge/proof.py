@@ -128,8 +128,8 @@ class _Prover:
                 proof.left.append((path, number, line))
             else:
                 proof.lost.append((target, line.strip()))
-        changed = found is not None and target not in result.conflicts and text != ours
-        if changed and not readable(known, [text]):
+        is_merged = found is not None and target not in result.conflicts and text != ours
+        if is_merged and not readable(known, [text]):
             proof.lost.append((target, "cannot be read any more"))
 
     def _not_there(
