@@ -112,24 +112,24 @@ def is_condition(block: Block) -> bool:
 def arrange(
     lines: Sequence[str],
     spans: Iterable[Span],
-    start: int,
-    end: int,
     comments: re.Pattern[str] = NO_COMMENT,
+    within: tuple[int, int] | None = None,
 ) -> list[Block]:
-    """Make blocks of the lines `start` to `end`; what stands above an item belongs to it.
+    """Make blocks of lines, of all or those `within`; what stands above an item belongs to it.
 
     A comment that an empty line parts from what follows is a block of its own; of `comments`,
     which have an end of their own, none is parted by an empty line inside.
     """
     blocks: list[Block] = []
+    start, end = within or (0, len(lines))
     at = start
     for span in (*_joined(spans), None):
         above = _paragraphs(lines[at : span.start if span else end], comments)
         close = above.pop() if span and above and above[-1][-1].strip() else []
         blocks += [_comment(part, at == start and not i) for i, part in enumerate(above)]
         if span:
-            first, last = span.body or (span.end, span.end)
-            inner = arrange(lines, span.items, first, last, comments)
+            first, last = body = span.body or (span.end, span.end)
+            inner = arrange(lines, span.items, comments, body)
             head = [*close, *lines[span.start : first]]
             blocks.append(Block(span.key, head, inner, [*lines[last : span.end]]))
             at = span.end

@@ -59,7 +59,6 @@ def blocks(text: str) -> list[Block]:
 
     So are those of an `#if`, but for the one that keeps a header from being included twice.
     """
-    lines = split(text)
     tokens = [token for token in tokenize(text) if token.kind not in ("blank", "comment")]
     kept, at = _whole(tokens, 0)
     if at < len(tokens):
@@ -67,7 +66,7 @@ def blocks(text: str) -> list[Block]:
     spans, at = _scope(kept, 0)
     if at < len(kept):
         raise ValueError(f"line {kept[at].line + 1}: a brace that nothing opens")
-    return arrange(lines, _with_conditions(spans), 0, len(lines), _COMMENTS)
+    return arrange(split(text), _with_conditions(spans), _COMMENTS)
 
 
 def _directive(token: _Token) -> Span:

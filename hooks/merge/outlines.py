@@ -44,7 +44,7 @@ def yaml_blocks(text: str) -> list[Block]:
     lines = split(text)
     ends = ((node, _ends(text, node)) for node in nodes if node)  # before `---` or `...`
     spans = [span for node, end in ends for span in _keys(text, lines, node, end)]
-    return arrange(lines, spans, 0, len(lines))
+    return arrange(lines, spans)
 
 
 def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Iterator[Span]:
@@ -92,7 +92,6 @@ def _first_entry(text: str, member: yaml.Node, is_nested: bool) -> str:
 
 def cmake_blocks(text: str) -> list[Block]:
     """Return the commands of a file, each known by its name and its first argument."""
-    lines = split(text)
     spans: list[Span] = []
     depth, start, name = 0, 0, ""
     for match in _COMMAND.finditer(text):
@@ -113,7 +112,7 @@ def cmake_blocks(text: str) -> list[Block]:
             spans.append(Span(key, at, at + rest + 1))
     if depth:
         raise ValueError("a parenthesis that nothing closes")
-    return arrange(lines, nested(spans, _role), 0, len(lines), _CMAKE_COMMENTS)
+    return arrange(split(text), nested(spans, _role), _CMAKE_COMMENTS)
 
 
 def _role(span: Span) -> tuple[str, str]:
@@ -163,7 +162,7 @@ def message_blocks(text: str) -> list[Block]:
         if number:
             members = [Span("---", start, end, (start + 1, end), tuple(members))]
         spans += members
-    return arrange(lines, spans, 0, len(lines))
+    return arrange(lines, spans)
 
 
 def same_yaml(one: str, other: str) -> bool:

@@ -38,8 +38,7 @@ def blocks(text: str) -> list[Block]:
         expat.ParserCreate().Parse(text.encode(errors="surrogateescape"), True)
     except expat.ExpatError as error:
         raise ValueError(str(error)) from error
-    lines = split(text)
-    return arrange(lines, _spans(text), 0, len(lines), COMMENTS)
+    return arrange(split(text), _spans(text), COMMENTS)
 
 
 def meaning(text: str) -> str:
