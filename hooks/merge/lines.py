@@ -46,12 +46,6 @@ class _Change:
     lines: Lines
     is_mine: bool
 
-    def meets(self, start: int, end: int) -> bool:
-        """Say whether a change and a range share a line, or insert at one place."""
-        if self.start == self.end == start == end:
-            return True
-        return self.start < end and start < self.end
-
 
 def split(text: str) -> Lines:
     """Split at newlines alone, and keep them."""
@@ -119,11 +113,10 @@ def merge_lines(
     while changes:
         start, end = changes[0].start, changes[0].end
         group = [changes.pop(0)]
-        while met := [change for change in changes if change.meets(start, end)]:
-            group += met
-            changes = [change for change in changes if change not in met]
-            start = min(change.start for change in group)
-            end = max(change.end for change in group)
+        # They share a line, or insert at one place.
+        while changes and (changes[0].start < end or changes[0].end == start):
+            group.append(changes.pop(0))
+            end = max(end, group[-1].end)
         merged += stable[at:start]
         merged += settle(group, start, end)
         at = end
@@ -198,7 +191,7 @@ def _stable(old: Lines, *sides: tuple[Lines, _Matches]) -> Lines:
 
 def _apply(changes: list[_Change], stable: Lines, start: int, end: int) -> Lines:
     lines: Lines = []
-    for change in sorted(changes, key=lambda change: (change.start, change.end)):
+    for change in changes:
         lines += stable[start : change.start] + change.lines
         start = change.end
     return lines + stable[start:end]
