@@ -57,8 +57,7 @@ def check(
         marked = render_marked(answers, (recorded, spec), dictionary, renderer)
         renaming = plan_moves(old.tree, *marked, modes)
         renaming.follow(moved, old.tree, renderer.fresh(new_answers).tree)
-        moves = {path: renaming.path(path) for path in modes}
-        moves = {path: after for path, after in moves.items() if after != path}
+        moves = {path: after for path in modes if (after := renaming.path(path)) != path}
     refuse(package, touched | set(moves.values()), moves)
 
 
