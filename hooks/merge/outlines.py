@@ -259,8 +259,8 @@ def joined_rows(*sides: Sequence[str]) -> tuple[dict[str, str], dict[str, str]]:
     mine, old, new = map(_rows, sides)
     for key in mine.keys() & old.keys() & new.keys():
         rows = [side[key] for side in (mine, old, new)]
-        cells = [*itertools.zip_longest(*map(_cells, rows))]
-        found = [*itertools.starmap(_joined_cell, cells)]
+        cells = [*map(_cells, rows)]
+        found = [*map(_joined_cell, *cells)] if len({*map(len, cells)}) == 1 else [None]
         text = "" if None in found else "|".join(map(str, found))
         if row(text) not in ("", row(rows[2])):
             joined[rows[0]], came[rows[1]] = text, rows[2]
@@ -280,10 +280,8 @@ def _cells(row: str) -> list[str]:
     return re.split(r"(?<!\\)\|", row)
 
 
-def _joined_cell(mine: str | None, old: str | None, new: str | None) -> str | None:
+def _joined_cell(mine: str, old: str, new: str) -> str | None:
     """Return a cell of which one side, if any, has made something; none where both have."""
-    if mine is None or old is None or new is None:
-        return None
     if new.strip() in (mine.strip(), old.strip()):
         return mine
     return new if mine.strip() == old.strip() else None
