@@ -188,9 +188,9 @@ def _refuse_unknown(package: Path, paths: Iterable[str], known: set[str]) -> Non
     """Insist that git has what is written over, be it through a link."""
     for path in paths:
         _refuse_links(package, path, known)
-    others = untracked(package)
+    others = {*untracked(package)}
     folders = tuple(path for path in others if path.endswith("/"))
-    missing = [path for path in paths if path in set(others) or path.startswith(folders)]
+    missing = [path for path in paths if path in others or path.startswith(folders)]
     if missing:
         raise SpecError(
             f"{_some(missing)}: not in git (ignored, or never added), and the update would write"
