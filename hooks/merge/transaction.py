@@ -72,8 +72,8 @@ def take(package: Path) -> Snapshot:
 class Guard:
     """Brings a snapshot back unless told that all is well, even when Copier itself fails.
 
-    `undo` does so, at the latest when the process ends. A token in git's folder says whose turn it
-    is: an update that has been followed by another one, or by a commit, has nothing to bring back.
+    It acts at the latest when the process ends. A token in git's folder says whose turn it is: an
+    update that has been followed by another one, or by a commit, has nothing to bring back.
     """
 
     def __init__(self, snapshot: Snapshot) -> None:
@@ -81,11 +81,15 @@ class Guard:
         self._token = git.own_file(package, TOKEN)
         text = f"{uuid.uuid4().hex} {git.last_commit(package)}"
         self._token.write_text(text, encoding="utf-8")
-        self.undo = weakref.finalize(self, _undo, snapshot, self._token, text)
+        self._undo = weakref.finalize(self, _undo, snapshot, self._token, text)
+
+    def undo(self) -> None:
+        """Bring the snapshot back now."""
+        self._undo()
 
     def release(self) -> None:
         """Keep what there is."""
-        self.undo.detach()
+        self._undo.detach()
         self._token.unlink(missing_ok=True)
 
 
