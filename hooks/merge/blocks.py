@@ -11,6 +11,7 @@ import functools
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from .lines import Lines
 
@@ -23,6 +24,8 @@ _QUOTED = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 """What is between quotes; an apostrophe is none."""
+_SINGLE = re.compile(r"^'([^\"']*)'$")
+"""A text in quotes that means the same in the other sort of them."""
 _PRIVATE = {code: code - 0xDC80 + 0xE080 for code in range(0xDC80, 0xDD00)}
 
 
@@ -66,7 +69,7 @@ def nested(spans: Iterable[Span], role: Callable[[Span], tuple[str, str]]) -> li
     """Put what stands between the beginning and the end of a condition inside of one item.
 
     `role` says of an item which statement it belongs to, and whether it is the `start`, another
-    `branch` or the `end` of that; of any other item, two empty texts. Each branch is an item, too.
+    `branch` or the `end` of that; of any other item, an empty text. Each branch is an item, too.
     It raises ValueError where something ends that has not begun, or does not end.
     """
     found: list[Span] = []
@@ -90,11 +93,11 @@ def nested(spans: Iterable[Span], role: Callable[[Span], tuple[str, str]]) -> li
 def _condition(spans: list[Span], is_branch: list[bool]) -> Span:
     """Make one item of those from a beginning to its end."""
     first, last = spans[0], spans[-1]
-    if any(one.end > other.start for one, other in zip(spans, spans[1:], strict=False)):
+    if any(one.end > other.start for one, other in pairwise(spans)):
         return Span(first.key, first.start, last.end)
     heads = [0, *(i for i, found in enumerate(is_branch) if found), len(spans) - 1]
     branches = []
-    for at, until in zip(heads, heads[1:], strict=False):
+    for at, until in pairwise(heads):
         body = (spans[at].end, spans[until].start)
         start, key = (spans[at].start, spans[at].key) if at else (body[0], THEN)
         branches.append(Span(key, start, body[1], body, tuple(spans[at + 1 : until])))
@@ -109,24 +112,24 @@ def is_condition(block: Block) -> bool:
 def arrange(
     lines: Sequence[str],
     spans: Iterable[Span],
-    start: int,
-    end: int,
     comments: re.Pattern[str] = NO_COMMENT,
+    within: tuple[int, int] | None = None,
 ) -> list[Block]:
-    """Make blocks of the lines `start` to `end`; what stands above an item belongs to it.
+    """Make blocks of lines, of all or those `within`; what stands above an item belongs to it.
 
     A comment that an empty line parts from what follows is a block of its own; of `comments`,
     which have an end of their own, none is parted by an empty line inside.
     """
     blocks: list[Block] = []
+    start, end = within or (0, len(lines))
     at = start
     for span in (*_joined(spans), None):
         above = _paragraphs(lines[at : span.start if span else end], comments)
         close = above.pop() if span and above and above[-1][-1].strip() else []
         blocks += [_comment(part, at == start and not i) for i, part in enumerate(above)]
         if span:
-            first, last = span.body or (span.end, span.end)
-            inner = arrange(lines, span.items, first, last, comments)
+            first, last = body = span.body or (span.end, span.end)
+            inner = arrange(lines, span.items, comments, body)
             head = [*close, *lines[span.start : first]]
             blocks.append(Block(span.key, head, inner, [*lines[last : span.end]]))
             at = span.end
@@ -151,15 +154,13 @@ def _paragraphs(lines: Sequence[str], comments: re.Pattern[str]) -> list[Lines]:
     for comment in comments.finditer(text):
         first = text.count("\n", 0, comment.start()) + 1
         inside |= {*range(first, first + comment[0].count("\n"))}
-    parts: list[Lines] = []
-    current: Lines = []
+    parts: list[Lines] = [[]]
     for number, line in enumerate(lines):
-        is_first = any(c.strip() for c in current) and not current[-1].strip()
+        is_first = any(map(str.strip, parts[-1])) and not parts[-1][-1].strip()
         if line.strip() and is_first and number not in inside:
-            parts.append(current)
-            current = []
-        current.append(line)
-    return [*parts, current] if current else parts
+            parts.append([])
+        parts[-1].append(line)
+    return [part for part in parts if part]
 
 
 def _comment(lines: Lines, is_first: bool) -> Block:
@@ -242,8 +243,8 @@ def squeezed(text: str, quoted: re.Pattern[str] = _QUOTED) -> str:
     parts: list[str] = []
     at = 0
     for match in quoted.finditer(text):
-        exact = match["exact"]
-        inside = collapsed(match[0]).strip() if exact is None else one_sort(exact)
+        is_exact = match["exact"] is not None
+        inside = _SINGLE.sub(r'"\1"', match[0]) if is_exact else collapsed(match[0]).strip()
         parts += [collapsed(text[at : match.start()]), inside]
         at = match.end()
     return "".join([*parts, collapsed(text[at:])]).strip()
@@ -257,12 +258,6 @@ def comments(sign: str) -> Callable[[Sequence[str]], list[str]]:
 def collapsed(text: str) -> str:
     """Return a text with one blank where there are several."""
     return re.sub(r"\s+", " ", text)
-
-
-def one_sort(quoted: str) -> str:
-    """Return a quoted text between the one sort of quotes, where that means the same."""
-    inner = quoted[1:-1]
-    return f'"{inner}"' if quoted[0] == "'" and not re.search("[\"']", inner) else quoted
 
 
 def unicode(text: str) -> str:

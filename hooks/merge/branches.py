@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from difflib import SequenceMatcher
 from itertools import permutations
 from pathlib import Path
 from typing import Any
@@ -18,7 +17,7 @@ from ..faults import SpecError
 from ..package import SUFFIX
 from . import git
 from .indentation import indented
-from .lines import plain, split
+from .lines import changed, plain, split
 from .package import Result, moves
 from .proof import Proof
 from .renaming import plan_renames
@@ -257,19 +256,19 @@ def _only(files: Mapping[str, Any], paths: Collection[str]) -> dict[str, Any]:
 def settle(made: Versions) -> Result:
     """Merge in memory; SpecError if lines would not be in their place."""
     result, wrong = made.merged()
-    if wrong:
-        raise SpecError(
-            "nothing was joined, for these lines would not be where you have written them; take"
-            " them out on their branch, join, and put them in again:"
-            + listed(f"{path}: {what}" for path, what in wrong),
-            "merge-not-proved",
-        )
+    refuse(
+        (f"{path}: {what}" for path, what in wrong),
+        "nothing was joined, for these lines would not be where you have written them; take"
+        " them out on their branch, join, and put them in again",
+        "merge-not-proved",
+    )
     return result
 
 
-def listed(lines: Iterable[str]) -> str:
-    """Return the first lines of a list, each on a line of its own."""
-    return "".join(f"\n  {line}" for line in [*lines][:20]) + "\n"
+def refuse(lines: Iterable[str], why: str, id_: str) -> None:
+    """Insist that there are no such lines; else SpecError says why, and the first of them."""
+    if found := [f"\n  {line}" for line in lines][:20]:
+        raise SpecError(f"{why}:{''.join(found)}\n", id_)
 
 
 def people(mine: Tree, old: Tree, new: Tree) -> Versions:
@@ -415,13 +414,12 @@ def _stale(found: Tree, made: Tree, befores: Sequence[tuple[Tree, Tree]]) -> set
 def _changes(old: str, new: str) -> Iterator[tuple[str, str]]:
     """Yield what has changed, as it was and as it is, with some lines around."""
     before, after = split(old), split(new)
-    for tag, start, end, first, last in SequenceMatcher(None, before, after, False).get_opcodes():
-        if tag != "equal":
-            above, below = before[max(0, start - AROUND) : start], before[end : end + AROUND]
-            yield (
-                "".join([*above, *before[start:end], *below]),
-                "".join([*above, *after[first:last], *below]),
-            )
+    for start, end, first, last in changed(before, after):
+        above, below = before[max(0, start - AROUND) : start], before[end : end + AROUND]
+        yield (
+            "".join([*above, *before[start:end], *below]),
+            "".join([*above, *after[first:last], *below]),
+        )
 
 
 def _is_edited(path: str, part: str, befores: Sequence[tuple[Tree, Tree]]) -> bool:

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from difflib import SequenceMatcher
 from typing import NamedTuple
 
 from ..data import load_data
 from .blocks import THEN, Block
 from .languages import CMAKE
 from .launch import deleted, keys
-from .lines import margin, plain, split
+from .lines import changed, margin, plain, split
 from .matching import Blocks, match
 from .package import Result
 from .renaming import Renaming
@@ -76,7 +75,7 @@ def carry_build_files(
             found[path] = carrier.file(path, ours, base)
             result.back[path] = carrier.back
         texts = carrier.texts()
-        CMAKE.blocks(texts.get(_CMAKE, ""))
+        CMAKE.blocks(texts[_CMAKE])
     except (ValueError, RecursionError):
         return  # the merge by block stands
     for path in paths:
@@ -405,9 +404,8 @@ def _items(key: str, text: str) -> list[_Item]:
 
 def _own_lines(mine: Sequence[str], old: Sequence[str]) -> Iterator[tuple[int, str, str, str]]:
     """Yield each line of the developer's: its place, itself, the one before, the one replaced."""
-    matcher = SequenceMatcher(None, old, mine, autojunk=False)
-    for tag, start, end, first, last in matcher.get_opcodes():
-        for at in range(first, last) if tag in ("insert", "replace") else ():
+    for start, end, first, last in changed(old, mine):
+        for at in range(first, last):
             same = start + at - first
             replaced = old[same] if same < end else ""
             if mine[at].strip():

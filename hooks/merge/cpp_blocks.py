@@ -59,16 +59,14 @@ def blocks(text: str) -> list[Block]:
 
     So are those of an `#if`, but for the one that keeps a header from being included twice.
     """
-    lines = split(text)
     tokens = [token for token in tokenize(text) if token.kind not in ("blank", "comment")]
     kept, at = _whole(tokens, 0)
     if at < len(tokens):
         raise ValueError(f"line {tokens[at].line + 1}: {tokens[at].text}, without its beginning")
-    tokens = kept
-    spans, at = _scope(tokens, 0)
-    if at < len(tokens):
-        raise ValueError(f"line {tokens[at].line + 1}: a brace that nothing opens")
-    return arrange(lines, _with_conditions(spans), 0, len(lines), _COMMENTS)
+    spans, at = _scope(kept, 0)
+    if at < len(kept):
+        raise ValueError(f"line {kept[at].line + 1}: a brace that nothing opens")
+    return arrange(split(text), _with_conditions(spans), _COMMENTS)
 
 
 def _directive(token: _Token) -> Span:
@@ -80,8 +78,7 @@ def _directive(token: _Token) -> Span:
 
 def _role(span: Span) -> tuple[str, str]:
     """Say whether a directive begins a condition, goes on with it or ends it."""
-    part = _part(span.key)
-    return ("if", part) if part else ("", "")
+    return "if", _part(span.key)
 
 
 def _part(directive: str) -> str:
@@ -144,13 +141,9 @@ def _with_conditions(spans: list[Span]) -> list[Span]:
     return nested(spans, _role)
 
 
-def same(one: str, other: str) -> bool:
-    """Say whether two texts differ in form alone: in blanks, in where a comment is wrapped."""
-    return _words(one) == _words(other)
-
-
 @functools.lru_cache(maxsize=2048)
-def _words(text: str) -> list[str]:
+def meaning(text: str) -> list[str]:
+    """Return a text without what is but form: blanks, and where a comment is wrapped."""
     words: list[str] = []
     for token in tokenize(text):
         if token.kind == "comment":

@@ -22,11 +22,8 @@ def is_repository(folder: Path) -> bool:
 
 def tracked(folder: Path) -> dict[str, str]:
     """Return the mode of each file below a folder that git has, by its path from there."""
-    modes = {}
-    for entry in filter(None, git(folder, "ls-files", "-s", "-z", ".").split("\0")):
-        facts, path = entry.split("\t", 1)
-        modes[path] = facts.split()[0]
-    return modes
+    entries = git(folder, "ls-files", "-s", "-z", ".").split("\0")[:-1]
+    return {path: facts.split()[0] for facts, path in (one.split("\t", 1) for one in entries)}
 
 
 def untracked(folder: Path) -> list[str]:

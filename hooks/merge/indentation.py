@@ -41,7 +41,7 @@ def _unit(mine: str, old: str) -> tuple[str, str] | None:
     after = steps.get(before, "")
     if not after or before == after or steps.get(""):
         return None
-    counts = Counter(before for (before, _), count in votes.items() for _ in range(count))
+    counts = Counter(base[line] for line in base.keys() & ours.keys())
     is_step = all(
         step == after * (len(blanks) // len(before))
         for blanks, step in steps.items()

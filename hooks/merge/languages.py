@@ -29,6 +29,10 @@ def _lines(text: str) -> list[Block]:
     return [Block("text", split(text))] if text else []
 
 
+def _by(meaning: Callable[[str], object]) -> Callable[[str, str], bool]:
+    return lambda one, other: meaning(one) == meaning(other)
+
+
 def _margin_counts(line: str) -> str:
     return line[: margin(line)] + squeezed(line)
 
@@ -37,15 +41,15 @@ TEXT = Language(_lines, operator.eq, str.rstrip)
 PYTHON = Language(
     checked(python_blocks.blocks), python_blocks.same, _margin_counts, python_blocks.asides
 )
-CPP = Language(checked(cpp_blocks.blocks), cpp_blocks.same, squeezed, comments("//"))
-XML = Language(checked(xml_blocks.blocks), xml_blocks.same, squeezed)
+CPP = Language(checked(cpp_blocks.blocks), _by(cpp_blocks.meaning), squeezed, comments("//"))
+XML = Language(checked(xml_blocks.blocks), _by(xml_blocks.meaning), squeezed)
 YAML = Language(checked(outlines.yaml_blocks), outlines.same_yaml, _margin_counts, comments("#"))
 CMAKE = Language(
-    checked(outlines.cmake_blocks), outlines.same_cmake, outlines.cmake_key, comments("#")
+    checked(outlines.cmake_blocks), _by(outlines.cmake_meaning), outlines.cmake_key, comments("#")
 )
 MARKDOWN = Language(
     checked(outlines.markdown_blocks),
-    outlines.same_markdown,
+    _by(outlines.markdown_meaning),
     lambda line: outlines.row(line).rstrip(),
     outlines.asides,
 )

@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
+from io import StringIO
 from itertools import pairwise
 from os.path import commonprefix
 
@@ -45,17 +46,10 @@ class _Change:
     lines: Lines
     is_mine: bool
 
-    def meets(self, start: int, end: int) -> bool:
-        """Say whether a change and a range share a line, or insert at one place."""
-        if self.start == self.end == start == end:
-            return True
-        return self.start < end and start < self.end
-
 
 def split(text: str) -> Lines:
     """Split at newlines alone, and keep them."""
-    lines = text.split("\n")
-    return [line + "\n" for line in lines[:-1]] + ([lines[-1]] if lines[-1] else [])
+    return StringIO(text).readlines()
 
 
 def margin(line: str) -> int:
@@ -105,7 +99,10 @@ def merge_lines(
         return [Conflict(ours, old[start:end], theirs)]
 
     ours, theirs = (_matches(old, side, key) for side in (mine, new))
-    sides = [*_changes(mine, ours, True)], [*_changes(new, theirs, False)]
+    sides = [
+        [_Change(start, end, other[first:last], is_mine) for start, end, first, last in gaps]
+        for other, gaps, is_mine in ((mine, _gaps(ours), True), (new, _gaps(theirs), False))
+    ]
     changes = sorted(
         [*_parted(old, *sides), *_parted(old, *sides[::-1])],
         key=lambda change: (change.start, change.end, change.is_mine),
@@ -116,23 +113,27 @@ def merge_lines(
     while changes:
         start, end = changes[0].start, changes[0].end
         group = [changes.pop(0)]
-        while met := [change for change in changes if change.meets(start, end)]:
-            group += met
-            changes = [change for change in changes if change not in met]
-            start = min(change.start for change in group)
-            end = max(change.end for change in group)
+        # They share a line, or insert at one place.
+        while changes and (changes[0].start < end or changes[0].end == start):
+            group.append(changes.pop(0))
+            end = max(end, group[-1].end)
         merged += stable[at:start]
         merged += settle(group, start, end)
         at = end
     return [*merged, *stable[at:]]
 
 
-def _changes(other: Lines, matches: _Matches, is_mine: bool) -> Iterator[_Change]:
+def changed(old: Sequence[str], new: Sequence[str]) -> Iterator[tuple[int, int, int, int]]:
+    """Yield what differs: from where to where in the old lines, and in the new ones."""
+    return _gaps(SequenceMatcher(None, old, new, False).get_matching_blocks())
+
+
+def _gaps(matches: Iterable[tuple[int, int, int]]) -> Iterator[tuple[int, int, int, int]]:
     """Yield what is between matches."""
     start = first = 0
     for end, last, size in matches:
         if start < end or first < last:
-            yield _Change(start, end, list(other[first:last]), is_mine)
+            yield start, end, first, last
         start, first = end + size, last + size
 
 
@@ -190,7 +191,7 @@ def _stable(old: Lines, *sides: tuple[Lines, _Matches]) -> Lines:
 
 def _apply(changes: list[_Change], stable: Lines, start: int, end: int) -> Lines:
     lines: Lines = []
-    for change in sorted(changes, key=lambda change: (change.start, change.end)):
+    for change in changes:
         lines += stable[start : change.start] + change.lines
         start = change.end
     return lines + stable[start:end]

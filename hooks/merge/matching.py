@@ -117,7 +117,7 @@ def _rejoined(mine: Blocks, *versions: Blocks) -> list[Block]:
 
 def _take_comment(container: Block, above: Blocks, known: Mapping[str, Blocks]) -> None:
     """Take the comment of what leaves out of the lines above a container that begins with it."""
-    for key, (*_, first) in islice(_places([container], known, ()), 1):
+    for key, (*_, first) in islice(_places([container], known), 1):
         if len(known[key]) > 1:  # it stays
             return
         generated = {*known[key][0].lines} - {*first.lines}
@@ -334,7 +334,7 @@ def wrap(
     `mine` is already.
     """
     known = _by_key(chain(old, *others))
-    places = dict(_places(mine, known, ()))
+    places = dict(_places(mine, known))
     base = {block.key for block in old}
 
     def shift(key: str) -> int:
@@ -380,7 +380,7 @@ def _between(blocks: Blocks, at: int, places: Mapping[str, tuple[Block, ...]]) -
 
 
 def _places(
-    mine: Blocks, known: Mapping[str, Blocks], around: tuple[Block, ...]
+    mine: Blocks, known: Mapping[str, Blocks], around: tuple[Block, ...] = ()
 ) -> Iterator[tuple[str, tuple[Block, ...]]]:
     """Yield the keys of generated blocks, each with the containers it is in, and what it is."""
     for block in mine:
@@ -407,7 +407,7 @@ def _refuse_both(mine: Blocks, old: Blocks, new: Blocks) -> None:
     """Insist that the two sides have not put other containers around one thing."""
     for level in _levels(mine, old, new):
         known = _by_key(level[1])
-        ours, theirs = (dict(_places(side, known, ())) for side in level[::2])
+        ours, theirs = (dict(_places(side, known)) for side in level[::2])
         inside, others = (_by_container(side, known) for side in level[::2])
         for key in ours.keys() & theirs.keys():
             around, other = ours[key][0].key, theirs[key][0].key
@@ -420,7 +420,7 @@ def _levels(mine: Blocks, old: Blocks, new: Blocks) -> Iterator[tuple[Blocks, Bl
     """Yield three versions, and those of what each generated block holds that all of them have."""
     yield mine, old, new
     known = _by_key(old)
-    ours, theirs = (dict(_places(side, known, ())) for side in (mine, new))
+    ours, theirs = (dict(_places(side, known)) for side in (mine, new))
     for key in ours.keys() & theirs.keys():
         sides = (ours[key][-1], known[key][0], theirs[key][-1])
         yield from _levels(*(side.children for side in sides))
@@ -429,7 +429,7 @@ def _levels(mine: Blocks, old: Blocks, new: Blocks) -> Iterator[tuple[Blocks, Bl
 def _by_container(side: Blocks, known: Mapping[str, Blocks]) -> dict[str, set[str]]:
     """Return the generated blocks that each block of the developer's holds."""
     own = (block for block in side if block.key not in known)
-    return {block.key: {key for key, _ in _places([block], known, ())} for block in own}
+    return {block.key: {key for key, _ in _places([block], known)} for block in own}
 
 
 def _inside(level: list[Block], key: str) -> list[Block]:

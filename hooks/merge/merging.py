@@ -10,7 +10,6 @@ import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from difflib import SequenceMatcher
 
 from ..changes import GONE
 from . import lines, outlines, python_blocks
@@ -46,11 +45,6 @@ class Outcome:
     def conflict(self) -> bool:
         """Say whether the developer must choose."""
         return lines.conflicts(self.merged)
-
-    @property
-    def text(self) -> str:
-        """Return the file, a conflict between marks."""
-        return lines.text(self.merged)
 
 
 @dataclass(frozen=True)
@@ -106,12 +100,10 @@ def by_line(
 
     outcome = Outcome(lines.merge_lines(ours, base, theirs, known.key, same, of_people))
     could_be_read = readable(known, [mine.text])
-    is_known = known not in (CPP, PYTHON) or (of_people and could_be_read)
-    if not is_known and _names(known, old) != _names(known, new):
-        return conflict(path, mine, old, new)  # lines alone do not tell whose a body is
-    if outcome.conflict or not could_be_read or readable(known, outcome.merged):
-        return outcome
-    return conflict(path, mine, old, new)
+    is_clear = known not in (CPP, PYTHON) or (of_people and could_be_read)
+    is_clear = is_clear or _names(known, old) == _names(known, new)  # else whose is a body?
+    is_read = outcome.conflict or not could_be_read or readable(known, outcome.merged)
+    return outcome if is_clear and is_read else conflict(path, mine, old, new)
 
 
 def conflict(
@@ -173,21 +165,19 @@ class _Merger:
             end = len(merged)
             if key in ours and key in theirs:
                 merged += self.block(ours[key], base.get(key), theirs[key])
-            elif key in ours and key in base and not base[key].lines:
-                merged += self.emptied(ours[key], base[key])
             elif key in ours and key in base:
-                merged += self.left(ours[key], base[key])
+                merged += (self.left if base[key].lines else self.emptied)(ours[key], base[key])
             elif key in ours:
                 merged += self.alone(ours[key], base, theirs)
             elif key not in base:
                 merged += lines.split(theirs[key].text)
-            elif self.of_people and key in theirs and not self.is_same(theirs[key], base[key]):
-                merged += _disputed("", base[key].text, theirs[key].text)
-            elif self.language is PYTHON and key in theirs and key.startswith("from "):
-                names = python_blocks.joined_import("", base[key].text, theirs[key].text)
-                merged += lines.split(names or "")
             elif key not in theirs:
                 self.outcome.gone.append(block_name(key))
+            elif self.of_people and not self.is_same(theirs[key], base[key]):
+                merged += _disputed("", base[key].text, theirs[key].text)
+            elif self.language is PYTHON and key.startswith("from "):
+                names = python_blocks.joined_import("", base[key].text, theirs[key].text)
+                merged += lines.split(names or "")
             else:
                 self.outcome.reworded += lines.split(theirs[key].text)
             both = [
@@ -324,10 +314,9 @@ def _order(mine: list[str], old: list[str], new: list[str]) -> list[str]:
 
 def _moved(keys: list[str], old: list[str]) -> set[str]:
     """Return what is not where it was before, beside the rest."""
-    both = set(keys) & set(old)
+    both = {*keys} & {*old}
     before, after = ([key for key in each if key in both] for each in (old, keys))
-    matches = SequenceMatcher(None, before, after, autojunk=False).get_matching_blocks()
-    return both.difference(*(before[match.a : match.a + match.size] for match in matches))
+    return {key for start, end, *_ in lines.changed(before, after) for key in before[start:end]}
 
 
 def _inserted(keys: list[str], others: Iterable[str]) -> list[str]:

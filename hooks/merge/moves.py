@@ -50,4 +50,4 @@ def moved_files(spec: Mapping[str, Any], model: Model) -> dict[str, str]:
 
 def _fits(path: str, names: Mapping[str, str]) -> bool:
     wanted = {part.partition("}")[0] for part in path.split("{")[1:]}
-    return wanted == set(names) or wanted | {PACKAGE} == set(names)
+    return wanted | {PACKAGE} == {*names}

@@ -42,10 +42,9 @@ def yaml_blocks(text: str) -> list[Block]:
     except yaml.YAMLError as error:
         raise ValueError(str(error)) from error
     lines = split(text)
-    spans: list[Span] = []
-    for node in filter(None, nodes):
-        spans += _keys(text, lines, node, _ends(text, node))  # before `---` or `...`
-    return arrange(lines, spans, 0, len(lines))
+    ends = ((node, _ends(text, node)) for node in nodes if node)  # before `---` or `...`
+    spans = [span for node, end in ends for span in _keys(text, lines, node, end)]
+    return arrange(lines, spans)
 
 
 def _keys(text: str, lines: Sequence[str], node: yaml.Node, until: int) -> Iterator[Span]:
@@ -93,7 +92,6 @@ def _first_entry(text: str, member: yaml.Node, is_nested: bool) -> str:
 
 def cmake_blocks(text: str) -> list[Block]:
     """Return the commands of a file, each known by its name and its first argument."""
-    lines = split(text)
     spans: list[Span] = []
     depth, start, name = 0, 0, ""
     for match in _COMMAND.finditer(text):
@@ -114,7 +112,7 @@ def cmake_blocks(text: str) -> list[Block]:
             spans.append(Span(key, at, at + rest + 1))
     if depth:
         raise ValueError("a parenthesis that nothing closes")
-    return arrange(lines, nested(spans, _role), 0, len(lines), _CMAKE_COMMENTS)
+    return arrange(split(text), nested(spans, _role), _CMAKE_COMMENTS)
 
 
 def _role(span: Span) -> tuple[str, str]:
@@ -131,7 +129,7 @@ def _role(span: Span) -> tuple[str, str]:
 def markdown_blocks(text: str) -> list[Block]:
     """Return the sections of a text, each known by its heading."""
     lines = split(text)
-    heads: dict[int, str] = {}
+    heads = {0: "start"}
     until = ""
     for index, line in enumerate(lines):
         fence = _FENCE.match(line)
@@ -147,9 +145,8 @@ def markdown_blocks(text: str) -> list[Block]:
         elif index and re.match(r" {0,3}(=+|-+)\s*$", line) and _TITLE.match(lines[index - 1]):
             level = "#" if "=" in line else "##"
             heads[index - 1] = squeezed(f"{level} {lines[index - 1]}")
-    blocks = [Block("start", lines[: min(heads, default=len(lines))])] if lines else []
-    for (head, key), end in zip(heads.items(), [*heads, len(lines)][1:], strict=True):
-        blocks.append(Block(key, lines[head:end]))
+    ends = [*heads, len(lines)][1:]
+    blocks = [Block(heads[at], lines[at:end]) for at, end in zip(heads, ends, strict=True)]
     return [block for block in numbered(blocks) if block.lines]
 
 
@@ -165,7 +162,7 @@ def message_blocks(text: str) -> list[Block]:
         if number:
             members = [Span("---", start, end, (start + 1, end), tuple(members))]
         spans += members
-    return arrange(lines, spans, 0, len(lines))
+    return arrange(lines, spans)
 
 
 def same_yaml(one: str, other: str) -> bool:
@@ -219,18 +216,15 @@ def _lower(text: str) -> str:
     return _COMMAND.sub(lambda match: match[0].lower() if match["name"] else match[0], text)
 
 
-def same_cmake(one: str, other: str) -> bool:
-    """Say whether two texts differ in form alone: capitals of commands, blanks between words."""
-    texts = (
-        _BESIDE.sub(lambda match: match["sign"] or match[0], _lower(text)) for text in (one, other)
-    )
-    return len({squeezed(text, _CMAKE_EXACT) for text in texts}) == 1
+def cmake_meaning(text: str) -> str:
+    """Return a text without what is but form: capitals of commands, blanks between words."""
+    tight = _BESIDE.sub(lambda match: match["sign"] or match[0], _lower(text))
+    return squeezed(tight, _CMAKE_EXACT)
 
 
-def same_markdown(one: str, other: str) -> bool:
-    """Say whether two texts differ in form alone: tables, blanks, but for those of code."""
-    texts = ("".join(map(row, split(text))) for text in (one, other))
-    return len({squeezed(text, _CODE) for text in texts}) == 1
+def markdown_meaning(text: str) -> str:
+    """Return a text without what is but form: that of tables, blanks, but for those of code."""
+    return squeezed("".join(map(row, split(text))), _CODE)
 
 
 def asides(lines: Sequence[str]) -> list[str]:
@@ -265,8 +259,8 @@ def joined_rows(*sides: Sequence[str]) -> tuple[dict[str, str], dict[str, str]]:
     mine, old, new = map(_rows, sides)
     for key in mine.keys() & old.keys() & new.keys():
         rows = [side[key] for side in (mine, old, new)]
-        cells = [*itertools.zip_longest(*map(_cells, rows))]
-        found = [*itertools.starmap(_joined_cell, cells)]
+        cells = [*map(_cells, rows)]
+        found = [*map(_joined_cell, *cells)] if len({*map(len, cells)}) == 1 else [None]
         text = "" if None in found else "|".join(map(str, found))
         if row(text) not in ("", row(rows[2])):
             joined[rows[0]], came[rows[1]] = text, rows[2]
@@ -286,10 +280,8 @@ def _cells(row: str) -> list[str]:
     return re.split(r"(?<!\\)\|", row)
 
 
-def _joined_cell(mine: str | None, old: str | None, new: str | None) -> str | None:
+def _joined_cell(mine: str, old: str, new: str) -> str | None:
     """Return a cell of which one side, if any, has made something; none where both have."""
-    if mine is None or old is None or new is None:
-        return None
     if new.strip() in (mine.strip(), old.strip()):
         return mine
     return new if mine.strip() == old.strip() else None

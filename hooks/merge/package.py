@@ -70,7 +70,7 @@ def merge_package(
     """
     sources = {renaming.path(path): path for path in (*old, *mine)}
     ours, base = ({renaming.path(p): file for p, file in tree.items()} for tree in (mine, old))
-    package = _Package(ours, base, new, renaming, sources, ways, of_people)
+    package = _Package(ours, base, {**new}, renaming, sources, ways, of_people)
     package.follow_moves()
     for path in sorted({*ours, *base, *new}):
         package.file(path, is_kept(path))
@@ -111,9 +111,8 @@ class _Package:
 
     def _follow(self, path: str, target: str) -> None:
         """Take the developer's file at `target` for the one that the model makes at `path`."""
-        self.old[target] = self.old.pop(path)
-        self.new = {**self.new, target: self.new[path]}
-        del self.new[path]
+        for tree in (self.old, self.new):
+            tree[target] = tree.pop(path)
         self.result.origins[target] = self.source[path]
 
     def file(self, path: str, is_kept: bool) -> None:
@@ -185,7 +184,7 @@ class _Package:
             self.result.rejected[path] = File(encode(lines.rejected(path, outcome.merged)))
             settled = "".join(lines.settled(outcome.merged)).replace("\n", ends)
             self.result.settled[path] = File(encode(mark + settled), mode)
-        return File(encode(mark + outcome.text.replace("\n", ends)), mode)
+        return File(encode(mark + lines.text(outcome.merged).replace("\n", ends)), mode)
 
     def _version(self, path: str, text: str) -> Version:
         """Return a version of before the update, with what a rename has exchanged."""

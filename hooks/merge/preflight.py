@@ -57,8 +57,7 @@ def check(
         marked = render_marked(answers, (recorded, spec), dictionary, renderer)
         renaming = plan_moves(old.tree, *marked, modes)
         renaming.follow(moved, old.tree, renderer.fresh(new_answers).tree)
-        moves = {path: renaming.path(path) for path in modes}
-        moves = {path: after for path, after in moves.items() if after != path}
+        moves = {path: after for path in modes if (after := renaming.path(path)) != path}
     refuse(package, touched | set(moves.values()), moves)
 
 
@@ -189,9 +188,9 @@ def _refuse_unknown(package: Path, paths: Iterable[str], known: set[str]) -> Non
     """Insist that git has what is written over, be it through a link."""
     for path in paths:
         _refuse_links(package, path, known)
-    others = untracked(package)
+    others = {*untracked(package)}
     folders = tuple(path for path in others if path.endswith("/"))
-    missing = [path for path in paths if path in set(others) or path.startswith(folders)]
+    missing = [path for path in paths if path in others or path.startswith(folders)]
     if missing:
         raise SpecError(
             f"{_some(missing)}: not in git (ignored, or never added), and the update would write"

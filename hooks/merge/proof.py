@@ -6,11 +6,10 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from difflib import SequenceMatcher
 
 from .blocks import Block, is_comment, walk
 from .languages import MARKDOWN, PYTHON, TEXT, Language, language
-from .lines import MARKS, plain, split
+from .lines import MARKS, changed, plain, split
 from .matching import identify, match, opened, tell_apart, wrap
 from .merging import readable
 from .outlines import joined_rows
@@ -129,8 +128,8 @@ class _Prover:
                 proof.left.append((path, number, line))
             else:
                 proof.lost.append((target, line.strip()))
-        changed = found is not None and target not in result.conflicts and text != ours
-        if changed and not readable(known, [text]):
+        is_merged = found is not None and target not in result.conflicts and text != ours
+        if is_merged and not readable(known, [text]):
             proof.lost.append((target, "cannot be read any more"))
 
     def _not_there(
@@ -228,12 +227,9 @@ def _developer_lines(known: Language, mine: list[Block], old: list[Block]) -> It
         base = before.get(scope, [])
         if base and known.same("".join(inside), "".join(base)):
             continue
-        keys = list(map(known.key, base)), list(map(known.key, inside))
-        matcher = SequenceMatcher(None, keys[0], keys[1], autojunk=False)
-        for tag, start, end, first, last in matcher.get_opcodes():
-            if tag in ("insert", "replace"):
-                if known.same("".join(base[start:end]), "".join(inside[first:last])):
-                    continue
+        keys = ([*map(known.key, lines)] for lines in (base, inside))
+        for start, end, first, last in changed(*keys):
+            if not known.same("".join(base[start:end]), "".join(inside[first:last])):
                 for at in range(first, last):
                     if inside[at].strip():
                         yield scope, inside[at], numbers[scope][at]

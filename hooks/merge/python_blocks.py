@@ -30,7 +30,7 @@ def blocks(text: str) -> list[Block]:
     """Return the blocks of a module; those of a class, `if`, `try` or `with` are inside."""
     lines = split(text)
     module = cast(ast.Module, nodes(text)[0])
-    return arrange(lines, _spans(module.body, lines), 0, len(lines))
+    return arrange(lines, _spans(module.body, lines))
 
 
 def same(one: str, other: str) -> bool:

@@ -103,13 +103,13 @@ def recount(
         leaving.setdefault(path, set()).update(range(number - 1, number + 2))
     carried = {path for targets, _ in result.carried.values() for path in targets}
     places = {renaming.path(path): path for path in old}
-    wrong = [*_files(mine, old, new, renaming, is_kept, result, found)]
+    trees = (mine, old, new, found)
+    wrong = [*_files(trees, renaming, is_kept, result)]
     for path, file in mine.items():
         target = renaming.path(path)
         origin = result.origins.get(target) or places.get(target, path)
-        made = renaming.path(origin)
-        others = ((old, origin), (new, made), (found, target))
-        files = [file, *(tree.get(place, File(b"")) for tree, place in others)]
+        paths = (path, origin, renaming.path(origin), target)
+        files = [tree.get(at, File(b"")) for tree, at in zip(trees, paths, strict=True)]
         texts = [one.text for one in files]
         if None in texts or not texts[3] or target in result.conflicts or is_kept(target):
             continue
@@ -136,22 +136,15 @@ def recount(
         for side in (ours, theirs) if faults else ():
             faults -= _faults(target, side)
         wrong += ((target, fault) for fault in sorted(faults))
-    return wrong + _halves(mine, old, new, found, result, renaming)
+    return wrong + _halves(trees, renaming, result)
 
 
 def _files(
-    mine: Tree,
-    old: Tree,
-    new: Tree,
-    renaming: Renaming,
-    is_kept: Callable[[str], bool],
-    result: Result,
-    found: Tree,
+    trees: Sequence[Tree], renaming: Renaming, is_kept: Callable[[str], bool], result: Result
 ) -> Iterator[tuple[str, str]]:
     """Yield the files that should be there, or should not, or are of another sort."""
-    had, have = (
-        {renaming.path(path): file for path, file in tree.items()} for tree in (old, mine)
-    )
+    *before, new, found = trees
+    have, had = ({renaming.path(path): tree[path] for path in tree} for tree in before)
     moved = {renaming.path(path): target for target, path in result.origins.items()}
     due = {
         moved.get(path, path) for path in new if path not in had or moved.get(path, path) in have
@@ -230,16 +223,13 @@ def _unbound(text: str) -> set[str]:
         found = nodes(text)
     except ValueError:
         return {"cannot be read any more"}
-    bound = {*dir(builtins), "__file__", "*"}
+    names = [node for node in found if isinstance(node, ast.Name)]
+    bound = {*dir(builtins), "__file__"} | {n.id for n in names if isinstance(n.ctx, ast.Store)}
     for node in found:
         name = getattr(node, "asname", None) or getattr(node, "name", getattr(node, "arg", None))
         bound |= {name.split(".")[0]} if isinstance(name, str) else set()
-        bound |= (
-            {node.id} if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) else set()
-        )
-    used = {n.id for n in found if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
-    stars = any(isinstance(n, ast.alias) and n.name == "*" for n in found)
-    unbound = set() if stars else {f"{name} is not defined" for name in used - bound}
+    used = {node.id for node in names if isinstance(node.ctx, ast.Load)}
+    unbound = set() if "*" in bound else {f"{name} is not defined" for name in used - bound}
     return unbound | _twice(_PROGRAM.findall(text))
 
 
@@ -309,17 +299,14 @@ _SOUND: tuple[tuple[str | tuple[str, ...], Callable[[str], set[str]]], ...] = (
 )
 
 
-def _halves(
-    mine: Tree, old: Tree, new: Tree, found: Tree, result: Result, renaming: Renaming
-) -> Places:
+def _halves(trees: Sequence[Tree], renaming: Renaming, result: Result) -> Places:
     """Return the functions of C++ that are but declared, or but defined, and were both."""
     kinds = (".cpp", ".hpp")
     if any(path.endswith(kinds) for path in result.conflicts):
         return []
     codes = [
         {p: _NO_CODE.sub("", by.text(p, f.written)) for p, f in tree.items() if p.endswith(kinds)}
-        for by, trees in ((renaming, (mine, old)), (Renaming(), (new, found)))
-        for tree in trees
+        for by, tree in zip((renaming, renaming, Renaming(), Renaming()), trees, strict=True)
     ]
     defined = [_defined(code) for code in codes]
     sides = [*zip(defined, codes, strict=True)]
@@ -342,10 +329,8 @@ def _is_half(defined: Mapping[Member, str], code: dict[str, str], member: Member
 
 def _defined(code: dict[str, str]) -> dict[Member, str]:
     """Return the members that sources define, each with its path."""
-    found: dict[Member, str] = {}
-    for path, text in code.items():
-        found |= {(c, n): path for c, n in _DEFINITION.findall(text) if path.endswith(".cpp")}
-    return found
+    sources = {path: text for path, text in code.items() if path.endswith(".cpp")}
+    return {member: path for path in sources for member in _DEFINITION.findall(sources[path])}
 
 
 def _declared(code: dict[str, str], member: Member) -> bool:

@@ -75,9 +75,8 @@ def _files(package: Path, before: Tree, after: Tree, result: Result) -> Iterator
             yield f"moved     {sources[path]} -> {path}"
         elif old is None:
             commit = git.commit_that_had(package, path) if path in deleted else ""
-            yield f"added     {path}" + (
-                f"      (as it was: git show {commit}:./{path})" if commit else ""
-            )
+            was = f"      (as it was: git show {commit}:./{path})" if commit else ""
+            yield f"added     {path}{was}"
         elif old != file:
             yield f"merged    {path}"
 

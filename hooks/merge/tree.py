@@ -95,8 +95,7 @@ def write(file: Path, content: File) -> None:
         return
     file.write_bytes(content.data)
     mode = file.stat().st_mode
-    bits = stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH
-    file.chmod(mode | bits if content.mode == EXECUTABLE else mode & ~bits)
+    file.chmod(mode | 0o111 if content.mode == EXECUTABLE else mode & ~0o111)
 
 
 def remove(folder: Path, path: str) -> None:

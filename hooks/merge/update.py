@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -12,7 +12,7 @@ from ..changes import Contexts, changed_answers, changes, left
 from ..dictionary import Dictionary
 from ..faults import SpecError, UnrenderedError
 from . import git
-from .branches import Branches, Joined, Joiner, listed, under_way, wrong_merge
+from .branches import Branches, Joined, Joiner, refuse, under_way, wrong_merge
 from .package import Result
 from .proof import Proof, places
 from .render import Renderer, begin, recorded_answers
@@ -45,18 +45,10 @@ class Update:
     ) -> Report:
         """Merge, put in place, prove.
 
-        Args:
-            answers: those of the new version, the context among them.
-            renderer: renders the package.
-            dictionary: what names the items of a context.
-            moved: the new paths of files that the new version of the model renames.
-            inline: whether conflicts go between marks, else to files that end in .rej.
-            given: the names of the answers that this update was given.
-
-        Raises:
-            SpecError: a line of the developer's would not be in its place, or there could be no
-                other update; nothing has changed.
-
+        The first four are those of a `Joiner`. `inline`: conflicts go between marks, else to files
+        that end in .rej. `given` are the names of the answers that this update was given.
+        It raises SpecError where a line of the developer's would not be in its place, or there
+        could be no other update; nothing has changed.
         """
         about = (answers, renderer, dictionary, moved)
         joiner = Joiner(self.package, self.answers_file, *about)
@@ -114,23 +106,27 @@ class Update:
 
     def _insist(self, made: Versions, result: Result, found: Tree, proof: Proof) -> None:
         """Look once more, at what is on the disk now."""
-        if lost := [*places(made.mine, proof.lost, made.renaming)]:
-            raise SpecError(
-                "the update was undone, for it would have put lines of yours where you did not"
-                " write them; take these lines out and commit; update; put them in again:"
-                + listed(lost),
-                "merge-not-proved",
-            )
-        if wrong := made.wrong(result, found, proof):
-            raise SpecError(
-                "the update was undone, for these files would not be what both sides made of them;"
-                " take your changes of them out and commit; update; put them in again:"
-                + listed(f"{path}: {what}" for path, what in wrong),
-                "merge-not-proved",
-            )
+        refuse(
+            places(made.mine, proof.lost, made.renaming),
+            "the update was undone, for it would have put lines of yours where you did not"
+            " write them; take these lines out and commit; update; put them in again",
+            "merge-not-proved",
+        )
+        refuse(
+            (f"{path}: {what}" for path, what in made.wrong(result, found, proof)),
+            "the update was undone, for these files would not be what both sides made of them;"
+            " take your changes of them out and commit; update; put them in again",
+            "merge-not-proved",
+        )
 
     def _joined(self, joiner: Joiner, branches: Branches, joined: Joined, inline: bool) -> Report:
         """Put two joined branches in place; leave it to git to end what it has begun."""
+
+        def kept(path: str) -> str:
+            """Return what `git show` wants for a file of what was joined, or is joined again."""
+            merge = branches.merge[:7]
+            return f"{merge}:./{path}" if merge else git.keep(self.package, joined.own[path].data)
+
         result, (ours, theirs) = joined.result, joined.sides
         self.snapshot.put(result, {self.answers_file}, inline)
         found = read_paths(self.package, result.tree)
@@ -153,29 +149,17 @@ class Update:
         }
         for name in ("moved", "removed", "missing", "own"):
             getattr(result, name).update(getattr(ours.result, name))
-        other = theirs.commit[:7]
-        before = theirs.versions.mine
+        other, before = theirs.commit[:7], theirs.versions.mine
         more = [*removed(other, self.package, before, theirs.result.tree, theirs.result)]
         more += left_behind(f"{other}:./{{}}".format, theirs.proof.left)
-        more += left_behind(self._kept(branches, joined), joiner.own_lines(joined))
-        proofs = [side.proof for side in joined.sides]
-        proof = Proof(
-            sum(proof.total for proof in proofs),
-            sum(proof.in_place for proof in proofs),
-            [left for proof in proofs for left in proof.left],
-        )
-        shown = replace(proof, left=ours.proof.left)
-        lines = report(
-            self.package, ours.versions.mine, found, result, said, sorted(still), shown, more
-        )
+        more += left_behind(kept, joiner.own_lines(joined))
+        one, two = ours.proof, theirs.proof
+        proof = Proof(one.total + two.total, one.in_place + two.in_place, one.left + two.left)
+        before = ours.versions.mine
+        here = replace(proof, left=one.left)
+        lines = report(self.package, before, found, result, said, sorted(still), here, more)
         lines.lines[-1] = proof.sentence
         return lines
-
-    def _kept(self, branches: Branches, joined: Joined) -> Callable[[str], str]:
-        """Return what `git show` wants for a file of the merge that was joined again."""
-        if branches.merge:
-            return f"{branches.merge[:7]}:./{{}}".format
-        return lambda path: git.keep(self.package, joined.own[path].data)
 
 
 def _noted(branches: Branches) -> str:

@@ -38,17 +38,13 @@ def blocks(text: str) -> list[Block]:
         expat.ParserCreate().Parse(text.encode(errors="surrogateescape"), True)
     except expat.ExpatError as error:
         raise ValueError(str(error)) from error
-    lines = split(text)
-    return arrange(lines, _spans(text), 0, len(lines), COMMENTS)
+    return arrange(split(text), _spans(text), COMMENTS)
 
 
-def same(one: str, other: str) -> bool:
-    """Say whether two texts differ in form alone: in blanks, but for those of a value."""
-
-    def tight(match: re.Match[str]) -> str:
-        return f"={match['value']}" if match["value"] else match["end"] or match[0]
-
-    return len({squeezed(_BESIDE.sub(tight, text), _EXACT) for text in (one, other)}) == 1
+def meaning(text: str) -> str:
+    """Return a text without what is but form: blanks, but for those of a value."""
+    tight = _BESIDE.sub(lambda m: f"={m['value']}" if m["value"] else m["end"] or m[0], text)
+    return squeezed(tight, _EXACT)
 
 
 _USES = ("build_depend", "build_export_depend", "exec_depend")

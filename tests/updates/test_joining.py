@@ -12,7 +12,7 @@ import yaml
 
 from hooks.dictionary import load
 from hooks.faults import SpecError
-from hooks.merge.branches import Branches, Joiner, Side, people, under_way, wrong_merge
+from hooks.merge.branches import Branches, Joiner, Side, people, settle, under_way, wrong_merge
 from hooks.merge.merging import Version, by_line
 from hooks.merge.tree import LINK, File, read_folder, read_paths, write
 from hooks.merge.update import Update
@@ -740,6 +740,17 @@ def test_functions_of_two_developers(ours, base, theirs, wanted):
         assert all(f"return {value};" in text for name, value in parts if name == "b")
         (settled,) = (file.text for file in result.settled.values())
         assert settled == "".join(FUNCTION % pair for pair in ours.items())
+
+
+def test_merge_of_two_that_is_not_proved(monkeypatch):
+    wrong = [("a.py", f"x = {number}") for number in range(30)]
+    monkeypatch.setattr(Versions, "merged", lambda made: (None, wrong))
+    with pytest.raises(SpecError, match="nothing was joined") as caught:
+        settle(people({}, {}, {}))
+    first, *lines, last = str(caught.value).split("\n")
+    assert lines == [f"  a.py: {what}" for _, what in wrong[:20]]
+    assert first.endswith("put them in again: [merge-not-proved]")
+    assert last == ""
 
 
 @pytest.mark.parametrize(

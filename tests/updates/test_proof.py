@@ -119,7 +119,7 @@ def test_conflict_of_a_file_shows_what_differs():
     assert re.sub(r"(?m)^(<{7}|={7}|>{7}).*\n", "", merged) == mine
 
 
-@pytest.mark.parametrize("fault", ["line", "file", "error"])
+@pytest.mark.parametrize("fault", ["line", "file", "more", "error"])
 def test_wrong_merge_is_undone(package, monkeypatch, fault):
     def spoil(*trees):
         result = merge_package(*trees)
@@ -127,6 +127,8 @@ def test_wrong_merge_is_undone(package, monkeypatch, fault):
             result.tree[PATH] = File(NEW.encode())
         elif fault == "file":
             del result.tree[PATH]
+        elif fault == "more":  # what neither side has, and no line of the developer's
+            result.tree["more.py"] = File(b"")
         else:
             raise RuntimeError("anything")
         return result
@@ -139,6 +141,10 @@ def test_wrong_merge_is_undone(package, monkeypatch, fault):
     if fault == "line":
         assert "\n  arm/reach_impl.py:4: response.ok = True\n" in str(caught.value)
         assert "take these lines out and commit; update; put them in again" in str(caught.value)
+    if fault == "more":
+        assert "these files would not be what both sides made of them" in str(caught.value)
+        assert "\n  more.py: the file\n" in str(caught.value)
+        assert not (package / "more.py").exists()
     assert caught.traceback  # the update is alive: not its end undoes all
     assert git(package, "status", "--short") == ""
     assert (package / PATH).read_text() == MINE
