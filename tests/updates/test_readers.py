@@ -893,6 +893,11 @@ def test_markdown_of_the_developer_stays_whole(edit):
     assert found == changed(README, edit, *changes)
 
 
+def test_line_that_looks_like_a_heading_in_a_comment_is_none():
+    blocks = MARKDOWN.blocks("# A\n<!-- a\nb\n# B\n-->\n# C\n")
+    assert [block.key for block in blocks] == ["# A", "# C"]
+
+
 def test_heading_that_both_change_is_asked_once():
     mine, new = (changed(README, ("## Use", f"## {name}")) for name in ("How to", "Usage"))
     merges, found, _ = merge("README.md", mine, README, new)
