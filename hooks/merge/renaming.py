@@ -25,9 +25,10 @@ from .languages import CMAKE, CPP, MARKDOWN, PYTHON, TEXT, XML, YAML, Language, 
 from .lines import split
 from .origins import SELF, Class, Names, classes_in, origins, related
 from .python_blocks import definitions, imports
-from .references import STARTED, References, with_packages
+from .references import References, with_packages
 from .render import Renderer
 from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python, with_ends
+from .settings import STARTED
 from .tokens import Word, all_words, exchange, quoted
 from .tree import File, Tree
 
@@ -66,6 +67,8 @@ class Renaming:
     """Its name before the update."""
     programs: dict[str, str] = field(default_factory=dict)
     """The programs of nodes, and the classes of components, as launch files have them."""
+    given: dict[str, list[Mark]] = field(default_factory=dict)
+    """By program, what is renamed of the parameters and topics of its node."""
     targets: dict[str, str] = field(default_factory=dict)
     """The names of nodes, which are those of targets in CMake."""
     components: dict[str, str] = field(default_factory=dict)
@@ -207,7 +210,8 @@ class Renaming:
     @property
     def references(self) -> References:
         """What becomes of the things of the package, where its name is beside theirs."""
-        return References(self.package, self.programs, self._path_of_now, self._names_in)
+        paths = (self._path_of_now, self._names_in)
+        return References(self.package, self.programs, *paths, self.given)
 
     def _path_of_now(self, path: str) -> str:
         found = self.path(path)
@@ -231,7 +235,7 @@ class Renaming:
         if known is XML:
             made, references = self.attributes.get(path, {}), self.references
             return xml_blocks.exchange(
-                text, lambda one: made.get(one) or references.attribute(one)
+                references.in_xml(text), lambda one: made.get(one) or references.attribute(one)
             )
         text = self.references.exchanged(known, text)
         if known is YAML:
@@ -510,6 +514,7 @@ def plan(
     renaming.components = {mark.before: mark.after for mark in nodes}
     owned: dict[str, set[int]] = {}
     tokens: dict[str, set[str]] = {}
+    started: dict[str, set[int]] = {}  # by program, or class of a component, the marks of its node
     for path, before in _place(renaming, old, marked, reader).items():
         owned[before] = reader.numbers(path)
         text = marked[path].written
@@ -536,10 +541,19 @@ def plan(
             renaming.settings[before] = _settings(old[before].written)
         if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
             renaming.attributes[before] = reader.attributes(text)
+            for (_, sort, value), _ in xml_blocks.attributes(text):
+                if sort in STARTED:
+                    started.setdefault(reader.both(value)[0], set()).update(reader.numbers(value))
     name = re.search(r"<name>\s*([\w-]+)", old.get("package.xml", File(b"")).written)
     renaming.package = name[1] if name else ""
     values = [pair for each in renaming.attributes.values() for pair in each.items()]
     renaming.programs = {before: after for (_, sort, before), after in values if sort in STARTED}
+    for number, mark in enumerate(marks):
+        for program in (mark.before, *mark.called):
+            started.setdefault(program, set()).add(number)
+    for program, numbers in started.items():
+        own = [mark for mark in marks if mark.owner in numbers and mark.sort and not mark.is_gone]
+        renaming.given |= {program: own} if own else {}
     renaming.classes = _classes(old, [*renaming.paths], renaming.roots)
     mine = {*mine}
     _follow_moved(renaming, mine - old.keys(), mine)

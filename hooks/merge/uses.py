@@ -22,8 +22,8 @@ from .tree import File, Tree
 _NAME_BEFORE = re.compile(rf"""\b{WAS}\s*=\s*("[^"]*"|'[^']*')""")
 _MARKUP = re.compile(r"""</?[\w:.-]+|[\w:.-]+(?=\s*=\s*["'])""")
 """The tags and attributes of XML, which are not the developer's words."""
-_PATTERN = re.compile(r"_(?=\*)|(?<=\*)_")
-"""What ends a name in `reach_*.cpp`, a pattern of files."""
+_PATTERN = re.compile(r"_(?=\*)|(?<=\*)_|\b_(?=\w+:=)")
+"""What ends a name in `reach_*.cpp`, a pattern of files, or begins one in `_gain:=1` of ROS 1."""
 _NESTED = re.compile(r"[\w~/][\w~./]*\w")
 """A name with strokes or dots, all of it."""
 
@@ -35,6 +35,7 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
     what has said so.
     """
     known = set(renaming.words())
+    known |= {word.replace(".", "/") for word in known}  # of a group, in ROS 1
     before, after = map(_cmake, (old, new))
     package, sign = _project(before), "${PROJECT_NAME}"
     for word in re.findall(r"\w*\$\{PROJECT_NAME\}\w*", before):
@@ -55,8 +56,8 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
                 used = known & {*re.findall(r"\w+", said), *_NESTED.findall(said)}
                 for word in sorted(used - (fresh.get((path, line), set()) & swapped)):
                     yield f"{path}:{number}: {word}"
-                for word in taken.get((path, line), ()):
-                    yield f"{path}:{number}: {word}, which is another's now"
+                for said in sorted(taken.get((path, line), ())):
+                    yield f"{path}:{number}: {said}"
 
 
 def uses_of_left(
@@ -179,7 +180,7 @@ def _given(
 ) -> Iterator[tuple[int, str]]:
     """Yield where a file, of this stem, gives a value to what left; `after` are all words now."""
     names = [(owner, dotted(name)) for owner, name in gone]
-    for line, node, name, written in found:
+    for line, node, name, written, *_ in found:
         owners = {owner for owner, other in names if other == (name or owner)}
         owners -= {name}  # a node that left is no parameter
         is_lost = not after.issuperset(re.findall(r"\w+", name))
@@ -270,16 +271,26 @@ def _exchanged(mine: Tree, renaming: Renaming) -> dict[tuple[str, str], set[str]
     return found
 
 
-def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str, str], list[str]]:
-    """Return the identifiers of what left in the developer's lines, as those are afterwards."""
-    found: dict[tuple[str, str], list[str]] = {}
-    for path, file in mine.items() if renaming.taken else ():
+def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str, str], set[str]]:
+    """Return the identifiers of what left in the developer's lines, as those are afterwards.
+
+    Likewise what such a line gives a node, which cannot be renamed there.
+    """
+    found: dict[tuple[str, str], set[str]] = {}
+    for path, file in mine.items() if renaming.taken or renaming.given else ():
         text = plain(file.written)
         generated = set(split(old.get(path, File(b"")).written))
         known, taken = language(path, text), renaming.taken.get(path, set())
         after = split(renaming.text(path, text))
+
+        def note(number: int, said: str, where: str = path, lines: list[str] = after) -> None:
+            found.setdefault((renaming.path(where), lines[number]), set()).add(said)
+
         for number, line in enumerate(split(text) if taken else ()):
             if line not in generated:
                 for word in taken & {word.text for word in words(known, line)}:
-                    found.setdefault((renaming.path(path), after[number]), []).append(word)
+                    note(number, f"{word}, which is another's now")
+        for one, now in renaming.references.settings(known, text):
+            if not now:
+                note(one.line, one.name)
     return found
