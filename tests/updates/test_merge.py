@@ -12,7 +12,9 @@ from hooks.merge.proof import prove
 from hooks.merge.recount import recount
 from hooks.merge.renaming import Renaming
 from hooks.merge.tree import EXECUTABLE, LINK, PLAIN, File
+from hooks.merge.versions import Versions
 from support.arm import MINE, NEW, OLD, PATH
+from support.packages import changed
 
 MERGED = MINE.replace("Fill in", "Complete")
 
@@ -488,3 +490,40 @@ def test_dependencies_that_ros_reads_beside_each_other_are_both_there(own, gener
     result = merge_package(*trees, Renaming(), {""}.__contains__)
     both = DEPENDS.format(DEPEND.format(own) + DEPEND.format(generated))
     assert (result.tree["package.xml"].text, result.own) == (both, {})
+
+
+@pytest.mark.parametrize(
+    ("path", "function", "body", "own"),
+    [
+        ("arm.py", "# Service {0}\ndef {0}():\n", "    return True\n", "    return own()\n"),
+        ("arm.py", "# Service {0}\n@made\ndef {0}():\n", "    return\n", "    return own()\n"),
+        (
+            "arm.cpp",
+            "// Service {0}\nbool {0}()\n",
+            "{\n  return true;\n}\n",
+            "try {\n} catch (...) {\n}\n",
+        ),
+        ("arm.cpp", "// Service {0}\nbool {0}()\n", "{\n  f(1);\n  f(2);\n}\n", "{\n  f(3);\n}\n"),
+        (
+            "arm.cmake",
+            "# Service {0}\nfunction({0})\n",
+            "  f(1)\nendfunction()\n",
+            "  f(2)\nendfunction()\n",
+        ),
+    ],
+)
+def test_own_function_above_keeps_what_the_generated_one_has_no_longer(path, function, body, own):
+    """Only the comment above that one is its own, wherever the developer has put it."""
+    old, helper = (
+        "".join(function.format(name) + body + "\n" for name in names)
+        for names in (("load", "store"), ("own",))
+    )
+    helper = helper.split("\n", 1)[1]  # without comment
+    load = function.format("load")
+    mine = changed(old, (load + body, f"{helper}{load}{own}"))
+    new = changed(old, (f"\n{function.format('store')}{body}", ""))
+    sides = [{path: File(text.encode())} for text in (mine, old, new)]
+    result, doubts = Versions(*sides).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    wanted = changed(mine, (f"\n{function.format('store')}{body}", ""))
+    assert result.tree[path].text.rstrip() == wanted.rstrip()
