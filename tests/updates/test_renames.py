@@ -1145,3 +1145,34 @@ def test_parameter_nested_in_a_launch_file_that_leaves_its_group_is_listed(merge
     assert files[path] == after
     number = 1 + next(n for n, line in enumerate(after.splitlines()) if "listed" in line)
     assert said == [f"{path}:{number}: motor.limit"]
+
+
+METHODS = {
+    "python_model": (
+        "arm/reach_impl.py",
+        "    def poll(self) -> None:\n",
+        ["    def {}(self):\n", "    async def {}(self) -> None:  # often\n"],
+    ),
+    "cpp_model": (
+        "src/reach_impl.cpp",
+        "void ReachImpl::poll()\n{\n",
+        [
+            "void ReachImpl::{}() {{\n",
+            "auto arm::ReachImpl::{}() -> void\n{{\n",
+            "void ReachImpl::{}()\n{{\n  bind(&ReachImpl::{}, this); Own::poll(); own.poll();\n",
+        ],
+    ),
+}
+
+
+@pytest.mark.parametrize(
+    ("model", "form"), [(model, form) for model in METHODS for form in METHODS[model][2]]
+)
+def test_method_that_is_named_by_nothing_else_follows_in_another_form(merge, model, form):
+    """That of a timer or a thread, of which the developer has changed the first line."""
+    path, made, _ = METHODS[model]
+    spec = SPEC.replace("    <dynP", '    <timer name="poll" frequency="2"/>\n    <dynP', 1)
+    before, after = (form.format(name, name) for name in ("poll", "tick"))
+    files, _ = merge(spec, [('"poll"', '"tick" was="poll"')], {path: [(made, before)]}, model)
+    assert after in files[path]
+    assert len(re.findall(r"\bpoll\b", files[path])) == form.count("poll")
