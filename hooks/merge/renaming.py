@@ -266,7 +266,7 @@ class Renaming:
         classes = {**self.kin, **self.classes}
         origin = origins(known, text, roots, exact.keys(), classes, self.holders)
         is_made = [line in generated for line in lines]
-        made = {(name,) for name in self.classes}
+        owners = {(name,) for name in self.classes}
         vocabulary = (self.vocabulary.get(path, set()) & exact.keys()) | roots
 
         def by(word: Word) -> str:
@@ -278,7 +278,7 @@ class Renaming:
             if word.text in exact:
                 return exact[word.text] if is_ours else word.text
             is_member = bool(word.chain) and word.before[1] != "::"
-            is_member = is_member or word.before[1] == "def" or word.chain[-1:] in made
+            is_member = is_member or word.before[1] == "def" or word.chain[-1:] in owners
             if word.text in members and (is_member or origin.is_argument(word)):
                 return members[word.text] if origin.has(word, vocabulary) else word.text
             holder, sign = word.before

@@ -527,3 +527,23 @@ def test_own_function_above_keeps_what_the_generated_one_has_no_longer(path, fun
     assert (doubts, result.conflicts) == ([], {})
     wanted = changed(mine, (f"\n{function.format('store')}{body}", ""))
     assert result.tree[path].text.rstrip() == wanted.rstrip()
+
+
+def test_function_whose_lines_do_not_go_together_is_a_conflict_by_itself():
+    """Its docstring is the developer's no longer, and its body stands beside its name."""
+    old = '# Timer poll\ndef poll():\n    """Do what is due."""\n'
+    old += "\n\n# Service load\ndef load():\n    return 1\n"
+    mine = changed(old, ('poll():\n    """Do what is due."""\n', "poll(): return count()\n"))
+    new = changed(
+        old,
+        ("Timer", "Thread"),
+        ('is due."""\n', 'is due, again."""\n    sleep(1.0)\n'),
+        ("\n\n\n# Service load\ndef load():\n    return 1", ""),
+    )
+    sides = [{"arm.py": File(text.encode())} for text in (mine, old, new)]
+    result, doubts = Versions(*sides).merged()
+    assert doubts == []
+    assert result.tree["arm.py"].text == (
+        "# Thread poll\n<<<<<<< before updating\ndef poll(): return count()\n=======\n"
+        'def poll():\n    """Do what is due, again."""\n    sleep(1.0)\n>>>>>>> after updating\n'
+    )
