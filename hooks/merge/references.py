@@ -88,7 +88,7 @@ class References(NamedTuple):
         )
         ways: list[tuple[str, Callable[[re.Match[str]], str]]] = [
             (rf"({share}){file}", lambda m: m[1] + self.path(m[2])),
-            (rf"({_INSTALLED})({name}\.[\w.]+)(?=:)", self._installed),
+            (rf"({_INSTALLED})({name}\.[\w.]+):(\w+)", self._installed),
             (rf"({_LOADED})({name}\.[\w.]+)", lambda m: m[1] + self._module(m[2])),
             (run, lambda m: m[1] + self.programs.get(m[2], m[2])),
             (launch, lambda m: m[1] + self.path(f"launch/{m[2]}").removeprefix("launch/")),
@@ -105,27 +105,18 @@ class References(NamedTuple):
         return text
 
     def _given(self, known: Language, text: str) -> Iterator[_Edit]:
-        for one, after in self.settings(known, text):
-            if after:
-                yield (*one.place, one.written, after)
-
-    def settings(self, known: Language, text: str) -> Iterator[tuple[Setting, str]]:
-        """Yield what is renamed of the parameters and topics that nodes are given, and as what.
-
-        Nothing where it cannot be written there.
-        """
         for one in settings(known, text, {self.package}) if self.given else ():
-            found = [_renamed(one, mark) for mark in self.given.get(one.program, ())]
-            if any(each is not None for each in found):
-                yield one, next(filter(None, found), "")
+            for mark in self.given.get(one.program, ()):
+                if after := _renamed(one, mark):
+                    yield (*one.place, one.written, after)
 
     def _installed(self, found: re.Match[str]) -> str:
         """Return a program that `setup.py` installs, and the module that it runs."""
-        before, module = found.groups()
-        new = self._module(module)
-        if new != module:
+        before, *names = found.groups()
+        module, _, function = self._module(".".join(names)).rpartition(".")
+        if module != names[0]:
             before = re.sub(r"[\w.-]+", lambda m: self.programs.get(m[0], m[0]), before, count=1)
-        return before + new
+        return f"{before}{module}:{function}"
 
     def _module(self, text: str) -> str:
         words = text.split(".")
@@ -156,19 +147,17 @@ def _edited(text: str, edits: Iterable[_Edit]) -> str:
     return text
 
 
-def _renamed(one: Setting, mark: Mark) -> str | None:
-    """Return what is written for a parameter or a topic of which the mark is, else None."""
+def _renamed(one: Setting, mark: Mark) -> str:
+    """Return what is written for a parameter or a topic of which the mark is, else nothing."""
     before, after = mark.before, mark.after
     name = one.written.lstrip("~/")
     start = one.written.removesuffix(name)
     if one.is_topic == (mark.sort == "grouped_name") or not name:
-        return None
+        return ""
     if not one.is_topic:
         group = one.name.removesuffix(dotted(name))
-        if one.name != before or start == "/":  # that of no node
-            return None
-        is_there = after.startswith(group)
-        return start + after.removeprefix(group).replace(".", one.sign) if is_there else ""
+        is_ours = one.name == before and start != "/" and after.startswith(group)
+        return start + after.removeprefix(group).replace(".", one.sign) if is_ours else ""
     if one.written == before:
         return after
     old, new = (each.lstrip("~/") for each in (before, after))
@@ -176,7 +165,7 @@ def _renamed(one: Setting, mark: Mark) -> str | None:
     is_part = rest[:1] == "/" and mark.sort == "action_type"  # its goal, its status
     is_ours = rest != name and (is_part or not rest)
     are_private = {"~" in each for each in (start, before, after)}
-    return start + new + rest if is_ours and len(are_private) == 1 else None
+    return start + new + rest if is_ours and len(are_private) == 1 else ""
 
 
 class _InPython:

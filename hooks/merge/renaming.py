@@ -455,29 +455,37 @@ def _with_nodes(text: str, names: Mapping[str, str]) -> str:
 
 
 def _with_keys(text: str, keys: Mapping[str, str], holders: Collection[_Holder] | None) -> str:
-    """Exchange the keys of YAML, not its values, in `holders` alone; those of what left stay."""
+    """Exchange the keys of YAML, not its values, in `holders` alone; those of what left stay.
+
+    Those of a group may be nested.
+    """
     exact = {before: after for before, after in keys.items() if not after.endswith(GONE)}
-    pattern = "|".join(map(re.escape, exact))
-    form = rf"(?m)^(?P<margin>\s*)(?P<quote>[\"']?)(?P<key>{pattern})(?P=quote)(?=:)"
-    if not exact or not re.search(form, text):
-        return text
-    found = key_nodes(text)
+    found = key_nodes(text) if exact else []
     tops = {holder[0] for holder, _ in found if holder}
     made = {holder[0] for holder in holders or () if holder}
     others = tops - made if made and not made & tops else set()  # the developer has named the node
-    ours = {
-        node.start_mark.index  # what a text has like a key is none
+
+    def is_ours(holder: _Holder) -> bool:
+        is_own = holder and holder[0] in others and (*made, *holder[1:]) in (holders or ())
+        return holders is None or holder in holders or bool(is_own)
+
+    def now(holder: _Holder, name: str) -> str | None:
+        for at in range(len(holder), -1, -1):
+            group = "".join(f"{each}." for each in holder[at:])
+            after = exact.get(group + name)
+            if after is not None and is_ours(holder[:at]):
+                is_there = after.replace("/", ".").startswith(group)
+                return after[len(group) :] if is_there else None
+        return None
+
+    edits = {  # one of an anchor is there for each of its uses
+        (node.start_mark.index, node.end_mark.index): (node.value, after)
         for holder, node in found
-        if holders is None
-        or holder in holders
-        or (holder and holder[0] in others and (*made, *holder[1:]) in holders)
+        if (after := now(holder, node.value))
     }
-
-    def exchanged(match: re.Match[str]) -> str:
-        is_ours = not found or match.start("quote") in ours
-        return match[1] + match[2] + exact[match[3]] + match[2] if is_ours else match[0]
-
-    return re.sub(form, exchanged, text)
+    for (start, end), pair in sorted(edits.items(), reverse=True):
+        text = text[:start] + text[start:end].replace(*pair) + text[end:]
+    return text
 
 
 def _is_ros2(holders: Iterable[_Holder]) -> bool:

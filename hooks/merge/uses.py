@@ -44,20 +44,26 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
     taken = _uses_of_taken(mine, old, renaming)
     swapped = known & {*renaming.words().values()}
     fresh = _exchanged(mine, renaming) if swapped else {}
+    nested = {word for word in known - swapped if "." in word}
+    packages = {renaming.package, *renaming.packages.values()}
     for path, file in sorted(found.items()):
         if not (known or taken) or file.text is None:
             continue
         generated = set(split(new.get(path, File(b"")).written))
-        for number, line in enumerate(split(plain(file.text)), 1):
+        text = plain(file.text)
+        given = settings(language(path, text), text, packages) if nested else ()
+        within = {one.line + 1: one.name for one in given if one.name in nested}  # in its group
+        for number, line in enumerate(split(text), 1):
             if line not in generated:
                 said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
                 said = _MARKUP.sub(" ", said) if language(path, "") is XML else said
                 said = _PATTERN.sub(" ", said)
                 used = known & {*re.findall(r"\w+", said), *_NESTED.findall(said)}
+                used |= {within[number]} if number in within else set()
                 for word in sorted(used - (fresh.get((path, line), set()) & swapped)):
                     yield f"{path}:{number}: {word}"
-                for said in sorted(taken.get((path, line), ())):
-                    yield f"{path}:{number}: {said}"
+                for word in taken.get((path, line), ()):
+                    yield f"{path}:{number}: {word}, which is another's now"
 
 
 def uses_of_left(
@@ -271,26 +277,16 @@ def _exchanged(mine: Tree, renaming: Renaming) -> dict[tuple[str, str], set[str]
     return found
 
 
-def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str, str], set[str]]:
-    """Return the identifiers of what left in the developer's lines, as those are afterwards.
-
-    Likewise what such a line gives a node, which cannot be renamed there.
-    """
-    found: dict[tuple[str, str], set[str]] = {}
-    for path, file in mine.items() if renaming.taken or renaming.given else ():
+def _uses_of_taken(mine: Tree, old: Tree, renaming: Renaming) -> dict[tuple[str, str], list[str]]:
+    """Return the identifiers of what left in the developer's lines, as those are afterwards."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for path, file in mine.items() if renaming.taken else ():
         text = plain(file.written)
         generated = set(split(old.get(path, File(b"")).written))
         known, taken = language(path, text), renaming.taken.get(path, set())
         after = split(renaming.text(path, text))
-
-        def note(number: int, said: str, where: str = path, lines: list[str] = after) -> None:
-            found.setdefault((renaming.path(where), lines[number]), set()).add(said)
-
         for number, line in enumerate(split(text) if taken else ()):
             if line not in generated:
                 for word in taken & {word.text for word in words(known, line)}:
-                    note(number, f"{word}, which is another's now")
-        for one, now in renaming.references.settings(known, text):
-            if not now:
-                note(one.line, one.name)
+                    found.setdefault((renaming.path(path), after[number]), []).append(word)
     return found

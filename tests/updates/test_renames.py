@@ -893,6 +893,15 @@ def test_program_that_was_changed_follows_its_node(merge, program):
     assert files["setup.py"] == changed(fresh["setup.py"], (made.format("grasp"), line("grasp")))
 
 
+def test_class_that_setup_names_for_others_is_renamed(merge):
+    end = "        ],\n    },\n"
+    plugins = "        ],\n        'arm.plugins': ['a = arm.reach_impl:ReachImpl'],\n    },\n"
+    change = ('<node name="reach"', '<node name="grasp" was="reach"')
+    files, said = merge(SPEC, [change], {"setup.py": [(end, plugins)]})
+    assert "['a = arm.grasp_impl:GraspImpl']" in files["setup.py"]
+    assert not [use for use in said if use.startswith("setup.py")]
+
+
 def test_own_lines_start_what_is_renamed_with_its_package(render, update):
     package = render(SPEC, name="arm")
     own = package / "launch/own.launch.py"
@@ -1176,3 +1185,42 @@ def test_method_that_is_named_by_nothing_else_follows_in_another_form(merge, mod
     files, _ = merge(spec, [('"poll"', '"tick" was="poll"')], {path: [(made, before)]}, model)
     assert after in files[path]
     assert len(re.findall(r"\bpoll\b", files[path])) == form.count("poll")
+
+
+NESTED_KEYS = """\
+{top}{i}own: {{limit: 1}}
+{i}motor:  # those of it
+{i}  other: 2
+{i}  "«limit»": 3.0
+{i}drive: {{«gain»: 5}}
+"""
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize("path", ["config/reach.yaml", "config/reach_lab.yaml"])
+@pytest.mark.parametrize(("limit", "gain"), [("motor.top", "drive.kp"), ("arm.limit", "speed")])
+def test_parameters_nested_in_a_file_are_renamed(merge, distro, path, limit, gain):
+    """In their group; what leaves it stays, and is listed."""
+    top = "/**:\n  ros__parameters:\n" if distro == "kilted" else ""
+    text = NESTED_KEYS.format(top=top, i="    " if top else "")
+    spec = GIVING.replace(
+        "    <dynParameter",
+        '    <parameter name="drive.gain" type="int" value="1"/>\n    <dynParameter',
+    )
+    mine = re.sub("«(.*?)»", r"\1", text)
+    made, _ = merge(spec, [], {}, distro=distro)
+    edit = [(made[path], mine)] if path in made else mine
+    changes = [
+        (f'"{old}" type', f'"{new}" was="{old}" type')
+        for old, new in (("motor.limit", limit), ("drive.gain", gain))
+    ]
+    files, said = merge(spec, changes, {path: edit}, distro=distro)
+    names = {"limit": limit, "gain": gain}
+    is_in = limit == "motor.top"
+    wanted = re.sub("«(.*?)»", lambda m: names[m[1]].rpartition(".")[2] if is_in else m[1], text)
+    for line in wanted.splitlines():
+        assert line in files[path].splitlines()
+    listed = {use.partition(": ")[2] for use in said if use.startswith(path)}
+    assert {"motor.limit", "drive.gain"} & listed == (
+        set() if is_in else {"motor.limit", "drive.gain"}
+    )
