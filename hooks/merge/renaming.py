@@ -21,7 +21,7 @@ from ..package import SUFFIX
 from . import xml_blocks
 from .blocks import Block, collapsed, every
 from .depth import Shift, compose, shifts
-from .languages import CMAKE, CPP, MARKDOWN, PYTHON, TEXT, XML, YAML, Language, language
+from .languages import CMAKE, CPP, MARKDOWN, MESSAGE, PYTHON, TEXT, XML, YAML, Language, language
 from .lines import split
 from .origins import SELF, Class, Names, classes_in, origins, related
 from .python_blocks import definitions, imports
@@ -353,9 +353,10 @@ _ENDS = {
     PYTHON: re.compile(r" =(?= |$)"),
     CPP: re.compile(r" =(?= |$)"),
     MARKDOWN: re.compile(r" \|(?=(?:[^|\\]|\\.)*\|$)"),
+    MESSAGE: re.compile(r"\s*(?=#|$)"),
 }
 """Where the head of a line ends, that may go on as the developer likes: before a value, before the
-last cell of a table."""
+last cell of a table, before a comment."""
 
 
 def _heads(known: Language, generated: Mapping[str, str]) -> dict[str, str]:

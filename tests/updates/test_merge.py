@@ -547,3 +547,24 @@ def test_function_whose_lines_do_not_go_together_is_a_conflict_by_itself():
         "# Thread poll\n<<<<<<< before updating\ndef poll(): return count()\n=======\n"
         'def poll():\n    """Do what is due, again."""\n    sleep(1.0)\n>>>>>>> after updating\n'
     )
+
+
+@pytest.mark.parametrize("left", ["A", "C"])
+@pytest.mark.parametrize(
+    ("form", "wanted"),
+    [
+        ("(A, B,\n    C)  # skip", "(\n    {},\n    {},\n)  # skip"),
+        ("(  # skip\n    A, B, C\n)", "(  # skip\n    {},\n    {},\n)"),
+    ],
+)
+def test_comment_on_an_import_stays_where_it_is_when_a_name_leaves(form, wanted, left):
+    """At its end, or beside its first line."""
+    names = "(\n    A,\n    B,\n    C,\n)"
+    old = f"from m import {names}\n\n\ndef a():\n    b()\n"
+    mine = changed(old, (names, form), ("b()", "c()"))
+    new = changed(old, (f"    {left},\n", ""))
+    sides = [{"arm.py": File(text.encode())} for text in (mine, old, new)]
+    result, doubts = Versions(*sides).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    rest = [name for name in "ABC" if name != left]
+    assert result.tree["arm.py"].text == changed(mine, (form, wanted.format(*rest)))

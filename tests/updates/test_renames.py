@@ -1224,3 +1224,15 @@ def test_parameters_nested_in_a_file_are_renamed(merge, distro, path, limit, gai
     assert {"motor.limit", "drive.gain"} & listed == (
         set() if is_in else {"motor.limit", "drive.gain"}
     )
+
+
+@pytest.mark.parametrize("comment", ["  # the name", "\t#the name", "# the name"])
+def test_field_with_a_comment_of_the_developers_beside_it_is_renamed(merge, comment):
+    """Its comment stays as it is."""
+    changes = [('<field name="name"', '<field name="label" was="name"')]
+    edits = {"msg/Pose.msg": [("string name", f"string name{comment}")]}
+    (files, _), (made, _) = (
+        merge(FIELDS, changes, each, "interfaces_model") for each in (edits, {})
+    )
+    wanted = changed(made["msg/Pose.msg"], ("string label", f"string label{comment}"))
+    assert files["msg/Pose.msg"] == wanted
