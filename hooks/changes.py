@@ -6,7 +6,7 @@ import copy
 import itertools
 import types
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from .check import CheckedSpec
@@ -68,9 +68,14 @@ class Mark:
     owner: int | None = None
     is_gone: bool = False
     """It left, and another one has its name now; `after` is then a name that nothing has."""
+    sort: str = field(default="", compare=False)
+    """The format that says what it is in the ROS graph, if it is there."""
+    called: tuple[str, ...] = field(default=(), compare=False)
+    """Its other names before, such as that of its program."""
 
 
 GONE = "__gone"
+_SORTS = ("action_type", "ros_name", "grouped_name")
 
 
 def marked(old: Values, new: Values, dictionary: Dictionary) -> tuple[dict[str, Any], list[Mark]]:
@@ -105,8 +110,12 @@ def _mark(pair: _Pair, marks: list[Mark], owner: int | None) -> int:
     prefix = name[: len(name) - len(name.lstrip("~/"))]
     is_gone = pair.after is None
     after = pair.name + GONE if is_gone else pair.name
-    marks.append(Mark(name, after, pair.level, owner, is_gone))
     item: Any = pair.before
+    formats = {attribute.format for attribute in pair.attributes.values()}
+    sort = next((each for each in _SORTS if each in formats), "")
+    others = [each.name for each in pair.attributes.values() if each.same_as == pair.naming]
+    called = tuple(item[each] for each in others if each in item)
+    marks.append(Mark(name, after, pair.level, owner, is_gone, sort, called))
     mark = f"zq{len(marks) - 1}x"
     item[pair.naming] = prefix + mark
     for attribute in pair.attributes.values():

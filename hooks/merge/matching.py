@@ -20,6 +20,8 @@ Blocks = Sequence[Block]
 _NUMBER = re.compile(r" #\d+$")
 _MAY_OPEN = re.compile(r"#?if|namespace |group ")
 _HEADING = re.compile(r"#+ ")
+_ABOVE = re.compile(r"\s*(?://|#|<!--|$)")
+"""A line that may stand above an item: a comment, an empty one."""
 _RELATIVE = re.compile(r"\s*from \.\S* import")
 
 
@@ -102,7 +104,8 @@ def _rejoined(mine: Blocks, *versions: Blocks) -> list[Block]:
     whole: list[Block] = []
     for block in mine:
         if block.key in known:
-            above = {line for was in known[block.key] for line in was.lines} - {*block.lines, "\n"}
+            heads = (takewhile(_ABOVE.match, was.lines) for was in known[block.key])
+            above = {*chain.from_iterable(heads)} - {*block.lines, "\n"}
             own = [*takewhile(lambda part: _may_join(part, known), reversed(whole))][::-1]
             first = next((n for n, part in enumerate(own) if above & {*part.lines}), len(own))
             _join(block, own[first:], above)

@@ -122,10 +122,13 @@ Way = Callable[[str, Version, "Version | None", Version, bool], Outcome]
 
 
 def readable(known: Language, merged: Merged) -> bool:
-    """Say whether a merge is of its language, whichever side of its conflicts is chosen."""
+    """Say whether a merge is of its language, whichever side of its conflicts is chosen.
+
+    It may be that of a block, which is as deep as what it stands in.
+    """
     try:
         for side in ("mine", "new"):
-            known.blocks("".join(lines.settled(merged, side)))
+            known.blocks(textwrap.dedent("".join(lines.settled(merged, side))))
     except (ValueError, RecursionError):
         return False
     return True
@@ -201,7 +204,7 @@ class _Merger:
         if self.language is PYTHON and mine.children and not name.startswith("from "):
             inner = [line for child in mine.children for line in self.alone(child, old, new)]
             text = lines.text([*mine.lines, *inner, *mine.tail])
-            if text == mine.text or readable(PYTHON, [textwrap.dedent(text)]):
+            if text == mine.text or readable(PYTHON, [text]):
                 return lines.split(text)
             if not lines.text(inner).strip():
                 self.outcome.removed.append(block_name(mine.key))
@@ -247,7 +250,9 @@ class _Merger:
             return lines.split(names)
         is_leaf = not new.children and new.lines and new.lines != old.lines
         if not mine.children or is_leaf:
-            return self.lines(*(lines.split(block.text) for block in (mine, old, new)))
+            sides = [block.text for block in (mine, old, new)]
+            merged = self.lines(*map(lines.split, sides))
+            return merged if self.is_sound(merged, mine.text) else _disputed(*sides)
         head = self.lines(mine.lines, old.lines, new.lines)
         inner = self.sequence(mine.children, old.children, new.children)
         if self.language is PYTHON and mine.key.startswith("from "):
@@ -263,8 +268,7 @@ class _Merger:
         head = [line for line in mine.lines if line not in made]
         mine = Block(mine.key, head, mine.children, mine.tail)
         merged = self.block(mine, old, Block(mine.key, []))
-        found = textwrap.dedent(lines.text(merged))
-        if self.language is PYTHON and not readable(PYTHON, [found]):
+        if self.language is PYTHON and not readable(PYTHON, [lines.text(merged)]):
             return self.left(mine, old)
         return merged
 
@@ -282,10 +286,14 @@ class _Merger:
         gone = {kind for kind, _ in made} - {"", *(kind for kind, _ in had)}
         old, new = ([line for kind, line in told if kind not in gone] for told in (made, came))
         bare = lines.merge_lines(mine, old, new, known.key, known.same)
-        if lines.conflicts(bare):
+        if lines.conflicts(bare) or not self.is_sound(bare, "".join(sides[0])):
             return merged
         self.outcome.reworded += [line for kind, line in came if kind in gone]
         return bare
+
+    def is_sound(self, merged: Merged, mine: str) -> bool:
+        """Say whether lines of a block can be read, if the developer's can."""
+        return readable(self.language, merged) or not readable(self.language, [mine])
 
     def is_same(self, one: Block, other: Block) -> bool:
         return one.text == other.text or self.language.same(one.text, other.text)

@@ -220,7 +220,9 @@ def joined_import(mine: str, old: str, new: str) -> str | None:
         return gap + line
     indent = head[: -len(head.lstrip())]
     inside = "".join(f"{indent}    {name},\n" for name in names)
-    return f"{gap}{head}({comment}\n{inside}{indent})\n"
+    is_first = "#" in (mine or old).strip().partition("\n")[0]
+    first, last = (comment, "") if is_first else ("", comment)
+    return f"{gap}{head}({first}\n{inside}{indent}){last}\n"
 
 
 def is_same_import(one: Block, other: Block) -> bool:

@@ -69,7 +69,9 @@ class _Text(dict[str, int]):
     """A text, and how often something stands in it, whatever the form of both."""
 
     def __init__(self, text: str) -> None:
-        text = _NAMES.sub(lambda found: re.sub(r",[ \t]*(?=\w)", ",\n", found[0]), text)
+        text = _NAMES.sub(
+            lambda found: re.sub(r"(?<=,)[ \t]*(?=\w)|(?=\)$)", "\n", found[0]), text
+        )
         self.tight = "".join(map(_tight, text.split("\n")))
         text = _ROW.sub(lambda found: found[0].replace("|", "\n"), text)
         lines = ((line.strip(), _tight(line)) for line in text.split("\n"))

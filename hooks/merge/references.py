@@ -9,22 +9,19 @@ from __future__ import annotations
 import ast
 import contextlib
 import re
-from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
-from itertools import accumulate
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import yaml
 
+from ..changes import Mark
 from .depth import compose
-from .languages import PYTHON, TEXT, YAML, Language
-from .lines import split
+from .languages import PYTHON, TEXT, XML, YAML, Language
 from .python_blocks import nodes
 from .receivers import last_word
+from .settings import STARTED, Setting, dotted, places, settings, values
 from .xml_blocks import Attribute
 
-STARTED = ("exec", "executable", "type", "plugin")
-"""What has the name of a program, or the class of a component, beside a package."""
 _PACKAGE = (
     r"package://|\$\(find(?:-pkg-\w+)? +|\b(?:get_package_\w+|FindPackage\w+)\([\"']"
     r"|\bpkg: *[\"']?|\b(?:pkg|package)=[\"']|\bros(?:2 )?(?:launch|run) +"
@@ -66,6 +63,8 @@ class References(NamedTuple):
     """Returns where a file of the package is after the update."""
     names: Callable[[str], Mapping[str, str]]
     """Returns what becomes of the identifiers in a module of it."""
+    given: Mapping[str, Sequence[Mark]]
+    """By program, or class of a component, what is renamed of its parameters and topics."""
 
     def attribute(self, found: Attribute) -> str:
         """Return the value that an attribute of a file of XML has after the update."""
@@ -73,6 +72,10 @@ class References(NamedTuple):
         if name in STARTED and element.endswith(f" of {self.package}"):
             return self.programs.get(value, value)
         return self.exchanged(TEXT, value)
+
+    def in_xml(self, text: str) -> str:
+        """Return a file of XML with what nodes are given exchanged, and nothing else."""
+        return _edited(text, self._given(XML, text))
 
     def exchanged(self, known: Language, text: str) -> str:
         """Return a text that says what they are after the update."""
@@ -85,7 +88,7 @@ class References(NamedTuple):
         )
         ways: list[tuple[str, Callable[[re.Match[str]], str]]] = [
             (rf"({share}){file}", lambda m: m[1] + self.path(m[2])),
-            (rf"({_INSTALLED})({name}\.[\w.]+)(?=:)", self._installed),
+            (rf"({_INSTALLED})({name}\.[\w.]+):(\w+)", self._installed),
             (rf"({_LOADED})({name}\.[\w.]+)", lambda m: m[1] + self._module(m[2])),
             (run, lambda m: m[1] + self.programs.get(m[2], m[2])),
             (launch, lambda m: m[1] + self.path(f"launch/{m[2]}").removeprefix("launch/")),
@@ -98,18 +101,22 @@ class References(NamedTuple):
                 edits = _InPython(text, self).edits()
             elif known is YAML:
                 edits = self._in_yaml(compose(text))
-            for start, end, before, after in sorted({*edits}, reverse=True):
-                if (written := text[start:end]).count(before) == 1:
-                    text = text[:start] + written.replace(before, after) + text[end:]
+            text = _edited(text, {*edits, *self._given(known, text)})
         return text
+
+    def _given(self, known: Language, text: str) -> Iterator[_Edit]:
+        for one in settings(known, text, {self.package}) if self.given else ():
+            for mark in self.given.get(one.program, ()):
+                if after := _renamed(one, mark):
+                    yield (*one.place, one.written, after)
 
     def _installed(self, found: re.Match[str]) -> str:
         """Return a program that `setup.py` installs, and the module that it runs."""
-        before, module = found.groups()
-        new = self._module(module)
-        if new != module:
+        before, *names = found.groups()
+        module, _, function = self._module(".".join(names)).rpartition(".")
+        if module != names[0]:
             before = re.sub(r"[\w.-]+", lambda m: self.programs.get(m[0], m[0]), before, count=1)
-        return before + new
+        return f"{before}{module}:{function}"
 
     def _module(self, text: str) -> str:
         words = text.split(".")
@@ -133,27 +140,40 @@ class References(NamedTuple):
             yield from self._in_yaml(value)
 
 
+def _edited(text: str, edits: Iterable[_Edit]) -> str:
+    for start, end, before, after in sorted({*edits}, reverse=True):
+        if (written := text[start:end]).count(before) == 1:
+            text = text[:start] + written.replace(before, after) + text[end:]
+    return text
+
+
+def _renamed(one: Setting, mark: Mark) -> str:
+    """Return what is written for a parameter or a topic of which the mark is, else nothing."""
+    before, after = mark.before, mark.after
+    name = one.written.lstrip("~/")
+    start = one.written.removesuffix(name)
+    if one.is_topic == (mark.sort == "grouped_name") or not name:
+        return ""
+    if not one.is_topic:
+        group = one.name.removesuffix(dotted(name))
+        is_ours = one.name == before and start != "/" and after.startswith(group)
+        return start + after.removeprefix(group).replace(".", one.sign) if is_ours else ""
+    if one.written == before:
+        return after
+    old, new = (each.lstrip("~/") for each in (before, after))
+    rest = name.removeprefix(old)
+    is_part = rest[:1] == "/" and mark.sort == "action_type"  # its goal, its status
+    is_ours = rest != name and (is_part or not rest)
+    are_private = {"~" in each for each in (start, before, after)}
+    return start + new + rest if is_ours and len(are_private) == 1 else ""
+
+
 class _InPython:
     """The calls and paths of a launch file, or another module."""
 
     def __init__(self, text: str, about: References) -> None:
         self.about, self.tree = about, nodes(text)
-        starts = accumulate(map(len, split(text)), initial=0)
-        self.lines = [*zip(split(text), starts, strict=False)]
-        often: Counter[str] = Counter()
-        given: dict[str, list[ast.expr]] = {}
-        for node in self.tree:
-            if isinstance(node, ast.arg):
-                often[node.arg] += 1
-            elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-                often[node.id] += 1
-            elif isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
-                given.setdefault(node.targets[0].id, []).append(node.value)
-        self.values = {
-            name: values[0]
-            for name, values in given.items()
-            if len(values) == often[name] and len({*map(ast.dump, values)}) == 1
-        }
+        self.values, self.place = values(self.tree), places(text)
 
     def edits(self) -> Iterator[_Edit]:
         for node in self.tree:
@@ -172,15 +192,7 @@ class _InPython:
     def _edit(self, node: ast.expr | None, after: str) -> Iterator[_Edit]:
         before = _said(node)
         if node and before and after not in ("", before):
-            start = self._place(node.lineno, node.col_offset)
-            end = self._place(node.end_lineno or 1, node.end_col_offset or 0)
-            yield start, end, before, after
-
-    def _place(self, line: int, column: int) -> int:
-        """Return where in the text a place is, whose column counts bytes."""
-        written, start = self.lines[line - 1]
-        before = written.encode(errors="surrogatepass")[:column]
-        return start + len(before.decode(errors="surrogatepass"))
+            yield (*self.place(node), before, after)
 
     def _is_package(self, node: ast.expr | None) -> bool:
         value = self.values.get(node.id) if isinstance(node, ast.Name) else node

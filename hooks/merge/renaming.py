@@ -21,13 +21,14 @@ from ..package import SUFFIX
 from . import xml_blocks
 from .blocks import Block, collapsed, every
 from .depth import Shift, compose, shifts
-from .languages import CMAKE, CPP, MARKDOWN, PYTHON, TEXT, XML, YAML, Language, language
+from .languages import CMAKE, CPP, MARKDOWN, MESSAGE, PYTHON, TEXT, XML, YAML, Language, language
 from .lines import split
 from .origins import SELF, Class, Names, classes_in, origins, related
 from .python_blocks import definitions, imports
-from .references import STARTED, References, with_packages
+from .references import References, with_packages
 from .render import Renderer
 from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python, with_ends
+from .settings import STARTED
 from .tokens import Word, all_words, exchange, quoted
 from .tree import File, Tree
 
@@ -66,6 +67,8 @@ class Renaming:
     """Its name before the update."""
     programs: dict[str, str] = field(default_factory=dict)
     """The programs of nodes, and the classes of components, as launch files have them."""
+    given: dict[str, list[Mark]] = field(default_factory=dict)
+    """By program, what is renamed of the parameters and topics of its node."""
     targets: dict[str, str] = field(default_factory=dict)
     """The names of nodes, which are those of targets in CMake."""
     components: dict[str, str] = field(default_factory=dict)
@@ -207,7 +210,8 @@ class Renaming:
     @property
     def references(self) -> References:
         """What becomes of the things of the package, where its name is beside theirs."""
-        return References(self.package, self.programs, self._path_of_now, self._names_in)
+        paths = (self._path_of_now, self._names_in)
+        return References(self.package, self.programs, *paths, self.given)
 
     def _path_of_now(self, path: str) -> str:
         found = self.path(path)
@@ -231,7 +235,7 @@ class Renaming:
         if known is XML:
             made, references = self.attributes.get(path, {}), self.references
             return xml_blocks.exchange(
-                text, lambda one: made.get(one) or references.attribute(one)
+                references.in_xml(text), lambda one: made.get(one) or references.attribute(one)
             )
         text = self.references.exchanged(known, text)
         if known is YAML:
@@ -262,6 +266,7 @@ class Renaming:
         classes = {**self.kin, **self.classes}
         origin = origins(known, text, roots, exact.keys(), classes, self.holders)
         is_made = [line in generated for line in lines]
+        owners = {(name,) for name in self.classes}
         vocabulary = (self.vocabulary.get(path, set()) & exact.keys()) | roots
 
         def by(word: Word) -> str:
@@ -273,6 +278,7 @@ class Renaming:
             if word.text in exact:
                 return exact[word.text] if is_ours else word.text
             is_member = bool(word.chain) and word.before[1] != "::"
+            is_member = is_member or word.before[1] == "def" or word.chain[-1:] in owners
             if word.text in members and (is_member or origin.is_argument(word)):
                 return members[word.text] if origin.has(word, vocabulary) else word.text
             holder, sign = word.before
@@ -347,9 +353,10 @@ _ENDS = {
     PYTHON: re.compile(r" =(?= |$)"),
     CPP: re.compile(r" =(?= |$)"),
     MARKDOWN: re.compile(r" \|(?=(?:[^|\\]|\\.)*\|$)"),
+    MESSAGE: re.compile(r"\s*(?=#|$)"),
 }
 """Where the head of a line ends, that may go on as the developer likes: before a value, before the
-last cell of a table."""
+last cell of a table, before a comment."""
 
 
 def _heads(known: Language, generated: Mapping[str, str]) -> dict[str, str]:
@@ -449,29 +456,37 @@ def _with_nodes(text: str, names: Mapping[str, str]) -> str:
 
 
 def _with_keys(text: str, keys: Mapping[str, str], holders: Collection[_Holder] | None) -> str:
-    """Exchange the keys of YAML, not its values, in `holders` alone; those of what left stay."""
+    """Exchange the keys of YAML, not its values, in `holders` alone; those of what left stay.
+
+    Those of a group may be nested.
+    """
     exact = {before: after for before, after in keys.items() if not after.endswith(GONE)}
-    pattern = "|".join(map(re.escape, exact))
-    form = rf"(?m)^(?P<margin>\s*)(?P<quote>[\"']?)(?P<key>{pattern})(?P=quote)(?=:)"
-    if not exact or not re.search(form, text):
-        return text
-    found = key_nodes(text)
+    found = key_nodes(text) if exact else []
     tops = {holder[0] for holder, _ in found if holder}
     made = {holder[0] for holder in holders or () if holder}
     others = tops - made if made and not made & tops else set()  # the developer has named the node
-    ours = {
-        node.start_mark.index  # what a text has like a key is none
+
+    def is_ours(holder: _Holder) -> bool:
+        is_own = holder and holder[0] in others and (*made, *holder[1:]) in (holders or ())
+        return holders is None or holder in holders or bool(is_own)
+
+    def now(holder: _Holder, name: str) -> str | None:
+        for at in range(len(holder), -1, -1):
+            group = "".join(f"{each}." for each in holder[at:])
+            after = exact.get(group + name)
+            if after is not None and is_ours(holder[:at]):
+                is_there = after.replace("/", ".").startswith(group)
+                return after[len(group) :] if is_there else None
+        return None
+
+    edits = {  # one of an anchor is there for each of its uses
+        (node.start_mark.index, node.end_mark.index): (node.value, after)
         for holder, node in found
-        if holders is None
-        or holder in holders
-        or (holder and holder[0] in others and (*made, *holder[1:]) in holders)
+        if (after := now(holder, node.value))
     }
-
-    def exchanged(match: re.Match[str]) -> str:
-        is_ours = not found or match.start("quote") in ours
-        return match[1] + match[2] + exact[match[3]] + match[2] if is_ours else match[0]
-
-    return re.sub(form, exchanged, text)
+    for (start, end), pair in sorted(edits.items(), reverse=True):
+        text = text[:start] + text[start:end].replace(*pair) + text[end:]
+    return text
 
 
 def _is_ros2(holders: Iterable[_Holder]) -> bool:
@@ -510,6 +525,7 @@ def plan(
     renaming.components = {mark.before: mark.after for mark in nodes}
     owned: dict[str, set[int]] = {}
     tokens: dict[str, set[str]] = {}
+    started: dict[str, set[int]] = {}  # by program, or class of a component, the marks of its node
     for path, before in _place(renaming, old, marked, reader).items():
         owned[before] = reader.numbers(path)
         text = marked[path].written
@@ -536,10 +552,19 @@ def plan(
             renaming.settings[before] = _settings(old[before].written)
         if known is XML and not before.endswith(SUFFIX):  # a spec says itself what was renamed
             renaming.attributes[before] = reader.attributes(text)
+            for (_, sort, value), _ in xml_blocks.attributes(text):
+                if sort in STARTED:
+                    started.setdefault(reader.both(value)[0], set()).update(reader.numbers(value))
     name = re.search(r"<name>\s*([\w-]+)", old.get("package.xml", File(b"")).written)
     renaming.package = name[1] if name else ""
     values = [pair for each in renaming.attributes.values() for pair in each.items()]
     renaming.programs = {before: after for (_, sort, before), after in values if sort in STARTED}
+    for number, mark in enumerate(marks):
+        for program in (mark.before, *mark.called):
+            started.setdefault(program, set()).add(number)
+    for program, numbers in started.items():
+        own = [mark for mark in marks if mark.owner in numbers and mark.sort and not mark.is_gone]
+        renaming.given |= {program: own} if own else {}
     renaming.classes = _classes(old, [*renaming.paths], renaming.roots)
     mine = {*mine}
     _follow_moved(renaming, mine - old.keys(), mine)

@@ -164,7 +164,7 @@ def _missing(after: Tree, result: Result) -> Iterator[tuple[str, str]]:
 
     Any source may have a member of a class, a header may define it, a base may have it, and in
     Python another one may have its name. In YAML an anchor may give a key, or a mapping in one
-    line; in CMake a loop may find packages.
+    line, or its group has it; in CMake a loop may find packages.
     """
     found = [(path, part) for path, parts in sorted(result.missing.items()) for part in parts]
     bases: dict[str, set[str]] = {}
@@ -180,6 +180,8 @@ def _missing(after: Tree, result: Result) -> Iterator[tuple[str, str]]:
             has |= {(path, key.value) for above, key in keys if "<<" in above or often[key] > 1}
             starts = ((key.value, file.written[: key.start_mark.index]) for _, key in keys)
             has |= {(path, key) for key, before in starts if before.rstrip().endswith(("{", ","))}
+            ends = [(*above[at:], key.value) for above, key in keys for at in range(len(above))]
+            has |= {(path, sign.join(names)) for names in ends for sign in "./"}
             bases[path] = {path}
         if language(path, "") is CMAKE and _FIND_EACH.search(file.written):
             words = {word for found in _LISTS.findall(file.written) for word in found.split()}

@@ -22,8 +22,8 @@ from .tree import File, Tree
 _NAME_BEFORE = re.compile(rf"""\b{WAS}\s*=\s*("[^"]*"|'[^']*')""")
 _MARKUP = re.compile(r"""</?[\w:.-]+|[\w:.-]+(?=\s*=\s*["'])""")
 """The tags and attributes of XML, which are not the developer's words."""
-_PATTERN = re.compile(r"_(?=\*)|(?<=\*)_")
-"""What ends a name in `reach_*.cpp`, a pattern of files."""
+_PATTERN = re.compile(r"_(?=\*)|(?<=\*)_|\b_(?=\w+:=)")
+"""What ends a name in `reach_*.cpp`, a pattern of files, or begins one in `_gain:=1` of ROS 1."""
 _NESTED = re.compile(r"[\w~/][\w~./]*\w")
 """A name with strokes or dots, all of it."""
 
@@ -35,6 +35,7 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
     what has said so.
     """
     known = set(renaming.words())
+    known |= {word.replace(".", "/") for word in known}  # of a group, in ROS 1
     before, after = map(_cmake, (old, new))
     package, sign = _project(before), "${PROJECT_NAME}"
     for word in re.findall(r"\w*\$\{PROJECT_NAME\}\w*", before):
@@ -43,16 +44,22 @@ def uses(mine: Tree, old: Tree, new: Tree, found: Tree, renaming: Renaming) -> I
     taken = _uses_of_taken(mine, old, renaming)
     swapped = known & {*renaming.words().values()}
     fresh = _exchanged(mine, renaming) if swapped else {}
+    nested = {word for word in known - swapped if "." in word}
+    packages = {renaming.package, *renaming.packages.values()}
     for path, file in sorted(found.items()):
         if not (known or taken) or file.text is None:
             continue
         generated = set(split(new.get(path, File(b"")).written))
-        for number, line in enumerate(split(plain(file.text)), 1):
+        text = plain(file.text)
+        given = settings(language(path, text), text, packages) if nested else ()
+        within = {one.line + 1: one.name for one in given if one.name in nested}  # in its group
+        for number, line in enumerate(split(text), 1):
             if line not in generated:
                 said = _NAME_BEFORE.sub("", line) if path.endswith(SUFFIX) else line
                 said = _MARKUP.sub(" ", said) if language(path, "") is XML else said
                 said = _PATTERN.sub(" ", said)
                 used = known & {*re.findall(r"\w+", said), *_NESTED.findall(said)}
+                used |= {within[number]} if number in within else set()
                 for word in sorted(used - (fresh.get((path, line), set()) & swapped)):
                     yield f"{path}:{number}: {word}"
                 for word in taken.get((path, line), ()):
@@ -179,7 +186,7 @@ def _given(
 ) -> Iterator[tuple[int, str]]:
     """Yield where a file, of this stem, gives a value to what left; `after` are all words now."""
     names = [(owner, dotted(name)) for owner, name in gone]
-    for line, node, name, written in found:
+    for line, node, name, written, *_ in found:
         owners = {owner for owner, other in names if other == (name or owner)}
         owners -= {name}  # a node that left is no parameter
         is_lost = not after.issuperset(re.findall(r"\w+", name))

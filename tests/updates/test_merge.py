@@ -12,7 +12,9 @@ from hooks.merge.proof import prove
 from hooks.merge.recount import recount
 from hooks.merge.renaming import Renaming
 from hooks.merge.tree import EXECUTABLE, LINK, PLAIN, File
+from hooks.merge.versions import Versions
 from support.arm import MINE, NEW, OLD, PATH
+from support.packages import changed
 
 MERGED = MINE.replace("Fill in", "Complete")
 
@@ -504,3 +506,81 @@ def test_dependencies_that_ros_reads_beside_each_other_are_both_there(own, gener
     result = merge_package(*trees, Renaming(), {""}.__contains__)
     both = DEPENDS.format(DEPEND.format(own) + DEPEND.format(generated))
     assert (result.tree["package.xml"].text, result.own) == (both, {})
+
+
+@pytest.mark.parametrize(
+    ("path", "function", "body", "own"),
+    [
+        ("arm.py", "# Service {0}\ndef {0}():\n", "    return True\n", "    return own()\n"),
+        ("arm.py", "# Service {0}\n@made\ndef {0}():\n", "    return\n", "    return own()\n"),
+        (
+            "arm.cpp",
+            "// Service {0}\nbool {0}()\n",
+            "{\n  return true;\n}\n",
+            "try {\n} catch (...) {\n}\n",
+        ),
+        ("arm.cpp", "// Service {0}\nbool {0}()\n", "{\n  f(1);\n  f(2);\n}\n", "{\n  f(3);\n}\n"),
+        (
+            "arm.cmake",
+            "# Service {0}\nfunction({0})\n",
+            "  f(1)\nendfunction()\n",
+            "  f(2)\nendfunction()\n",
+        ),
+    ],
+)
+def test_own_function_above_keeps_what_the_generated_one_has_no_longer(path, function, body, own):
+    """Only the comment above that one is its own, wherever the developer has put it."""
+    old, helper = (
+        "".join(function.format(name) + body + "\n" for name in names)
+        for names in (("load", "store"), ("own",))
+    )
+    helper = helper.split("\n", 1)[1]  # without comment
+    load = function.format("load")
+    mine = changed(old, (load + body, f"{helper}{load}{own}"))
+    new = changed(old, (f"\n{function.format('store')}{body}", ""))
+    sides = [{path: File(text.encode())} for text in (mine, old, new)]
+    result, doubts = Versions(*sides).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    wanted = changed(mine, (f"\n{function.format('store')}{body}", ""))
+    assert result.tree[path].text.rstrip() == wanted.rstrip()
+
+
+def test_function_whose_lines_do_not_go_together_is_a_conflict_by_itself():
+    """Its docstring is the developer's no longer, and its body stands beside its name."""
+    old = '# Timer poll\ndef poll():\n    """Do what is due."""\n'
+    old += "\n\n# Service load\ndef load():\n    return 1\n"
+    mine = changed(old, ('poll():\n    """Do what is due."""\n', "poll(): return count()\n"))
+    new = changed(
+        old,
+        ("Timer", "Thread"),
+        ('is due."""\n', 'is due, again."""\n    sleep(1.0)\n'),
+        ("\n\n\n# Service load\ndef load():\n    return 1", ""),
+    )
+    sides = [{"arm.py": File(text.encode())} for text in (mine, old, new)]
+    result, doubts = Versions(*sides).merged()
+    assert doubts == []
+    assert result.tree["arm.py"].text == (
+        "# Thread poll\n<<<<<<< before updating\ndef poll(): return count()\n=======\n"
+        'def poll():\n    """Do what is due, again."""\n    sleep(1.0)\n>>>>>>> after updating\n'
+    )
+
+
+@pytest.mark.parametrize("left", ["A", "C"])
+@pytest.mark.parametrize(
+    ("form", "wanted"),
+    [
+        ("(A, B,\n    C)  # skip", "(\n    {},\n    {},\n)  # skip"),
+        ("(  # skip\n    A, B, C\n)", "(  # skip\n    {},\n    {},\n)"),
+    ],
+)
+def test_comment_on_an_import_stays_where_it_is_when_a_name_leaves(form, wanted, left):
+    """At its end, or beside its first line."""
+    names = "(\n    A,\n    B,\n    C,\n)"
+    old = f"from m import {names}\n\n\ndef a():\n    b()\n"
+    mine = changed(old, (names, form), ("b()", "c()"))
+    new = changed(old, (f"    {left},\n", ""))
+    sides = [{"arm.py": File(text.encode())} for text in (mine, old, new)]
+    result, doubts = Versions(*sides).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    rest = [name for name in "ABC" if name != left]
+    assert result.tree["arm.py"].text == changed(mine, (form, wanted.format(*rest)))

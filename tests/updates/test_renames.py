@@ -893,6 +893,15 @@ def test_program_that_was_changed_follows_its_node(merge, program):
     assert files["setup.py"] == changed(fresh["setup.py"], (made.format("grasp"), line("grasp")))
 
 
+def test_class_that_setup_names_for_others_is_renamed(merge):
+    end = "        ],\n    },\n"
+    plugins = "        ],\n        'arm.plugins': ['a = arm.reach_impl:ReachImpl'],\n    },\n"
+    change = ('<node name="reach"', '<node name="grasp" was="reach"')
+    files, said = merge(SPEC, [change], {"setup.py": [(end, plugins)]})
+    assert "['a = arm.grasp_impl:GraspImpl']" in files["setup.py"]
+    assert not [use for use in said if use.startswith("setup.py")]
+
+
 def test_own_lines_start_what_is_renamed_with_its_package(render, update):
     package = render(SPEC, name="arm")
     own = package / "launch/own.launch.py"
@@ -946,3 +955,284 @@ def test_own_files_about_one_node_follow_where_another_node_has_the_name_too(
     assert (package / about_one).read_text() == wanted
     assert (package / about_both).read_text() == own[about_both]
     assert f"still     {about_both}" in said
+
+
+# What own launch files give nodes: what is between « and » is exchanged, lines with `still` are
+# listed.
+GIVEN = {
+    "launch/own.launch.xml": """\
+<launch>
+  <param name="gain" value="still"/>
+  <node pkg="arm" exec="reach" name="arm1">
+    <!-- <param name="gain" value="still"/> -->
+    <param name="«gain»" value="2.0"/><remap from="«goal»" to="/far"/>
+    <param
+      value="é"
+      name='«motor.limit»'/>
+    <param name="motor"><param value="1" name="«limit»"/></param>
+    <param name="other"><param name="limit" value=""/></param>
+    <param name="goal" value="still"/><remap from="gain" to="still"/>
+    <remap from="/«goal»" to="a"/>
+    <remap from="~/goal" to="still"/>
+    <remap from="«load»" to="goals"/>
+    <remap from="«swing»/_action/send_goal" to="a"/>
+  </node>
+  <node pkg="arm" exec="watch"><remap from="load" to="still"/></node>
+  <node pkg="vendor" exec="reach"><param name="gain" value="still"/></node>
+  <node pkg="arm" exec="$(var reach)"><param name="gain" value="still"/></node>
+</launch>
+""",
+    "launch/own.launch": """\
+<launch>
+  <param name="gain" value="still"/>
+  <node pkg="arm" type="reach" name="first" args="_gain:=still">
+    <param name="«gain»" value="2.0"/>
+    <param name="~«gain»" value="2.0"/>
+    <param name="/gain" value="still"/>
+    <param name="«motor/limit»" value="2.0"/>
+    <rosparam param="«gain»">2.0</rosparam>
+    <rosparam>
+      # gain: still
+      «gain»: 2.0
+      motor:
+        «limit»: 3.0
+      other: {limit: 3}
+    </rosparam>
+    <rosparam ns="motor">«limit»: 3</rosparam><rosparam ns="other">gain: still</rosparam>
+    <rosparam><![CDATA[{'«gain»': 5, other: {limit: 2}}]]></rosparam>
+    <remap from="«goal»" to="far"/>
+    <remap from="/«load»" to="far"/>
+    <remap from="«swing»/goal" to="a"/>
+  </node>
+  <node pkg="vendor" type="reach"><rosparam>gain: still</rosparam></node>
+</launch>
+""",
+    "launch/own.launch.yaml": """\
+launch:
+- node:
+    pkg: "arm"
+    exec: reach
+    param:
+    - name: «gain»  # still not the gain of others
+      value: 1.0
+    - {value: 1.0, name: "«gain»"}
+    - name: motor
+      param:
+      - name: «limit»
+        value: 2.0
+    remap:
+    - from: «goal»
+      to: far
+    - {to: still, from: gain}
+- node: {exec: reach, pkg: vendor, param: [{name: gain, value: still}]}
+""",
+    "launch/own.launch.py": """\
+gains = {'gain': 'still'}
+package = 'arm'
+own = {'«gain»': 1}
+Node(
+    package='arm', executable='reach', parameters=[file, {'é': 1, '«gain»': 1}], name='goals',
+    remappings=[('«goal»', 'far'), ("«load»", a), ('gain', 'still')],
+)
+LifecycleNode(
+    remappings=[('/«goal»', 'far'), ('«swing»/_action/status', 'b')] + more, executable='reach',
+    parameters=[
+        {
+            '«gain»': LaunchConfiguration('still'), **gains, 'x': {'gain': 'still'},
+            'motor': {'«limit»': 3, 'other': {'limit': 3}},
+            "«motor.limit»": 2 if sim else 3,
+        },
+        {'other': {'limit': 'far'}},
+        gains, own,
+    ] if x else [{'«gain»': 1.0}],
+    package=package,
+)
+Node(package='vendor', executable='reach', parameters=[{'gain': 'still'}])
+Node(package='arm', executable='watch', remappings=[('load', 'still')])
+Node(package='arm', executable=reach, parameters=[{'gain': 'still'}])
+SetParameter(name='gain', value='still')
+""",
+    "launch/composed.launch.xml": """\
+<launch>
+  <node_container pkg="rclcpp_components" exec="component_container">
+    <param name="gain" value="still"/>
+    <composable_node pkg="arm" plugin="arm::ReachNode"><param name="«gain»" value="1"/>
+      <remap from="«goal»" to="a"/>
+    </composable_node>
+    <composable_node pkg="vendor" plugin="arm::ReachNode">
+      <param name="gain" value="still"/>
+    </composable_node>
+  </node_container>
+</launch>
+""",
+    "launch/composed.launch.yaml": """\
+launch:
+- node_container:
+    pkg: rclcpp_components
+    exec: component_container
+    composable_node:
+    - pkg: arm
+      plugin: arm::ReachNode
+      param:
+      - name: «gain»
+        value: 1
+""",
+    "launch/composed.launch.py": """\
+ComposableNode(package='arm', plugin='arm::ReachNode', parameters=[{'«gain»': 1}])
+ComposableNode(package='vendor', plugin='arm::ReachNode', parameters=[{'gain': 'still'}])
+""",
+}
+GIVING = SPEC.replace(
+    "    <dynParameter",
+    '    <actionServer name="swing" type="tf2_msgs::LookupTransform"/>\n'
+    '    <parameter name="motor.limit" type="double" value="1"/>\n    <dynParameter',
+)
+NOW = {"goal": "aim", "gain": "kp", "load": "fetch", "swing": "swipe", "motor.limit": "motor.top"}
+
+
+@pytest.mark.parametrize("program", ["reach", "reach-it"])
+@pytest.mark.parametrize("model", ["python_model", "cpp_model"])
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_what_own_launch_files_give_a_node_follows(merge, model, distro, program):
+    """Parameters and remapped topics, services and actions; another's stay, and are listed."""
+    is_composed = (model, distro) == ("cpp_model", "kilted")
+    own = {
+        path: re.sub(r"(?<==['\"])reach(?=['\"])|(?<=exec: )reach", program, text)
+        for path, text in GIVEN.items()
+        if ("composed" not in path or is_composed) and (path[-1] == "h") == (distro == "noetic")
+    }
+    given = f'name="reach" executable="{program}"' if program != "reach" else 'name="reach"'
+    spec = GIVING.replace('name="reach"', given)
+    before, *after = spec.partition('  <node name="watch"')
+    changes = [(f'"{old}" type', f'"{new}" was="{old}" type') for old, new in NOW.items()]
+    now = NOW | {"limit": "top", "motor/limit": "motor/top"}
+    edits = {path: re.sub("«(.*?)»", r"\1", text) for path, text in own.items()}
+    change = (spec, changed(before, *changes) + "".join(after))
+    files, said = merge(spec, [change], edits, model, distro)
+    for path, text in own.items():
+        assert files[path] == re.sub("«(.*?)»", lambda name: now[name[1]], text)
+        lines = enumerate(text.splitlines(), 1)
+        listed = {f"{path}:{number}" for number, line in lines if "still" in line}
+        assert listed <= {use.rpartition(":")[0] for use in said}
+
+
+NESTED = {
+    "noetic": (
+        "launch/own.launch",
+        """\
+<launch>
+  <node pkg="arm" type="reach" name="one">
+    <param name="{}" value="1"/>
+    <rosparam>
+      motor:
+        limit: 2  # listed
+    </rosparam>
+  </node>
+</launch>
+""",
+    ),
+    "kilted": (
+        "launch/own.launch.py",
+        """\
+Node(package='arm', executable='reach', parameters=[
+    {{'{}': 1, 'motor': {{
+        'limit': 2,  # listed
+    }}}}])
+""",
+    ),
+}
+
+
+@pytest.mark.parametrize("distro", NESTED)
+@pytest.mark.parametrize("name", ["drive.limit", "limit"])
+def test_parameter_nested_in_a_launch_file_that_leaves_its_group_is_listed(merge, distro, name):
+    path, text = NESTED[distro]
+    change = ('"motor.limit"', f'"{name}" was="motor.limit"')
+    sign = "/" if distro == "noetic" else "."
+    before, after = (text.format(each.replace(".", sign)) for each in ("motor.limit", name))
+    files, said = merge(GIVING, [change], {path: before}, distro=distro)
+    assert files[path] == after
+    number = 1 + next(n for n, line in enumerate(after.splitlines()) if "listed" in line)
+    assert said == [f"{path}:{number}: motor.limit"]
+
+
+METHODS = {
+    "python_model": (
+        "arm/reach_impl.py",
+        "    def poll(self) -> None:\n",
+        ["    def {}(self):\n", "    async def {}(self) -> None:  # often\n"],
+    ),
+    "cpp_model": (
+        "src/reach_impl.cpp",
+        "void ReachImpl::poll()\n{\n",
+        [
+            "void ReachImpl::{}() {{\n",
+            "auto arm::ReachImpl::{}() -> void\n{{\n",
+            "void ReachImpl::{}()\n{{\n  bind(&ReachImpl::{}, this); Own::poll(); own.poll();\n",
+        ],
+    ),
+}
+
+
+@pytest.mark.parametrize(
+    ("model", "form"), [(model, form) for model in METHODS for form in METHODS[model][2]]
+)
+def test_method_that_is_named_by_nothing_else_follows_in_another_form(merge, model, form):
+    """That of a timer or a thread, of which the developer has changed the first line."""
+    path, made, _ = METHODS[model]
+    spec = SPEC.replace("    <dynP", '    <timer name="poll" frequency="2"/>\n    <dynP', 1)
+    before, after = (form.format(name, name) for name in ("poll", "tick"))
+    files, _ = merge(spec, [('"poll"', '"tick" was="poll"')], {path: [(made, before)]}, model)
+    assert after in files[path]
+    assert len(re.findall(r"\bpoll\b", files[path])) == form.count("poll")
+
+
+NESTED_KEYS = """\
+{top}{i}own: {{limit: 1}}
+{i}motor:  # those of it
+{i}  other: 2
+{i}  "«limit»": 3.0
+{i}drive: {{«gain»: 5}}
+"""
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+@pytest.mark.parametrize("path", ["config/reach.yaml", "config/reach_lab.yaml"])
+@pytest.mark.parametrize(("limit", "gain"), [("motor.top", "drive.kp"), ("arm.limit", "speed")])
+def test_parameters_nested_in_a_file_are_renamed(merge, distro, path, limit, gain):
+    """In their group; what leaves it stays, and is listed."""
+    top = "/**:\n  ros__parameters:\n" if distro == "kilted" else ""
+    text = NESTED_KEYS.format(top=top, i="    " if top else "")
+    spec = GIVING.replace(
+        "    <dynParameter",
+        '    <parameter name="drive.gain" type="int" value="1"/>\n    <dynParameter',
+    )
+    mine = re.sub("«(.*?)»", r"\1", text)
+    made, _ = merge(spec, [], {}, distro=distro)
+    edit = [(made[path], mine)] if path in made else mine
+    changes = [
+        (f'"{old}" type', f'"{new}" was="{old}" type')
+        for old, new in (("motor.limit", limit), ("drive.gain", gain))
+    ]
+    files, said = merge(spec, changes, {path: edit}, distro=distro)
+    names = {"limit": limit, "gain": gain}
+    is_in = limit == "motor.top"
+    wanted = re.sub("«(.*?)»", lambda m: names[m[1]].rpartition(".")[2] if is_in else m[1], text)
+    for line in wanted.splitlines():
+        assert line in files[path].splitlines()
+    listed = {use.partition(": ")[2] for use in said if use.startswith(path)}
+    assert {"motor.limit", "drive.gain"} & listed == (
+        set() if is_in else {"motor.limit", "drive.gain"}
+    )
+
+
+@pytest.mark.parametrize("comment", ["  # the name", "\t#the name", "# the name"])
+def test_field_with_a_comment_of_the_developers_beside_it_is_renamed(merge, comment):
+    """Its comment stays as it is."""
+    changes = [('<field name="name"', '<field name="label" was="name"')]
+    edits = {"msg/Pose.msg": [("string name", f"string name{comment}")]}
+    (files, _), (made, _) = (
+        merge(FIELDS, changes, each, "interfaces_model") for each in (edits, {})
+    )
+    wanted = changed(made["msg/Pose.msg"], ("string label", f"string label{comment}"))
+    assert files["msg/Pose.msg"] == wanted

@@ -105,6 +105,14 @@ def test_key_that_an_anchor_or_a_flow_gives_is_not_missing(package, text):
         assert found[1:] == [f"missing   a.yaml: {key}" for key in missing]
 
 
+@pytest.mark.parametrize("name", ["motor.limit", "motor/limit"])
+def test_key_that_is_nested_is_not_missing(package, name):
+    text = "b:\n  motor:\n    limit: 1\nlimit: 2\n"
+    missing = {"a.yaml": [name, name.replace("motor", "b")]}
+    (_, line) = said(package, {"a.yaml": text}, missing=missing)
+    assert line == f"missing   a.yaml: {missing['a.yaml'][1]}"
+
+
 @pytest.mark.parametrize("names", ["a b", "IN ITEMS ${ALL}"])
 def test_package_that_a_loop_finds_is_not_missing(package, names):
     loop = f"foreach(one {names})\n  find_package(${{one}} REQUIRED)\nendforeach()\n"
