@@ -6,6 +6,8 @@ import re
 from typing import Any
 from unicodedata import east_asian_width
 
+from jinja2 import Environment, pass_environment
+
 WIDTH = 99
 
 # Words that the header made by dynamic_reconfigure needs for itself.
@@ -151,11 +153,14 @@ def cpp_bases(names: list[str]) -> str:
     return f" : {', '.join(names)}" if names else ""
 
 
-def cpp_topic(topic: dict[str, Any], ros: int = 2, config: str = "config_") -> str:
+@pass_environment
+def cpp_topic(
+    environment: Environment, topic: dict[str, Any], ros: int = 2, config: str = "config_"
+) -> str:
     """Return the name of a topic, or the parameter that has it or several, as code of a node."""
     if not (parameter := topic["topic_parameter"] or topic.get("for_each")):
         return f'"{ros1_name(topic["name"]) if ros == 1 else topic["name"]}"'
-    member = parameter.replace(".", "_")
+    member = environment.filters["member"](parameter)
     if topic.get("for_each"):
         return f"{config}->{member}" if ros == 1 else f"std::atomic_load(config_.get())->{member}"
     if ros == 1:
@@ -168,10 +173,11 @@ def cpp_topic_handle(topic: dict[str, Any]) -> str:
     return "node_" if topic["topic_parameter"] else ros1_handle(topic["name"])
 
 
-def cpp_input(topic: dict[str, Any], config: str) -> str:
+@pass_environment
+def cpp_input(environment: Environment, topic: dict[str, Any], config: str) -> str:
     """Return the name of an input in ROS 1, all of which have the node handle of one thread."""
     if topic["topic_parameter"] or not topic["name"].startswith("~"):
-        return cpp_topic(topic, 1, config)
+        return cpp_topic(environment, topic, 1, config)
     return f'ros::names::resolve("~{ros1_name(topic["name"])}", false)'
 
 
