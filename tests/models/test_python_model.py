@@ -7,6 +7,7 @@ import sys
 import types
 import xml.etree.ElementTree as ET
 import xmlrpc.client
+from xml.sax.saxutils import quoteattr
 
 import pytest
 import yaml
@@ -200,3 +201,30 @@ def test_folders_of_the_developer_are_installed(render, monkeypatch, distro):
     monkeypatch.chdir(package)
     runpy.run_path("setup.py")
     assert set(given["packages"]) == {"hostile", "hostile.ros", "hostile.own"}
+
+
+@pytest.mark.parametrize("model", ["python_model", "cpp_model"])
+@pytest.mark.parametrize(
+    ("type_", "choices", "names"),
+    [
+        ("string", "[slow, very-fast]", ["p__slow", "p__very_fast"]),
+        ("int", "[-1, 2]", ["p___1", "p__2"]),
+        ("double", "[0.5, 2]", ["p__0_5", "p__2_0"]),
+        ("string", "[a b, a-b]", []),  # no two names
+        ("string", "[it's, b]", []),  # dynamic_reconfigure would break the text in C++
+        ("string", "['x\\n', b]", []),
+        ("string", "[ü, b]", []),
+    ],
+)
+def test_choices_are_offered_by_dynamic_reconfigure(render, model, type_, choices, names):
+    value = yaml.safe_load(choices)[1]
+    spec = f"""<package name="lab" author="A" author_email="a@b.org" description="d" license="MIT">
+  <node name="n" frequency="1"><dynParameter name="p" type="{type_}" value="{value}"
+    choices={quoteattr(choices)}/></node></package>"""
+    (file,) = (render(spec, model=model, ros_distro="noetic", name="lab") / "cfg").iterdir()
+    calls = [each for each in ast.walk(ast.parse(file.read_text())) if isinstance(each, ast.Call)]
+    constants = [each.args for each in calls if getattr(each.func, "attr", "") == "const"]
+    assert [ast.literal_eval(name) for name, *_ in constants] == names
+    assert [ast.literal_eval(each[2]) for each in constants] == yaml.safe_load(choices)[
+        : len(names)
+    ]
