@@ -228,3 +228,23 @@ def test_choices_are_offered_by_dynamic_reconfigure(render, model, type_, choice
     assert [ast.literal_eval(each[2]) for each in constants] == yaml.safe_load(choices)[
         : len(names)
     ]
+
+
+@pytest.mark.parametrize("model", ["python_model", "cpp_model"])
+def test_tests_of_ros1_give_no_integer_that_it_cannot_store(render, model):
+    spec = ALONE.format("").replace(
+        "/></package>",
+        """><parameter name="size" type="int" value="8589934592" min="0" max="99999999999"/>
+        <parameter name="far" type="int" value="8589934592"/></node></package>""",
+    )
+    package = render(spec, model=model, ros_distro="noetic")
+    text = (package / "test/test_reach_node.py").read_text()
+    (given,) = re.findall(r"^    parameters = (\{.*?^    \})", text, re.M | re.S)
+    values = ast.literal_eval(given)
+    assert {name: default for name, (default, *_) in values.items()} == dict.fromkeys(
+        values, 2**33
+    )
+    for name, (_, others, refused) in values.items():
+        assert others, name
+        assert refused, name
+        assert all(-(2**31) <= each < 2**31 for each in others + refused), name
