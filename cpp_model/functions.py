@@ -6,10 +6,24 @@ import re
 from typing import Any
 from unicodedata import east_asian_width
 
+from jinja2 import Environment, pass_environment
+
 WIDTH = 99
 
 # Words that the header made by dynamic_reconfigure needs for itself.
 _RESERVED = ("config", "groups", "name", "params", "state", "val")
+
+# Decision 161: what CMake finds for a package of the system, and links, by rosdep's name.
+_SYSTEM = {
+    "boost": ("Boost", "Boost::boost"),
+    "eigen": ("Eigen3", "Eigen3::Eigen"),
+    "fmt": ("fmt", "fmt::fmt"),
+    "libceres-dev": ("Ceres", "${CERES_LIBRARIES}"),
+    "libopencv-dev": ("OpenCV", "${OpenCV_LIBS}"),
+    "libpcl-all-dev": ("PCL", "${PCL_LIBRARIES}"),
+    "nlohmann-json-dev": ("nlohmann_json", "nlohmann_json::nlohmann_json"),
+    "yaml-cpp": ("yaml-cpp", "${YAML_CPP_LIBRARIES}"),
+}
 
 
 def dependencies_from_template(ros_distro: str) -> list[str]:
@@ -73,9 +87,7 @@ def added_packages(spec: dict[str, Any]) -> list[str]:
     for node in spec["nodes"]:
         names.update(message_packages(node))
     return [
-        package
-        for package in spec["depends"]
-        if package not in names and re.fullmatch(r"\w+", package)
+        package for package in spec["depends"] if package not in names and is_for_cmake(package)
     ]
 
 
@@ -85,7 +97,7 @@ def linked_packages(spec: dict[str, Any], node: dict[str, Any]) -> list[str]:
     return [
         package
         for package in spec["declared"]
-        if package not in own and re.fullmatch(r"\w+", package) and not is_for_launch(package)
+        if package not in own and is_for_cmake(package) and not is_for_launch(package)
     ]
 
 
@@ -104,7 +116,7 @@ def other_packages(spec: dict[str, Any]) -> list[str]:
 def build_packages(spec: dict[str, Any]) -> list[str]:
     """Return those packages that are needed to build alone, as CMake may know them."""
     names = spec["other_depends"].get("build", [])
-    return [name for name in names if name not in spec["depends"] and re.fullmatch(r"\w+", name)]
+    return [name for name in names if name not in spec["depends"] and is_for_cmake(name)]
 
 
 def required_packages(spec: dict[str, Any]) -> list[str]:
@@ -113,9 +125,30 @@ def required_packages(spec: dict[str, Any]) -> list[str]:
         package
         for package in spec["depends"]
         if package not in other_packages(spec)
-        and re.fullmatch(r"\w+", package)
+        and is_for_cmake(package)
         and not is_for_launch(package)
     ]
+
+
+def is_for_cmake(package: str) -> bool:
+    """Say whether CMake may know a package: rosdep has names that it has not."""
+    return is_of_the_system(package) or bool(re.fullmatch(r"\w+", package))
+
+
+def is_of_the_system(package: str) -> bool:
+    """Say whether a package is none of ROS, and CMake is known to know it."""
+    return package in _SYSTEM
+
+
+def cmake_name(package: str) -> str:
+    """Return what CMake finds for a package."""
+    return _SYSTEM[package][0] if package in _SYSTEM else package
+
+
+def cmake_library(package: str, ros: int = 2) -> str:
+    """Return what is linked of a package."""
+    own = f"${{{package}_{'LIBRARIES' if ros == 1 else 'TARGETS'}}}"
+    return _SYSTEM[package][1] if package in _SYSTEM else own
 
 
 def is_for_launch(package: str) -> bool:
@@ -129,7 +162,8 @@ def exported_packages(spec: dict[str, Any]) -> list[str]:
     linked = {package for node in spec["nodes"] for package in linked_packages(spec, node)}
     if any(node["client_library"] for node in spec["nodes"]):
         shown.add("rclcpp_lifecycle")
-    return sorted(shown | linked - set(other_packages(spec)))
+    others = set(other_packages(spec)) - set(_SYSTEM)
+    return sorted(map(cmake_name, shown | linked - others))
 
 
 def message_packages(node: dict[str, Any]) -> list[str]:
@@ -151,11 +185,14 @@ def cpp_bases(names: list[str]) -> str:
     return f" : {', '.join(names)}" if names else ""
 
 
-def cpp_topic(topic: dict[str, Any], ros: int = 2, config: str = "config_") -> str:
+@pass_environment
+def cpp_topic(
+    environment: Environment, topic: dict[str, Any], ros: int = 2, config: str = "config_"
+) -> str:
     """Return the name of a topic, or the parameter that has it or several, as code of a node."""
     if not (parameter := topic["topic_parameter"] or topic.get("for_each")):
         return f'"{ros1_name(topic["name"]) if ros == 1 else topic["name"]}"'
-    member = parameter.replace(".", "_")
+    member = environment.filters["member"](parameter)
     if topic.get("for_each"):
         return f"{config}->{member}" if ros == 1 else f"std::atomic_load(config_.get())->{member}"
     if ros == 1:
@@ -168,10 +205,11 @@ def cpp_topic_handle(topic: dict[str, Any]) -> str:
     return "node_" if topic["topic_parameter"] else ros1_handle(topic["name"])
 
 
-def cpp_input(topic: dict[str, Any], config: str) -> str:
+@pass_environment
+def cpp_input(environment: Environment, topic: dict[str, Any], config: str) -> str:
     """Return the name of an input in ROS 1, all of which have the node handle of one thread."""
     if topic["topic_parameter"] or not topic["name"].startswith("~"):
-        return cpp_topic(topic, 1, config)
+        return cpp_topic(environment, topic, 1, config)
     return f'ros::names::resolve("~{ros1_name(topic["name"])}", false)'
 
 

@@ -35,6 +35,8 @@ class Scope:
     """
     reserved: Sequence[str] = ()
     """Forms or regular expressions of names, or meanings that `hooks.words` knows."""
+    because: str = ""
+    """Why names are reserved."""
     ignore_case: bool = False
     ros: int | None = None
     """The only generation of ROS in which there is such a place."""
@@ -83,7 +85,8 @@ def collisions(
                 key = name.lower() if scope.ignore_case else name
                 first = taken.setdefault((id(owner), key), item.element)
                 if why:
-                    what = f'"{shown(name)}" is {why} as {scope.label}; choose another'
+                    reason = f": {scope.because}" if scope.because and why == "reserved" else ""
+                    what = f'"{shown(name)}" is {why} as {scope.label}{reason}; choose another'
                     yield item.element, what, "reserved-name"
                 elif first is not item.element:
                     also = f"{first.label} at {first.where}"

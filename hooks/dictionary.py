@@ -541,9 +541,9 @@ class _Reader:
     def scope(self, label: Located, item: Any, known: Set[str]) -> Scope:
         """Read where names land: a mapping from tags to the names that they make there."""
         place = f"names: {label}"
-        own = ("in", "ignore_case", "ros", "parts", "reserved")
+        own = ("in", "ignore_case", "ros", "parts", "because", "reserved")
         if not isinstance(item, dict) or not all(
-            isinstance(forms, list) for key, forms in item.items() if key not in own[:4]
+            isinstance(forms, list) for key, forms in item.items() if key not in own[:5]
         ):
             what = "must be a mapping with lists of names, or in and a tag"
             raise self.fault(label, place, what, "wrong-shape")
@@ -551,7 +551,7 @@ class _Reader:
         owners = item.get("in", Located(PACKAGE))
         owners = owners if isinstance(owners, list) else [owners]
         for word, forms in item.items():
-            if word not in own[:4]:
+            if word not in own[:5]:
                 self.check_shape(word, f"{place}: {word}", forms, list[str])
         self.check_shape(label, f"{place}: in", owners, list[str])
         self.check_keys(place, {**made_by, **dict.fromkeys(owners)}, known)
@@ -567,7 +567,8 @@ class _Reader:
                 self.check_word(word, place, "meaning of words", meanings())
             else:
                 self.check_pattern(word, place, re.sub(r"\{\w[^{}]*\}", "x", word))
-        self.check_shape(label, f"{place}: parts", item.get("parts", ""), str)
+        for key in ("parts", "because"):
+            self.check_shape(label, f"{place}: {key}", item.get(key, ""), str)
         options = {key: item[key] for key in own[1:] if key in item}
         made = plain({"label": label, "owners": owners, "made_by": made_by, **options})
         return Scope(**made, said_at=label.place)

@@ -91,14 +91,19 @@ def identifier(value: str) -> str:
     return _free(_match(pattern, value, complaint, "invalid-name")[0])
 
 
-def grouped_name(value: str) -> str:
-    """Identifiers with dots between them; ROS 1 writes a stroke for a dot. No keyword."""
+def dotted_name(value: str) -> str:
+    """Identifiers with dots between them; ROS 1 writes a stroke for a dot."""
     word = "[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*"
     complaint = "not a valid name; allowed: a letter, then letters, digits and single underscores;"
     complaint += ' a "." between nested ones'
-    name = _match(rf"{word}([./]{word})*_?", value, complaint, "invalid-name")[0]
+    return _match(rf"{word}([./]{word})*_?", value, complaint, "invalid-name")[0].replace("/", ".")
+
+
+def grouped_name(value: str) -> str:
+    """The same, and no keyword."""
+    name = dotted_name(value)
     _free(identifier_of(name))
-    return value.replace("/", ".")
+    return name
 
 
 def package_name(value: str) -> str:
@@ -384,6 +389,7 @@ FORMATS: dict[str, Callable[[str], Any]] = {
     "identifier": identifier,
     "component_name": _as_file(identifier),
     "grouped_name": grouped_name,
+    "dotted_name": dotted_name,
     "package_name": _as_file(package_name),
     "dependency": dependency,
     "relative_name": relative_name,

@@ -4,10 +4,21 @@ from __future__ import annotations
 
 import re
 
+from .words import CPP_NAMES, meaning
+
 
 def identifier(name: str) -> str:
     """Return a ROS name as one word of an identifier: `~/arm/pose` gives `arm_pose`."""
     return re.sub("[/.]", "_", name.lstrip("~/"))
+
+
+def member(name: str) -> str:
+    """Return a name as a member of a class: `axis.x` gives `axis_x`, `lambda` gives `lambda_`.
+
+    Decision 160: what code has already, in either language, gets an underscore.
+    """
+    word = identifier(name)
+    return f"{word}_" if meaning(word, (*CPP_NAMES, "a word of types")) else word
 
 
 def graph_id(name: str, owner: str) -> str:

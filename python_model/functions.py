@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from jinja2 import Environment, pass_environment
+
 
 def dependencies_from_template(ros_distro: str) -> list[str]:
     """Return the packages every package of this model needs at run time."""
@@ -42,7 +44,8 @@ def logic_file(node: dict[str, Any], package: str) -> str:
     return f"{package}/{node['name']}_impl.py"
 
 
-def topic_name(topic: dict[str, Any], ros: int = 2) -> str:
+@pass_environment
+def topic_name(environment: Environment, topic: dict[str, Any], ros: int = 2) -> str:
     """Return the name of a topic, or the parameter that has it, as code of a node.
 
     Of several topics it is that of one, in a loop. rospy 1.15 takes `~/pose` for `/pose`, but not
@@ -50,7 +53,8 @@ def topic_name(topic: dict[str, Any], ros: int = 2) -> str:
     """
     parameter = topic["topic_parameter"]
     if topic.get("for_each") or parameter:
-        code = f"self._config.{parameter.replace('.', '_')}" if parameter else "topic"
+        member = environment.filters["member"]
+        code = f"self._config.{member(parameter)}" if parameter else "topic"
         return f"{code}.replace('~/', '~', 1)" if ros == 1 else code
     return repr(topic["name"].replace("~/", "~", 1) if ros == 1 else topic["name"])
 

@@ -24,6 +24,7 @@ _KINDS = sorted(
 _TYPES = ("bool", "int", "double", "string")
 _PARAMETER = {"name": "", "type": "int", "value": 0, "min": 0, "max": 0, "choices": [0]}
 _REQUIRED = {**_PARAMETER, "name": "a.b", "type": "int[]", "value": None}
+_KEYWORD = {**_PARAMETER, "name": "lambda"}
 _HEARD = {"topic_parameter": None, "for_each": None, "deadline": 1.0, "qos": "sensor_data"}
 _SERVICE = {"reliability": "best_effort", "depth": 1}
 _NODE = {
@@ -31,13 +32,13 @@ _NODE = {
     "diagnostics": True,
     "client_library": True,
     "reconfigure": True,
-    "parameters": [*({**_PARAMETER, "type": each} for each in _TYPES), _REQUIRED],
+    "parameters": [*({**_PARAMETER, "type": each} for each in _TYPES), _REQUIRED, _KEYWORD],
     "dynParameters": [_PARAMETER],
     "publishers": [{"topic_parameter": "topic", "lifespan": 1.0}],
     "subscribers": [_HEARD],
     "directPublishers": [{"topic_parameter": None, "for_each": "topics"}],
     "directSubscribers": [
-        _HEARD | {"for_each": None},
+        _HEARD | {"for_each": None, "topic_parameter": "topic"},
         _HEARD | {"for_each": "topics", "deadline": None},
     ],
     "synchronizers": [{"slop": None, "inputs": []}, {"slop": 1.0, "inputs": []}],

@@ -518,6 +518,18 @@ def dependencies_from_component(
     return ["diagnostic_msgs"] if attributes.get("diagnostics") else []
 
 
+def cfg_constants(parameter: dict[str, Any]) -> dict[str, Any]:
+    """Return the choices of a parameter by names for constants; none for texts that break code.
+
+    dynamic_reconfigure writes them into C++ as they are, into texts in quotes, too.
+    """
+    choices = parameter["choices"] or []
+    are_plain = all(re.fullmatch(r"[\w .+-]+", str(choice), re.ASCII) for choice in choices)
+    name = parameter["name"]
+    names = {f"{name}__{re.sub(r'[^a-zA-Z0-9]', '_', str(choice))}": choice for choice in choices}
+    return names if are_plain and len(names) == len(choices) else {}
+
+
 def launched(node: dict[str, Any]) -> list[str]:
     """Return the names by which the launch file starts a node."""
     return [instance["name"] for instance in node["instances"]] or [node["name"]]

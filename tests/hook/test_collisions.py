@@ -83,8 +83,11 @@ def test_two_of_the_same_are_refused_with_both_lines(model, one, other, name):
 @pytest.mark.parametrize(
     "inside",
     [
-        *[parameter(name) for name in ("linux", "unix", "NULL", "EOF", "Sequence", "NConfig")],
-        *[parameter(name, "dynParameter") for name in ("linux", "M_PI", "autostart")],
+        parameter("NConfig"),
+        *[
+            parameter(name, "dynParameter")
+            for name in ("linux", "unix", "NULL", "EOF", "M_PI", "Sequence", "str", "autostart")
+        ],
         interface("serviceServer", "~/change_state"),
     ],
 )
@@ -105,7 +108,10 @@ def test_reserved_inside_of_a_node(model, inside):
         ("axis.x", "axis", '"axis" is a parameter itself, at line 4'),
         ("axis.x", "axis_x", '"axis_x" is already taken by "axis.x" at line 3'),
         ("axis.x", "axis/x", '"axis.x" is already taken'),
-        ("x", "autostart.x", '"autostart.x" is reserved as parameter'),
+        (
+            *("x", "autostart.x"),
+            '"autostart.x" is reserved as parameter: every node has it; choose another',
+        ),
         ("x", "qos_overrides.x", "is reserved as parameter"),
         ("x", "axis..x", "is not a valid name"),
         ("x", ".axis", "is not a valid name"),
@@ -117,6 +123,28 @@ def test_groups_of_parameters(model, one, other, said):
     assert said in refusal(model, spec(node(parameter(one), parameter(other))))
     found = context(model, spec(node(parameter("axis.x"), parameter("axis/class"))))
     assert [p["name"] for p in found["nodes"][0]["parameters"]] == ["axis.x", "axis.class"]
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize(
+    "name", ["lambda", "namespace", "class", "str", "std", "Sequence", "linux", "NULL", "a.b"]
+)
+def test_parameters_keep_names_that_code_has_already(model, name):
+    """Parameter files of nodes in use have them; the logic has them with an underscore behind."""
+    word = name.replace(".", "_")
+    own = word if "." in name else f"{word}_"
+    found = context(model, spec(node(parameter(name), parameter("x"))))
+    assert found["nodes"][0]["parameters"][0]["name"] == name
+    said = refusal(model, spec(node(parameter(name), parameter(own))))
+    assert "taken" in said if "." in name else f'"{own}", as <parameter name="{name}">' in said
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("name", ["config", "launch", "nodl"])
+def test_folder_that_is_installed_anyway(model, name):
+    said = refusal(model, spec('<folder name="x"/>', f'<folder name="{name}"/>', node()))
+    why = "config, launch and nodl are installed anyway, and ROS has folders of its own"
+    assert f'"{name}" is reserved as folder of the package: {why}; choose another' in said
 
 
 RESERVED_NODES = "uninstall edit_cache INSTALL install preinstall gencfg gtest test lifecycle"

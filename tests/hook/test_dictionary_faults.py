@@ -471,6 +471,7 @@ def test_long_arguments_of_a_function_are_shortened(tmp_path):
             "2: names: x: ros must be 1 or 2, ignore_case true or false [wrong-shape]",
         ),
         ("names:\n  x: {parts: 3}\n", "2: names: x: parts: 3 must be a text [wrong-shape]"),
+        ("names:\n  x: {because: 3}\n", "2: names: x: because: 3 must be a text [wrong-shape]"),
         (
             "names:\n  x: {reserved: ['(']}\n",
             "2: names: x: '(' is no regular expression: missing ), unterminated subpattern "

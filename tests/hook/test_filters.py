@@ -14,6 +14,10 @@ from hooks import names
     ("function", "arguments", "wanted"),
     [
         (names.identifier, ("~/arm/pose",), "arm_pose"),
+        (names.member, ("axis.x",), "axis_x"),
+        (names.member, ("lambda",), "lambda_"),
+        (names.member, ("str",), "str_"),
+        (names.member, ("EOF",), "EOF_"),
         (names.ros_type, ("a/msg/B", 1), "a/B"),
         (names.ros_type, ("a/msg/B", 2), "a/msg/B"),
         (python.python_type, ("double",), "float"),

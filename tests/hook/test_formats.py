@@ -29,6 +29,8 @@ NAME = "a letter, then letters, digits and single underscores"
         ("identifier", LONG, LONG),
         ("component_name", "con1", "con1"),
         ("grouped_name", "a/b_c.d1_", "a.b_c.d1_"),
+        ("dotted_name", "a/b_c.d1_", "a.b_c.d1_"),
+        ("dotted_name", "for", "for"),
         ("package_name", "a1_b2", "a1_b2"),
         ("ros_name", "a/b_c", "a/b_c"),
         ("ros_name", "/a1/b", "/a1/b"),
@@ -110,6 +112,12 @@ def test_value(format_, text, value):
             " [invalid-name]",
         ),
         ("grouped_name", "for", TAKEN),
+        (
+            "dotted_name",
+            "a__b",
+            f'"a__b" is not a valid name; allowed: {NAME}; a "." between nested ones'
+            " [invalid-name]",
+        ),
         (
             "package_name",
             "a",

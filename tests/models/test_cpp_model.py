@@ -385,3 +385,35 @@ def test_data_is_explained_as_far_as_there_is_any(render, model, file, tag, said
     assert said in text
     for word, kind in (("in_<topic>", "subscriber"), ("out_<topic>", "publisher")):
         assert (word in text) == (tag == kind)
+
+
+@pytest.mark.parametrize("model", ["cpp_model", "mixed_model"])
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_system_packages_have_the_names_of_cmake(render, model, distro):
+    """What rosdep calls eigen is Eigen3 to CMake, and what it links has a name of its own."""
+    spec = """
+<package name="mapper" author="A" author_email="a@example.org" description="d" license="MIT">
+  <node name="one" language="cpp"><directPublisher name="x" type="std_msgs::String"/></node>
+  <depend>eigen</depend>
+  <depend>yaml-cpp</depend>
+  <depend>some_package</depend>
+  <depend>some-library</depend>
+  <depend kind="build">nlohmann-json-dev</depend>
+</package>
+"""
+    text = spec if model == "mixed_model" else spec.replace(' language="cpp"', "")
+    package = render(text, model=model, ros_distro=distro)
+    cmake = (package / "CMakeLists.txt").read_text()
+    for name in ("Eigen3", "yaml-cpp", "nlohmann_json"):
+        assert cmake.count(f"find_package({name} REQUIRED)") == 1
+    assert not re.search(r"(?i)\beigen_|yaml-cpp_|json-dev|some-library", cmake)
+    commands = re.findall(r"target_link_libraries\((.*?)\)\n", cmake, re.S)
+    users = [each for each in commands if "some_package" in each or "catkin_LIBRARIES" in each]
+    assert len(users) > 1
+    for each in users:
+        for library in ("Eigen3::Eigen", "${YAML_CPP_LIBRARIES}", "nlohmann_json::nlohmann_json"):
+            assert library in each.split(), each
+    exported = cmake.partition("ament_export_dependencies(")[2].partition(")")[0].split()
+    assert exported == (["Eigen3", "std_msgs", "yaml-cpp"] if distro == "kilted" else [])
+    depends = {element.text for element in ET.parse(package / "package.xml").getroot()}
+    assert {"eigen", "yaml-cpp", "nlohmann-json-dev"} <= depends

@@ -176,7 +176,7 @@ REFUSED = {
     '<serviceServer name="client_x" type="std_srvs::Trigger"/>': "ClientXRequest",
     '<serviceClient name="service" type="std_srvs::Trigger"/>'
     '<serviceServer name="client" type="std_srvs::Trigger"/>': "ClientService",
-    '<parameter name="EOF" type="int" value="1"/>': "a macro of C",
+    '<dynParameter name="EOF" type="int" value="1"/>': "a macro of C",
 }
 
 

@@ -7,6 +7,7 @@ import sys
 import types
 import xml.etree.ElementTree as ET
 import xmlrpc.client
+from xml.sax.saxutils import quoteattr
 
 import pytest
 import yaml
@@ -200,3 +201,50 @@ def test_folders_of_the_developer_are_installed(render, monkeypatch, distro):
     monkeypatch.chdir(package)
     runpy.run_path("setup.py")
     assert set(given["packages"]) == {"hostile", "hostile.ros", "hostile.own"}
+
+
+@pytest.mark.parametrize("model", ["python_model", "cpp_model"])
+@pytest.mark.parametrize(
+    ("type_", "choices", "names"),
+    [
+        ("string", "[slow, very-fast]", ["p__slow", "p__very_fast"]),
+        ("int", "[-1, 2]", ["p___1", "p__2"]),
+        ("double", "[0.5, 2]", ["p__0_5", "p__2_0"]),
+        ("string", "[a b, a-b]", []),  # no two names
+        ("string", "[it's, b]", []),  # dynamic_reconfigure would break the text in C++
+        ("string", "['x\\n', b]", []),
+        ("string", "[ü, b]", []),
+    ],
+)
+def test_choices_are_offered_by_dynamic_reconfigure(render, model, type_, choices, names):
+    value = yaml.safe_load(choices)[1]
+    spec = f"""<package name="lab" author="A" author_email="a@b.org" description="d" license="MIT">
+  <node name="n" frequency="1"><dynParameter name="p" type="{type_}" value="{value}"
+    choices={quoteattr(choices)}/></node></package>"""
+    (file,) = (render(spec, model=model, ros_distro="noetic", name="lab") / "cfg").iterdir()
+    calls = [each for each in ast.walk(ast.parse(file.read_text())) if isinstance(each, ast.Call)]
+    constants = [each.args for each in calls if getattr(each.func, "attr", "") == "const"]
+    assert [ast.literal_eval(name) for name, *_ in constants] == names
+    assert [ast.literal_eval(each[2]) for each in constants] == yaml.safe_load(choices)[
+        : len(names)
+    ]
+
+
+@pytest.mark.parametrize("model", ["python_model", "cpp_model"])
+def test_tests_of_ros1_give_no_integer_that_it_cannot_store(render, model):
+    spec = ALONE.format("").replace(
+        "/></package>",
+        """><parameter name="size" type="int" value="8589934592" min="0" max="99999999999"/>
+        <parameter name="far" type="int" value="8589934592"/></node></package>""",
+    )
+    package = render(spec, model=model, ros_distro="noetic")
+    text = (package / "test/test_reach_node.py").read_text()
+    (given,) = re.findall(r"^    parameters = (\{.*?^    \})", text, re.M | re.S)
+    values = ast.literal_eval(given)
+    assert {name: default for name, (default, *_) in values.items()} == dict.fromkeys(
+        values, 2**33
+    )
+    for name, (_, others, refused) in values.items():
+        assert others, name
+        assert refused, name
+        assert all(-(2**31) <= each < 2**31 for each in others + refused), name

@@ -35,6 +35,8 @@ def held(renderers, model, distro):
     spec["nodes"][0] |= {"diagnostics": True, "client_library": True, "reconfigure": True}
     every = {"name": "a.b", "type": "int[]", "value": None, "min": 1, "max": 2, "choices": [1]}
     spec["nodes"][0]["parameters"][0] |= every
+    spec["nodes"][0]["parameters"][-1]["name"] = "lambda"
+    spec["nodes"][0]["directSubscribers"][0]["topic_parameter"] = "echo_topic"
     spec["nodes"][0]["serviceServers"][0] |= {"reliability": "best_effort", "depth": 1}
     spec["nodes"][0]["serviceClients"][0] |= {"reliability": "best_effort"}
     return renderers[model].render(spec, distro)

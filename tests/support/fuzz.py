@@ -225,6 +225,7 @@ class Author(Random):
         rights = {
             "ros_name": self.ros_name,
             "relative_name": lambda: self.ros_name().lstrip("/~"),
+            "dotted_name": lambda: self.choice(["", "", f"{self.word()}."]) + self.word(),
             "grouped_name": lambda: self.choice(["", "", f"{self.word()}."]) + self.word(),
             "identifier": self.word,
             "component_name": self.word,

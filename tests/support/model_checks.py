@@ -35,6 +35,7 @@ SAMPLES = {
     "identifier": ("some_word", "other_word"),
     "component_name": ("some_part", "other_part"),
     "grouped_name": ("some_word", "other.word"),
+    "dotted_name": ("some_word", "other.word"),
     "package_name": ("some_package", "other_package"),
     "dependency": ("std_msgs", "std_srvs"),
     "relative_name": ("some_name", "other/name"),

@@ -228,9 +228,10 @@ class NodeTests:
         """Every message reaches the logic as it was sent, once."""
         for member, topic, type_, _, *qos, depth in self.each('in_', 'receive_'):
             publisher = self.peer.publisher(type_, topic, *qos)
+            before = len(self.node.got(member))  # of a topic that is heard twice
 
             def got():
-                return [decode(text, type_) for text in self.node.got(member)]
+                return [decode(text, type_) for text in self.node.got(member)[before:]]
 
             first, *messages = (sample(type_, number) for number in (1, 2, 3))
             self.assertTrue(eventually(lambda: publisher.publish(first) or got()), topic)
