@@ -113,6 +113,8 @@ def _mark(pair: _Pair, marks: list[Mark], owner: int | None) -> int:
     item: Any = pair.before
     formats = {attribute.format for attribute in pair.attributes.values()}
     sort = next((each for each in _SORTS if each in formats), "")
+    if any(each.gives and item.get(each.name) for each in pair.attributes.values()):
+        sort = ""  # a parameter has its name there
     others = [each.name for each in pair.attributes.values() if each.same_as == pair.naming]
     called = tuple(item[each] for each in others if each in item)
     marks.append(Mark(name, after, pair.level, owner, is_gone, sort, called))

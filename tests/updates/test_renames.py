@@ -974,6 +974,7 @@ GIVEN = {
     <param name="goal" value="still"/><remap from="gain" to="still"/>
     <remap from="/«goal»" to="a"/>
     <remap from="~/goal" to="still"/>
+    <remap from="map" to="still"/>
     <remap from="«load»" to="goals"/>
     <remap from="«swing»/_action/send_goal" to="a"/>
   </node>
@@ -1002,6 +1003,7 @@ GIVEN = {
     <rosparam><![CDATA[{'«gain»': 5, other: {limit: 2}}]]></rosparam>
     <remap from="«goal»" to="far"/>
     <remap from="/«load»" to="far"/>
+    <remap from="map" to="still"/>
     <remap from="«swing»/goal" to="a"/>
   </node>
   <node pkg="vendor" type="reach"><rosparam>gain: still</rosparam></node>
@@ -1024,6 +1026,7 @@ launch:
     - from: «goal»
       to: far
     - {to: still, from: gain}
+    - {from: map, to: still}
 - node: {exec: reach, pkg: vendor, param: [{name: gain, value: still}]}
 """,
     "launch/own.launch.py": """\
@@ -1032,7 +1035,7 @@ package = 'arm'
 own = {'«gain»': 1}
 Node(
     package='arm', executable='reach', parameters=[file, {'é': 1, '«gain»': 1}], name='goals',
-    remappings=[('«goal»', 'far'), ("«load»", a), ('gain', 'still')],
+    remappings=[('«goal»', 'far'), ("«load»", a), ('gain', 'still'), ('map', b)],
 )
 LifecycleNode(
     remappings=[('/«goal»', 'far'), ('«swing»/_action/status', 'b')] + more, executable='reach',
@@ -1085,9 +1088,19 @@ ComposableNode(package='vendor', plugin='arm::ReachNode', parameters=[{'gain': '
 GIVING = SPEC.replace(
     "    <dynParameter",
     '    <actionServer name="swing" type="tf2_msgs::LookupTransform"/>\n'
-    '    <parameter name="motor.limit" type="double" value="1"/>\n    <dynParameter',
+    '    <parameter name="motor.limit" type="double" value="1"/>\n'
+    '    <parameter name="map_topic" type="string" value="map"/>\n'  # which keeps its value
+    '    <directPublisher name="map" type="std_msgs::Empty" topic_parameter="map_topic"/>\n'
+    "    <dynParameter",
 )
-NOW = {"goal": "aim", "gain": "kp", "load": "fetch", "swing": "swipe", "motor.limit": "motor.top"}
+NOW = {
+    "map": "chart",
+    "goal": "aim",
+    "gain": "kp",
+    "load": "fetch",
+    "swing": "swipe",
+    "motor.limit": "motor.top",
+}
 
 
 @pytest.mark.parametrize("program", ["reach", "reach-it"])
