@@ -146,7 +146,7 @@ def _annotated(code: str, indent: int, rest: deque[str]) -> list[str]:
     if not match or match.start(3) + indent < _WIDTH:
         return []
     value = match[3]
-    if value in _OPENING and len(rest) > 1 and rest[1].strip() in _CLOSING:
+    if value in _OPENING and rest and rest[1].strip() in _CLOSING:
         joined = value + rest[0].strip() + rest[1].strip()
         if len(f"{margin}] = {joined}") <= _WIDTH:
             value = joined

@@ -348,6 +348,10 @@ def test_long_arguments_of_a_function_are_shortened(tmp_path):
             '2: a name: unknown tag to refer to "x"; allowed: a, b [unknown-word]',
         ),
         (
+            "a_attributes:\n- name: {}\n- other: {refers_to: x}\n",
+            '3: a other: unknown tag to refer to "x"; allowed: a [unknown-word]',
+        ),
+        (
             "package_attributes:\n- name: {refers_to: b}\na_interface: {b: {once: true}}\n",
             '2: package name: unknown tag to refer to "b"; allowed: a [unknown-word]',
         ),

@@ -68,6 +68,12 @@ def test_what_is_put_below_keys():
     assert shift(FLAT, DEEP, MINE) == MINE_DEEP
 
 
+def test_comment_in_the_first_line_goes_with_its_key_unless_the_file_begins_so():
+    above = "/**:\n  ros__parameters:\n"
+    assert shift(FLAT, DEEP, "# Mine\nrate: 1\n") == f"{above}    # Mine\n    rate: 1\n"
+    assert shift(FLAT, DEEP, "# Of reach\nrate: 1\n") == f"# Of reach\n{above}    rate: 1\n"
+
+
 def test_comment_that_an_empty_line_parts_from_its_key_goes_with_it():
     mine, wanted = (text.replace("# Mine\n", "# Mine\n\n") for text in (MINE, MINE_DEEP))
     assert shift(FLAT, DEEP, mine) == wanted

@@ -55,6 +55,11 @@ def test_histories_with_nothing_in_common(tmp_path):
     assert merge_bases(tmp_path, first, "HEAD") == []
 
 
+def test_nothing_was_there_before_the_first_commit(tmp_path):
+    git(tmp_path, "init")
+    assert once_there(tmp_path, ["a"]) == set()
+
+
 def test_what_was_once_there(tmp_path):
     """Asked of all at once, it is what is found for each: with renames among them, in a folder."""
     folder = tmp_path / "arm"
