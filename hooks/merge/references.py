@@ -152,7 +152,7 @@ def _renamed(one: Setting, mark: Mark) -> str:
     before, after = mark.before, mark.after
     name = one.written.lstrip("~/")
     start = one.written.removesuffix(name)
-    if one.is_topic == (mark.sort == "grouped_name") or not name:
+    if one.is_topic == (mark.sort == "parameter") or not name:
         return ""
     if not one.is_topic:
         group = one.name.removesuffix(dotted(name))
@@ -162,7 +162,7 @@ def _renamed(one: Setting, mark: Mark) -> str:
         return after
     old, new = (each.lstrip("~/") for each in (before, after))
     rest = name.removeprefix(old)
-    is_part = rest[:1] == "/" and mark.sort == "action_type"  # its goal, its status
+    is_part = rest[:1] == "/" and mark.sort == "action"  # its goal, its status
     is_ours = rest != name and (is_part or not rest)
     are_private = {"~" in each for each in (start, before, after)}
     return start + new + rest if is_ours and len(are_private) == 1 else ""
