@@ -58,8 +58,9 @@ def left(old: Values, new: Values, dictionary: Dictionary) -> Iterator[tuple[str
 class Mark:
     """A name that was exchanged for a mark, so that a render shows what depends on it.
 
-    The mark is `zq<number>x`, the number being its place in the list of marks. Of an interface,
-    `owner` is the number of its component's mark. Decision 25: no text is searched for names.
+    The mark is `zq<number>x`, the number being its place in the list of marks; where the filter
+    `member` writes it, `zq<number>y`. Of an interface, `owner` is the number of its component's
+    mark. Decision 25: no text is searched for names.
     """
 
     before: str

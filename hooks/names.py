@@ -18,6 +18,8 @@ def member(name: str) -> str:
     Decision 160: what code has already, in either language, gets an underscore.
     """
     word = identifier(name)
+    if re.fullmatch(r"zq\d+x", word):  # a mark of `hooks.changes`: its name decides
+        return f"{word[:-1]}y"
     return f"{word}_" if meaning(word, (*CPP_NAMES, "a word of types")) else word
 
 

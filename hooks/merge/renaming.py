@@ -17,6 +17,7 @@ import yaml
 
 from ..changes import GONE, Contexts, Mark, marked
 from ..dictionary import Dictionary
+from ..names import member
 from ..package import SUFFIX
 from . import xml_blocks
 from .blocks import Block, collapsed, every
@@ -34,7 +35,7 @@ from .tree import File, Tree
 
 _DEEPEST = 3
 """How often a class may derive from another one: a node's of a group's of the runtime's."""
-_MARK = re.compile(r"zq(\d+)x", re.IGNORECASE)
+_MARK = re.compile(r"zq(\d+)[xy]", re.IGNORECASE)
 _GROUPED = re.compile(r"(?m)^\s*(\w+(?:[./]\w+)+):")
 _MADE = "_interface"
 _OF_NODE = re.compile(r"\b([a-z]\w*)_(?:interface|impl|types|ros)\b")
@@ -769,10 +770,12 @@ class _Reader:
 
 
 def _form(mark: str, name: str) -> str:
-    """Write a name as a mark is written: as a word, as a class, in capitals."""
+    """Write a name as a mark is written: as a word, as a member, as a class, in capitals."""
     name, gone, _ = name.partition(GONE)
     plain = re.sub(r"\W+", "_", name).strip("_")
-    if mark.startswith("ZQ"):
+    if mark.endswith("y"):
+        plain = member(name)
+    elif mark.startswith("ZQ"):
         plain = plain.upper()
     elif mark.startswith("Zq"):
         plain = "".join(word[:1].upper() + word[1:] for word in plain.split("_"))

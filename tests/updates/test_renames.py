@@ -1249,3 +1249,26 @@ def test_field_with_a_comment_of_the_developers_beside_it_is_renamed(merge, comm
     )
     wanted = changed(made["msg/Pose.msg"], ("string label", f"string label{comment}"))
     assert files["msg/Pose.msg"] == wanted
+
+
+@pytest.mark.parametrize("names", [("mode", "lambda"), ("lambda", "mode"), ("str", "namespace")])
+@pytest.mark.parametrize("model", ["python_model", "cpp_model"])
+def test_parameter_whose_name_code_has_a_meaning_for_follows_as_code_has_it(merge, model, names):
+    before, after = names
+    line = '    <parameter name="{}" type="int" value="1"/>\n'
+    spec = SPEC.replace("    <dynParameter", f"{line.format(before)}    <dynParameter", 1)
+    path = {"python_model": "arm/tools.py", "cpp_model": "src/tools.cpp"}[model]
+    text = {
+        "python_model": "from .reach_interface import ReachConfig\n\n\n"
+        "def f(config: ReachConfig):\n    config.{}\n",
+        "cpp_model": '#include "arm/reach_interface.hpp"\nnamespace arm\n{{\n'
+        "int f(const ReachConfig & config) {{return config.{};}}\n}}\n",
+    }[model]
+    own = {
+        path: text.format(before if before == "mode" else f"{before}_"),
+        "config/own.yaml": f"/**/reach:\n  ros__parameters:\n    {before}: 2\n",
+    }
+    change = (f'"{before}" type', f'"{after}" was="{before}" type')
+    files, _ = merge(spec, [change], own, model)
+    assert files[path] == text.format(after if after == "mode" else f"{after}_")
+    assert files["config/own.yaml"] == own["config/own.yaml"].replace(before, after)
