@@ -13,7 +13,7 @@ WIDTH = 99
 # Words that the header made by dynamic_reconfigure needs for itself.
 _RESERVED = ("config", "groups", "name", "params", "state", "val")
 
-# Decision 161: what CMake finds for a package of the system, and links, by rosdep's name.
+# Decision 157: what CMake finds for a package of the system, and links, by rosdep's name.
 _SYSTEM = {
     "boost": ("Boost", "Boost::boost"),
     "eigen": ("Eigen3", "Eigen3::Eigen"),

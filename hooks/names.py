@@ -15,7 +15,7 @@ def identifier(name: str) -> str:
 def member(name: str) -> str:
     """Return a name as a member of a class: `axis.x` gives `axis_x`, `lambda` gives `lambda_`.
 
-    Decision 160: what code has already, in either language, gets an underscore.
+    Decision 156: what code has already, in either language, gets an underscore.
     """
     word = identifier(name)
     if re.fullmatch(r"zq\d+x", word):  # a mark of `hooks.changes`: its name decides
