@@ -125,8 +125,7 @@ class Cpp:
 
     passed = Python.passed
     failed = Python.failed
-    flags = f"{ros.FASTEST['CXXFLAGS']} -include {DATA}/mutants/is_mutant.hpp"
-    flags = f"-DCMAKE_CXX_FLAGS='{flags}'"
+    flags = f'env CXXFLAGS="$CXXFLAGS -include {DATA}/mutants/is_mutant.hpp"'
 
     def __init__(self, package, variant):
         """Put the mutants into the package."""
@@ -159,7 +158,7 @@ def cpp_noetic(ros1, ros1_interfaces, render, tmp_path):
     options = {"model": "cpp_model", "ros_distro": "noetic", "name": "src/all_kinds"}
     cpp = CppRos1(render(all_kinds(), **options), "cpp_noetic")
     targets = "all_kinds_worker all_kinds_test_worker_recorder"
-    ros1.run(f"catkin_make {cpp.flags} {targets}", tmp_path, ros1_interfaces, timeout=3600)
+    ros1.run(f"{cpp.flags} catkin_make {targets}", tmp_path, ros1_interfaces, timeout=3600)
     return cpp
 
 
@@ -182,7 +181,7 @@ def cpp_kilted(ros2, render, tmp_path):
     package = render(ros.fitting(ros2, all_kinds()), model="cpp_model", ros_distro=ros2.distro)
     build = tmp_path / "build"
     cpp = CppRos2(ros2, package, "cpp_kilted", build)
-    ros2.run(f"cmake -S {package} -B {build} {cpp.flags}", tmp_path)
+    ros2.run(f"{cpp.flags} cmake -S {package} -B {build}", tmp_path)
     targets = "worker test_worker_recorder"
     ros2.run(f"cmake --build {build} --target {targets}", tmp_path, timeout=3600)
     return cpp
