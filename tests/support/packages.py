@@ -36,10 +36,18 @@ def model_of(name):
 
 
 def fill_in(package, model):
-    """Write the logic of data/logic into a package of examples/all_kinds; return its text."""
+    """Write the logic of data/logic into a package of examples/all_kinds; return its text.
+
+    In C++ without what asks for transforms, if the spec is without them.
+    """
     git(package, "apply", str(DATA / f"logic/{model}.patch"))
+    logic = package / LOGIC[model]
+    if model == "cpp_model" and "<listener" not in (package / "all_kinds.ros_package").read_text():
+        logic.write_text(
+            re.sub(r"  \w+\.broadcaster_pose.*?\n  }\n", "", logic.read_text(), flags=re.S)
+        )
     commit(package, "Fill in the logic")
-    return (package / LOGIC[model]).read_text()
+    return logic.read_text()
 
 
 def fill_in_serving(package, model):
