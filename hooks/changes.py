@@ -70,19 +70,13 @@ class Mark:
     is_gone: bool = False
     """It left, and another one has its name now; `after` is then a name that nothing has."""
     sort: str = field(default="", compare=False)
-    """`action`, `topic` or `parameter`, if it is in the ROS graph."""
+    """The format that says what it is in the ROS graph, if it is there."""
     called: tuple[str, ...] = field(default=(), compare=False)
     """Its other names before, such as that of its program."""
 
 
 GONE = "__gone"
-_SORTS = {
-    "action_type": "action",
-    "ros_name": "topic",
-    "dotted_name": "parameter",
-    "grouped_name": "parameter",
-}
-"""What has an attribute of a format."""
+_SORTS = ("action_type", "ros_name", "dotted_name", "grouped_name")
 
 
 def marked(old: Values, new: Values, dictionary: Dictionary) -> tuple[dict[str, Any], list[Mark]]:
@@ -119,7 +113,7 @@ def _mark(pair: _Pair, marks: list[Mark], owner: int | None) -> int:
     after = pair.name + GONE if is_gone else pair.name
     item: Any = pair.before
     formats = {attribute.format for attribute in pair.attributes.values()}
-    sort = next((sort for each, sort in _SORTS.items() if each in formats), "")
+    sort = next((each for each in _SORTS if each in formats), "")
     if any(each.gives and item.get(each.name) for each in pair.attributes.values()):
         sort = ""  # a parameter has its name there
     others = [each.name for each in pair.attributes.values() if each.same_as == pair.naming]

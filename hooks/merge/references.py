@@ -41,6 +41,8 @@ _FINDERS = (
 )
 _SAME = ("Path", "PurePath", "PathJoinSubstitution", "str")
 """What makes a path of a path."""
+_DOTTED = ("dotted_name", "grouped_name")
+"""The formats of what launch files give values, in place of other names."""
 _Edit = tuple[int, int, str, str]
 """Where a text is between quotes, what is in it, and what will be."""
 
@@ -152,7 +154,7 @@ def _renamed(one: Setting, mark: Mark) -> str:
     before, after = mark.before, mark.after
     name = one.written.lstrip("~/")
     start = one.written.removesuffix(name)
-    if one.is_topic == (mark.sort == "parameter") or not name:
+    if one.is_topic == (mark.sort in _DOTTED) or not name:
         return ""
     if not one.is_topic:
         group = one.name.removesuffix(dotted(name))
@@ -162,7 +164,7 @@ def _renamed(one: Setting, mark: Mark) -> str:
         return after
     old, new = (each.lstrip("~/") for each in (before, after))
     rest = name.removeprefix(old)
-    is_part = rest[:1] == "/" and mark.sort == "action"  # its goal, its status
+    is_part = rest[:1] == "/" and mark.sort == "action_type"  # its goal, its status
     is_ours = rest != name and (is_part or not rest)
     are_private = {"~" in each for each in (start, before, after)}
     return start + new + rest if is_ours and len(are_private) == 1 else ""

@@ -35,7 +35,7 @@ def test_python_in_ros2(ros2, render):
 def test_cpp(ros1, render, tmp_path):
     package = render(SPEC, model="cpp_model", ros_distro="noetic")
     folders = f"-I{package}/test/support/recorder -I{package}/include"
-    flags = f"-std=c++17 {ros.COMPILER_FLAGS} {folders}"
+    flags = f"-std=c++17 {ros.GCC['CXXFLAGS']} {folders}"
     libraries = "-lroscpp_serialization -lrostime -pthread"
     ros1.run(f"c++ {flags} -o program {PROGRAM}.cpp {libraries}", tmp_path)
     assert ros1.run("./program", tmp_path).stdout == "1 0\n"
