@@ -155,9 +155,10 @@ class Update:
         more += left_behind(kept, joiner.own_lines(joined))
         one, two = ours.proof, theirs.proof
         proof = Proof(one.total + two.total, one.in_place + two.in_place, one.left + two.left)
-        before = ours.versions.mine
         here = replace(proof, left=one.left)
-        lines = report(self.package, before, found, result, said, sorted(still), here, more)
+        lines = report(
+            self.package, ours.versions.mine, found, result, said, sorted(still), here, more
+        )
         lines.lines[-1] = proof.sentence
         return lines
 
