@@ -77,7 +77,7 @@ class References(NamedTuple):
 
     def in_xml(self, text: str) -> str:
         """Return a file of XML with what nodes are given exchanged, and nothing else."""
-        return _edited(text, self._given(XML, text))
+        return edited(text, self._given(XML, text))
 
     def exchanged(self, known: Language, text: str) -> str:
         """Return a text that says what they are after the update."""
@@ -103,7 +103,7 @@ class References(NamedTuple):
                 edits = _InPython(text, self).edits()
             elif known is YAML:
                 edits = self._in_yaml(compose(text))
-            text = _edited(text, {*edits, *self._given(known, text)})
+            text = edited(text, {*edits, *self._given(known, text)})
         return text
 
     def _given(self, known: Language, text: str) -> Iterator[_Edit]:
@@ -142,7 +142,8 @@ class References(NamedTuple):
             yield from self._in_yaml(value)
 
 
-def _edited(text: str, edits: Iterable[_Edit]) -> str:
+def edited(text: str, edits: Iterable[_Edit]) -> str:
+    """Return a text with what is between quotes in some places exchanged."""
     for start, end, before, after in sorted({*edits}, reverse=True):
         if (written := text[start:end]).count(before) == 1:
             text = text[:start] + written.replace(before, after) + text[end:]

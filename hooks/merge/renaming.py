@@ -26,7 +26,7 @@ from .languages import CMAKE, CPP, MARKDOWN, MESSAGE, PYTHON, TEXT, XML, YAML, L
 from .lines import split
 from .origins import SELF, Class, Names, classes_in, origins, related
 from .python_blocks import definitions, imports
-from .references import References, with_packages
+from .references import References, edited, with_packages
 from .render import Renderer
 from .scopes import MARK, Declared, declared, is_shared, marked_in_cpp, marked_in_python, with_ends
 from .settings import STARTED
@@ -485,9 +485,7 @@ def _with_keys(text: str, keys: Mapping[str, str], holders: Collection[_Holder] 
         for holder, node in found
         if (after := now(holder, node.value))
     }
-    for (start, end), pair in sorted(edits.items(), reverse=True):
-        text = text[:start] + text[start:end].replace(*pair) + text[end:]
-    return text
+    return edited(text, ((*place, *names) for place, names in edits.items()))
 
 
 def _is_ros2(holders: Iterable[_Holder]) -> bool:
