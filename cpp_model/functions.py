@@ -59,6 +59,8 @@ def dependencies_from_interface(
         "synchronizer": ["message_filters"],
     }.get(kind, [])
     type_ = attributes.get("type", "")
+    if not ros1 and kind == "field" and re.match(r"(time|duration)\b", type_):
+        return ["builtin_interfaces"]
     return [*packages, type_.split("/")[0]] if "/" in type_ else packages
 
 
@@ -163,7 +165,7 @@ def exported_packages(spec: dict[str, Any]) -> list[str]:
     if any(node["client_library"] for node in spec["nodes"]):
         shown.add("rclcpp_lifecycle")
     others = set(other_packages(spec)) - set(_SYSTEM)
-    return sorted(map(cmake_name, shown | linked - others))
+    return sorted(map(cmake_name, (shown | linked - others) - {spec["name"]}))
 
 
 def message_packages(node: dict[str, Any]) -> list[str]:

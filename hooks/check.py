@@ -171,7 +171,7 @@ class _Checker:
                 values[kind.key].append(found)
             else:
                 self.spec.unused.append((child, self.takers(kind.tag)))
-        needed = [component for component in components.values() if not component.is_plain]
+        needed = self.dictionary.needed
         if needed and not any(values[component.key] for component in needed) and not unknown:
             tags = _tags(component.tag for component in needed)
             self.fault(element, f"has no {tags}; it needs one at least", "missing-tag")
@@ -271,11 +271,15 @@ class _Checker:
 
     def check_own_types(self) -> None:
         """Insist that a type of the package itself is one that the spec declares."""
-        kinds: list[Component | Interface] = []
-        for component in self.dictionary.components.values():
-            kinds += [component, *nested(component.interfaces)]
-        attributes = [attribute for kind in kinds for attribute in kind.attributes.values()]
-        if not any(attribute.declares for attribute in attributes):
+        owners = [(each.tag, each.attributes) for each in self.dictionary.components.values()]
+        owners += [(each.kind, each.attributes) for each in self.dictionary.kinds]
+        tags = {
+            attribute.declares: tag
+            for tag, attributes in owners
+            for attribute in attributes.values()
+            if attribute.declares
+        }
+        if not tags:
             return
         package = self.spec.name
         parts: dict[str, set[str]] = {}
@@ -296,7 +300,11 @@ class _Checker:
                     if declared.startswith(f"{folder}/")
                 )
                 fault = f"{quoted(word)} is not declared in this package"
-                what = f"{name}: {fault}; {allowed(word, known, in_code.field(word))}"
+                hint = allowed(word, known, in_code.field(word))
+                if not known and folder in tags:
+                    added = f"add <{tags[folder]} name={quoted(word)}>"
+                    hint = hint.replace("none is allowed", added)
+                what = f"{name}: {fault}; {hint}"
                 self.fault(element, what, "undeclared-type")
 
     def check_references(self) -> None:

@@ -42,6 +42,7 @@ def complete(spec: CheckedSpec, functions: Functions, distro: str) -> Values:
     for component in spec.components:
         arguments = (component.tag, component.values, distro)
         place = spec.place(component.element)
+        _result(functions, "check_component", place, *arguments)
         found |= _call(functions, "dependencies_from_component", place, *arguments)
     own_name = spec.name
     types: dict[Element, list[str]] = defaultdict(list)

@@ -148,7 +148,9 @@ class Component:
     attributes: Mapping[str, Attribute]
     interfaces: Mapping[str, Interface]
     is_plain: bool = False
-    """It says more of the package, and has no interface: the package needs none."""
+    """It says more of the package, and has no interface."""
+    is_optional: bool = False
+    """A package needs none, as of those that are plain."""
     is_shared: bool = False
     """It holds what others take: its interface is said of these."""
 
@@ -203,6 +205,11 @@ class Dictionary:
     """Where all of this is said, below the root: each dictionary after those that it includes."""
 
     @property
+    def needed(self) -> list[Component]:
+        """The components of which a package has one at least."""
+        return [each for each in self.components.values() if not each.is_optional]
+
+    @property
     def naming(self) -> str:
         """The attribute that names a package."""
         return naming(self.package)
@@ -219,7 +226,10 @@ class Dictionary:
         return [*dict.fromkeys(tag for each in components for tag in (each.tag, *_kinds(each)))]
 
 
-_KEYS = {"package_attributes", "aliases", "skeleton", "names", "holders", "definitions", "include"}
+_KEYS = {
+    *("package_attributes", "aliases", "skeleton", "optional", "names", "holders"),
+    *("definitions", "include"),
+}
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _DECLARED = ("msg", "srv", "action")
 
@@ -310,12 +320,17 @@ class _Reader:
         forms = {"<component>_attributes", "<component>_interface"}
         self.check_keys("", content, _KEYS | own, own | _KEYS | forms)
         self.check_halves(content, tags)
+        optional = content.get("optional") or []
+        self.check_shape("optional", "optional", optional, list[str])
+        for tag in optional:
+            self.check_word(tag, "optional", "component tag", tags)
         components = {
             tag: Component(
                 tag,
                 self.attributes(tag, content.get(f"{tag}_attributes") or [Located("name")]),
                 self.interfaces(f"{tag}_interface", content.get(f"{tag}_interface")),
                 is_plain=f"{tag}_interface" not in content,
+                is_optional=f"{tag}_interface" not in content or tag in optional,
             )
             for tag in map(str, tags)
         }

@@ -23,6 +23,8 @@ from .schema import names_schema, schema
 from .skeleton import skeleton
 from .trees import READER, Tree, is_yaml, read_yaml, tree
 
+_CHECK = "check_"
+"""How the names of those functions begin that refuse: each of them is asked."""
 _LONGEST = 40
 """How much of an argument a message shows."""
 
@@ -42,7 +44,9 @@ class Model:
         self.folders = list(dict.fromkeys((root / f).parent for f in self.dictionary.files))
         """Where its dictionary and those that this includes are."""
         for each in self.folders:
-            self.functions |= load_functions(each / "functions.py")
+            for function, one in load_functions(each / "functions.py").items():
+                known = self.functions.get(function) if function.startswith(_CHECK) else None
+                self.functions[function] = _each(known, one) if known else one
 
     def context(
         self, xml: bytes, file: str, distro: str, root: Element | None = None
@@ -119,6 +123,14 @@ def public_functions(module: ModuleType) -> Functions:
         and value.__code__.co_filename == file
         and not name.startswith("_")
     }
+
+
+def _each(*functions: Callable[..., None]) -> Callable[..., None]:
+    def call(*arguments: Any) -> None:
+        for function in functions:
+            function(*arguments)
+
+    return call
 
 
 def _reporting(file: Path, function: Callable[..., Any]) -> Callable[..., Any]:

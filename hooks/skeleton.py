@@ -44,14 +44,13 @@ def skeleton(dictionary: Dictionary, sources: Mapping[str, str]) -> str:
         *_tag(PACKAGE, package, "", ">"),
     ]
     told: list[Interface] = []
-    for component in dictionary.components.values():
-        if not component.is_plain:
-            lines += _component(component, dictionary, told)
+    for component in dictionary.needed:
+        lines += _component(component, dictionary, told)
     hint = "A package that no interface above names:"
     lines += ["", *_comment(hint, "  ", [KIND_OF_DEPENDENCY])]
     lines += [f"  <!-- <{DEPEND}>package_name</{DEPEND}> -->"]
     for component in dictionary.components.values():
-        if component.is_plain:
+        if component.is_optional:
             attributes = component.attributes.values()
             lines += ["", *_comment(_title(component, dictionary), "  ", attributes)]
             lines += _tag(component.tag, attributes, "  <!-- ", "/> -->")

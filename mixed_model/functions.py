@@ -11,6 +11,7 @@ _ROOT = next(
 )
 _SHARED = next(folder for folder in Path(__file__).parents if (folder / "shared").exists())
 _COMMON = runpy.run_path(str(_SHARED / "shared/functions.py"))
+_DEFINITIONS = runpy.run_path(str(_SHARED / "shared/interfaces/functions.py"))
 _MODELS = {
     language: runpy.run_path(str(_ROOT / f"{language}_model/functions.py"))
     for language in ("python", "cpp")
@@ -25,17 +26,17 @@ def dependencies_from_template(ros_distro: str) -> list[str]:
 def dependencies_from_component(
     kind: str, attributes: dict[str, Any], ros_distro: str
 ) -> list[str]:
-    """Return the packages that a node needs in its language."""
-    model = _MODELS[attributes["language"]]
-    own = _COMMON["dependencies_from_component"](kind, attributes, ros_distro)
-    return [*model["dependencies_from_template"](ros_distro), *own]
+    """Return the packages that a node in its language, or a definition, needs."""
+    language = attributes.get("language")
+    model = _MODELS[language]["dependencies_from_template"](ros_distro) if language else []
+    return [*model, *_COMMON["dependencies_from_component"](kind, attributes, ros_distro)]
 
 
 def dependencies_from_interface(
     kind: str, attributes: dict[str, Any], ros_distro: str
 ) -> list[str]:
-    """Return the packages that one interface needs in the language of its node."""
-    model = _MODELS[attributes["node"]["language"]]
+    """Return the packages that one interface needs in the language of its node, if it has one."""
+    model = _MODELS[attributes.get("node", {}).get("language", "cpp")]
     return list(model["dependencies_from_interface"](kind, attributes, ros_distro))
 
 
@@ -57,6 +58,7 @@ def parts(spec: dict[str, Any], language: str, ros_distro: str) -> list[dict[str
 def for_cmake(spec: dict[str, Any], ros_distro: str) -> dict[str, Any]:
     """Return what CMake must know of a spec: the nodes in C++ and all that makes code."""
     depends = {name for name in spec["depends"] if name == "dynamic_reconfigure"}
+    depends.update(_DEFINITIONS["defined_with"](spec))
     part: dict[str, Any] = {**spec, "nodes": []}
     for part in parts(spec, "cpp", ros_distro):
         depends |= set(part["depends"])

@@ -14,6 +14,15 @@ def dependencies_from_template(ros_distro: str) -> list[str]:
     return ["builtin_interfaces", "launch_ros", "launch_xml", "rcl_interfaces", "rclpy"]
 
 
+def check_component(kind: str, attributes: dict[str, Any], ros_distro: str) -> None:
+    """Refuse types of the package itself in ROS 2: rosidl makes a Python package of its name."""
+    if kind in ("message", "service", "action") and ros_distro != "noetic":
+        what = (
+            "in ROS 2 a package with Python has no types of its own; make one of interfaces_model"
+        )
+        raise ValueError(what, "not-in-ros")
+
+
 def dependencies_from_interface(
     kind: str, attributes: dict[str, Any], ros_distro: str
 ) -> list[str]:

@@ -29,7 +29,7 @@ from hooks.specs import Specs, template_notes  # noqa: E402
 
 PAGE = ROOT / "docs/messages.md"
 CODE = [
-    *("hooks/**/*.py", "extensions/*.py", "*_model/functions.py", "shared/functions.py"),
+    *("hooks/**/*.py", "extensions/*.py", "*_model/functions.py", "shared/**/functions.py"),
     "scripts/*.py",
 ]
 ID = "[a-z]+(?:-[a-z0-9]+)+"

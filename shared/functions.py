@@ -514,7 +514,9 @@ def is_wide(value: Any) -> bool:
 def dependencies_from_component(
     kind: str, attributes: dict[str, Any], ros_distro: str
 ) -> list[str]:
-    """Return the packages that a node needs besides those of its interfaces."""
+    """Return the packages that a node or a definition needs besides those of what is in it."""
+    if kind == "action":
+        return ["actionlib_msgs", "std_msgs"] if ros_distro == "noetic" else ["action_msgs"]
     return ["diagnostic_msgs"] if attributes.get("diagnostics") else []
 
 

@@ -238,7 +238,8 @@ def test_type_that_cannot_be_one(model, type_):
 @pytest.mark.parametrize("model", MODELS)
 def test_type_of_the_package_itself(model):
     text = refusal(model, spec(node(interface("publisher", "x", "arm::T"))))
-    assert 'spec.xml:3: <publisher name="x">: needs arm, which is this package' in text
+    what = 'type: "T" is not declared in this package; add <message name="T">'
+    assert f'spec.xml:3: <publisher name="x">: {what}' in text
 
 
 @pytest.mark.parametrize("model", MODELS)

@@ -256,7 +256,7 @@ def test_long_arguments_of_a_function_are_shortened(tmp_path):
             "a_atributes: []\n",
             '1: unknown key "a_atributes"; did you mean "package_attributes"? allowed: '
             "<component>_attributes, <component>_interface, aliases, definitions, holders, "
-            "include, names, package_attributes, skeleton [unknown-key]",
+            "include, names, optional, package_attributes, skeleton [unknown-key]",
         ),
         ("a_attributes: x\n", "1: a: the attributes must be a list [wrong-shape]"),
         ("a_attributes:\n- [x]\n", "1: a: ['x'] must be a name or a mapping [wrong-shape]"),

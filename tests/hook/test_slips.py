@@ -476,10 +476,6 @@ NODE = ITEM.format('<node name="n" frequency="1">{}</node>')
             ITEM.format("<node/>").replace("<package", '<package ros_distro="humble"'),
             'did you mean copier\'s "-d ros_distro=..."?',
         ),
-        (
-            ITEM.format('<message name="M"/>'),
-            "<message> is not known here; did you mean a package of interfaces_model?",
-        ),
         (NODE.format('<output name="x"/>'), 'did you mean "publisher"?'),
         (NODE.format('<tf2 name="x"/>'), 'did you mean "listener" or "broadcaster"?'),
         # Values.

@@ -20,7 +20,7 @@ DRIVING = (EXAMPLES / "driving.ros_package").read_text()
 WHOLE = re.compile(
     r"\.git|README|AGENTS|package\.xml|launch/|config/|CMakeLists|_copier_conf|ros_package"
     r"|\{\{ ros2 \}\}/(setup\.|resource|nodl/)"
-    r"|test/support/(node_tests\.py|peer\.py|running\.py|fastdds\.xml)"
+    r"|^(msg|srv|action)/|test/support/(node_tests\.py|peer\.py|running\.py|fastdds\.xml)"
 )
 
 

@@ -99,8 +99,9 @@ def test_what_starts_the_launch_file_is_declared(render, model, distro):
     ("model", "owner"), [(model, owner) for model in MODELS for owner in model.owners], ids=str
 )
 def test_each_kind_renders_alone(render, model, owner):
-    for distro in {model.distros[0], model.distros[-1]}:
-        render([(owner, model.base(owner))], distro)
+    element = owner, model.base(owner)
+    for distro in model.fitting(element):
+        render([element], distro)
 
 
 @pytest.mark.parametrize(
@@ -117,7 +118,7 @@ def test_files_of_two_components(source, model, tmp_path):
     made = set()
     for distro in {model.distros[0], model.distros[-1]}:
         package = tmp_path / distro
-        files = model_checks.make(source, package, model, model.several(), distro)
+        files = model_checks.make(source, package, model, model.several(distro), distro)
         made |= {template for templates in files.values() for template in templates}
     folder = next(
         folder for folder in (model.folder / "template", model.folder) if folder.is_dir()
@@ -135,7 +136,7 @@ def test_every_attribute_is_used(render, model, owner):
     used, tried = set(), set()
     for name, base, values in model.variants(owner):
         tried.add(name)
-        for distro in () if name in used else (model.distros[-1], model.distros[0]):
+        for distro in () if name in used else reversed(model.fitting((owner, base))):
             if render([(owner, base)], distro) != render([(owner, values)], distro):
                 used.add(name)
                 break

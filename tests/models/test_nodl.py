@@ -27,7 +27,7 @@ def corpus(name):
     files = [*EXAMPLES.glob("*.ros_package"), HOSTILE]
     yield from (file.read_text() for file in files)
     yield from (model.spec(made) for made in (model.small(), model.everything(), model.hostile()))
-    yield model.several()
+    yield model.several("kilted")
     for number in range(200):
         yield Author(number).spec(model.hook.dictionary).decode()
 

@@ -304,11 +304,11 @@ class Author(Random):
         parts = []
         self.named, self.held = {}, {}
         shared = set()  # what the interfaces require that components may take
-        components = self.choices(
-            list(dictionary.components.values()), k=self.choice([1, 1, 2, 4])
-        )
-        needed = [each for each in dictionary.components.values() if not each.is_plain]
-        if needed and all(each.is_plain for each in components) and not self.seldom(4):
+        known = dictionary.components.values()
+        known = [each for each in known if each.is_plain or not each.is_optional or self.seldom(4)]
+        components = self.choices(known, k=self.choice([1, 1, 2, 4]))
+        needed = dictionary.needed
+        if needed and all(each.is_optional for each in components) and not self.seldom(4):
             components.append(self.choice(needed))
         for component in sorted(components, key=lambda each: not each.is_shared):
             tags = {kind.kind for kind in nested(component.interfaces)}

@@ -145,6 +145,18 @@ class Model:
                 raise
             return None
 
+    def fitting(self, *elements):
+        """Return those of the first and the last distribution that take a spec of elements.
+
+        What a package needs, both take; what else it may have, one of them at least.
+        """
+        ends = dict.fromkeys((self.distros[0], self.distros[-1]))
+        found = [distro for distro in ends if self.context(self.spec(elements), distro)]
+        needed = {component.tag for component in self.hook.dictionary.needed}
+        is_needed = any(owner.component in needed for owner, _ in elements)
+        assert found if not is_needed else found == [*ends], self.spec(elements)
+        return found
+
     def base(self, owner, given=()):
         """Return the attributes an element must have, and those `given`, each with a value."""
         values = {}
@@ -171,10 +183,11 @@ class Model:
                 continue
             needed = {other: words[0] for other, words in attribute.when.items() if words}
             base = self.base(owner, needed)
-            before = self.context(self.spec([(owner, base)]))
+            latest = self.fitting((owner, base))[-1]
+            before = self.context(self.spec([(owner, base)]), latest)
             for text in candidates(attribute, base):
                 values = self.base(owner, {**needed, name: text})
-                if self.context(self.spec([(owner, values)])) not in (None, before):
+                if self.context(self.spec([(owner, values)]), latest) not in (None, before):
                     yield name, base, values
 
     def spec(self, elements):
@@ -185,7 +198,7 @@ class Model:
         own = [item for item in elements if item[0].path]
         needed = [(owner, self.base(owner)) for owner in self.owners if owner.path]
         holders = {owner.path[:size] for owner, _ in own for size in range(1, len(owner.path))}
-        made = {tag for tag, item in self.hook.dictionary.components.items() if not item.is_plain}
+        made = {component.tag for component in self.hook.dictionary.needed}
         has_one = any(owner.component in made for owner, _ in own)
         holders |= {owner.path[:1] for owner, _ in own}
         holders |= set() if has_one else {(tag,) for tag in made}
@@ -297,9 +310,9 @@ class Model:
             ET.SubElement(root.find("/".join(owner.path)) if owner.path else root, child)
             yield ET.tostring(root, encoding="unicode")
 
-    def several(self):
+    def several(self, distro):
         """Return a spec with one more component of each tag, and one for each choice it has."""
-        root = ET.fromstring(self.spec(self.small()))
+        root = ET.fromstring(self.spec(self.small(distro)))
         for element in list(root):
             owner = self.hook.dictionary.components[element.tag]
             choices = [
@@ -309,15 +322,15 @@ class Model:
                 other = copy.deepcopy(element)
                 other.attrib |= chosen
                 root.append(other)
-                if not self._renamed(root, other, owner, number):
+                if not self._renamed(root, other, owner, number, distro):
                     root.remove(other)
         return ET.tostring(root, encoding="unicode")
 
-    def _renamed(self, root, element, owner, number):
+    def _renamed(self, root, element, owner, number, distro):
         """Give an element other names where it needs its own; tell whether the spec is right."""
         for child in element:
             kind = owner.interfaces[child.tag]
-            self._renamed(None, child, kind, number)
+            self._renamed(None, child, kind, number, distro)
         for name, attribute in owner.attributes.items():
             if not attribute.unique or name not in element.attrib:
                 continue
@@ -325,7 +338,7 @@ class Model:
         if root is not None:
             self._refer(root)
         spec = "" if root is None else ET.tostring(root, encoding="unicode")
-        return spec and all(self.context(spec, distro) for distro in self.distros)
+        return spec and self.context(spec, distro)
 
     def hostile(self):
         """Return the elements of `small` with signs in the texts that mean something in files.
@@ -344,9 +357,9 @@ class Model:
             found.append((owner, base | texts))
         return found
 
-    def small(self):
+    def small(self, distro=None):
         """Return the elements of a spec with one interface of each kind."""
-        return self._accepted([(o, self.base(o)) for o in self.owners if o.component])
+        return self._accepted([(o, self.base(o)) for o in self.owners if o.component], (), distro)
 
     @cache  # noqa: B019 (a model lives as long as the tests, of which several ask for this)
     def everything(self, distro=None):
@@ -355,7 +368,10 @@ class Model:
         With a distribution, without the values that it does not allow.
         """
         if distro:
-            return self._accepted(self.everything(), (), distro)
+            found = self._accepted(self.everything(), (), distro)
+            made = {owner.component for owner, _ in found}
+            others = [each for each in self.small(distro) if each[0].component not in made]
+            return self._accepted(others, found, distro)
         more = [(o, values) for o in self.owners if o.kind for *_, values in self.variants(o)]
         return self._accepted(more, self.small())
 
