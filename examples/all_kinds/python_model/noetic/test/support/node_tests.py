@@ -700,6 +700,11 @@ class NodeTests:
                 )
 
             self.assertTrue(eventually(is_late_in_time), late)
+        steps = itertools.count(1e4, 300.0)
+        with ThreadPoolExecutor(1) as pool:  # and so does a sleep of the logic
+            slept = pool.submit(self.given.order, 'now', 'sleep=1000')
+            self.assertTrue(eventually(lambda: self.peer.set_time(next(steps)) or slept.done()))
+            self.assertTrue(slept.result())
 
     def turns(self, method='update', more=0, node=None):
         """Wait for `more` calls of a method; return their number, and both times of the last."""
