@@ -1129,7 +1129,7 @@ class NodeTests:
             node.order('now', 'log')
             self.assertTrue(eventually(lambda: f'said as {level}' in node.log), node.log)
             for said in f'said as {level}', 'said once':
-                self.assertRegex(node.log, rf'{level[:4].upper()}\w*\] .*{said}')
+                self.assertRegex(node.log, rf'{level[:4].upper()}\w*\] .*{self.name}.*{said}')
         self.assertEqual(node.log.count('said once'), 3, node.log)
         self.assertNotIn('said as debug', node.log)  # at the level that it has by default
         begin = monotonic()
