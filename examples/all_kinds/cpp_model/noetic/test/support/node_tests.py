@@ -1011,7 +1011,7 @@ class NodeTests:
         for launch in self.root.glob('launch/*.launch'):
             text = launch.read_text()
             for program in re.findall(rf'pkg="{package}" type="([^"]+)"', text):
-                self.assertRegex(built, rf"[ '/(]{re.escape(program)}\b", launch)
+                self.assertRegex(built, rf"[\s'\"/(]{re.escape(program)}\b", launch)
             for path in re.findall(rf"\b{package}(?:'\) \+ '|\))/([\w./-]+)", text):
                 self.assertTrue((self.root / path).exists(), path)
 

@@ -1147,7 +1147,7 @@ class NodeTests:
         for launch in self.root.glob('launch/*.xml'):
             text = launch.read_text()
             for program in re.findall(rf'pkg="{package}" exec="([^"]+)"', text):
-                self.assertRegex(built, rf"[ '/(]{re.escape(program)}\b", launch)
+                self.assertRegex(built, rf"[\s'\"/(]{re.escape(program)}\b", launch)
             for path in re.findall(rf"\b{package}(?:'\) \+ '|\))/([\w./-]+)", text):
                 self.assertTrue((self.root / path).exists(), path)
 
