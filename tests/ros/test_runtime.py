@@ -138,12 +138,11 @@ class Node:
     def call(self, method, message):
         pass
 
-async def first(node, calls):
-    global awaited
-    awaited += 1
+    async def await_first(self, *calls):
+        global awaited
+        awaited += 1
 
 awaited = 0
-callbacks.first = first
 thread = callbacks.CallbackThread(Node(), 'say', 'receive_say')
 for message in range(500):
     try:

@@ -159,6 +159,7 @@ public:
     topics_.subscribe<worker_types::SayMessage>(
       node,
       "say",
+      "say",
       impl_,
       &WorkerImpl::receive_say,
       rclcpp::QoS(10),

@@ -45,9 +45,10 @@ class ObserverNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters."""
         super().__init__('observer', **options)
+        default = ObserverConfig()
         self._declare(
             'limit',
-            100,
+            default.limit,
             ParameterDescriptor(
                 description='How many to keep',
             ),

@@ -72,16 +72,17 @@ class WorkerNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters and create what lives as long as the node."""
         super().__init__('worker', **options)
+        default = WorkerConfig()
         self._declare(
             'prefix',
-            'it\'s "said" <so> & für immer',
+            default.prefix,
             ParameterDescriptor(
                 description='What stands before a status, e.g. "a" < \'b\' and so on',
             ),
         )
         self._declare(
             'echo_topic',
-            'echo',
+            default.echo_topic,
             ParameterDescriptor(
                 description='Where things are said again',
             ),
@@ -89,7 +90,7 @@ class WorkerNode(ManagedNode):
         self._declare_list(
             'call_topics',
             Parameter.Type.STRING_ARRAY,
-            ('hall/call', '~/call'),
+            default.call_topics,
             ParameterDescriptor(
                 description='Where to listen for calls',
             ),
@@ -97,7 +98,7 @@ class WorkerNode(ManagedNode):
         self._declare_list(
             'answer_topics',
             Parameter.Type.STRING_ARRAY,
-            ('hall/answer', '/answer'),
+            default.answer_topics,
             ParameterDescriptor(
                 description='Where to answer',
             ),
@@ -105,14 +106,14 @@ class WorkerNode(ManagedNode):
         self._declare_list(
             'weights',
             Parameter.Type.DOUBLE_ARRAY,
-            (0.5, 1.0, 2000.0),
+            default.weights,
             ParameterDescriptor(
                 description='Weights of the inputs',
             ),
         )
         self._declare(
             'gain',
-            1.5,
+            default.gain,
             ParameterDescriptor(
                 description='Gain of the output',
                 floating_point_range=[
@@ -125,7 +126,7 @@ class WorkerNode(ManagedNode):
         )
         self._declare(
             'step',
-            1,
+            default.step,
             ParameterDescriptor(
                 description='How far to count in a cycle',
                 integer_range=[
@@ -139,14 +140,14 @@ class WorkerNode(ManagedNode):
         )
         self._declare(
             'verbose',
-            False,
+            default.verbose,
             ParameterDescriptor(
                 description='Whether to say more',
             ),
         )
         self._declare(
             'label',
-            'worker',
+            default.label,
             ParameterDescriptor(
                 description='Name in the status',
             ),

@@ -47,16 +47,17 @@ class ContactEvaluateNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters and create what lives as long as the node."""
         super().__init__('contact_evaluate', **options)
+        default = ContactEvaluateConfig()
         self._declare(
             'samples',
-            200,
+            default.samples,
             ParameterDescriptor(
                 description='number of samples accumulated for learning',
             ),
         )
         self._declare(
             'pub_sample',
-            True,
+            default.pub_sample,
             ParameterDescriptor(
                 description='Whether cop sampled should be published',
             ),

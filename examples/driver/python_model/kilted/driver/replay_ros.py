@@ -40,16 +40,17 @@ class ReplayNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters."""
         super().__init__('sensor', **options)
+        default = ReplayConfig()
         self._declare(
             'scale',
-            1.0,
+            default.scale,
             ParameterDescriptor(
                 description='How long one unit of the sensor is, m',
             ),
         )
         self._declare(
             'file',
-            'readings.txt',
+            default.file,
             ParameterDescriptor(
                 description='Where the readings are',
             ),

@@ -46,23 +46,24 @@ class SensorNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters and create what lives as long as the node."""
         super().__init__('sensor', **options)
+        default = SensorConfig()
         self._declare(
             'scale',
-            1.0,
+            default.scale,
             ParameterDescriptor(
                 description='How long one unit of the sensor is, m',
             ),
         )
         self._declare(
             'device',
-            '/dev/ttyUSB0',
+            default.device,
             ParameterDescriptor(
                 description='Where the sensor is',
             ),
         )
         self._declare(
             'serial.baud',
-            9600,
+            default.serial_baud,
             ParameterDescriptor(
                 description='Bits a second',
             ),
@@ -70,7 +71,7 @@ class SensorNode(ManagedNode):
         )
         self._declare(
             'serial.timeout',
-            0.5,
+            default.serial_timeout,
             ParameterDescriptor(
                 description='How long a reading may take, s',
                 floating_point_range=[

@@ -42,9 +42,10 @@ class PlannerNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters."""
         super().__init__('planner', **options)
+        default = PlannerConfig()
         self._declare(
             'speed_limit',
-            1.0,
+            default.speed_limit,
             ParameterDescriptor(
                 description='Highest speed, m/s',
             ),

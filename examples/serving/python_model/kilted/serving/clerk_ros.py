@@ -40,16 +40,17 @@ class ClerkNode(ManagedNode):
     def __init__(self, **options: Any) -> None:
         """Declare the parameters and create what lives as long as the node."""
         super().__init__('clerk', **options)
+        default = ClerkConfig()
         self._declare(
             'greeting',
-            'hello',
+            default.greeting,
             ParameterDescriptor(
                 description='What to say',
             ),
         )
         self._declare(
             'patience',
-            0.5,
+            default.patience,
             ParameterDescriptor(
                 description='Time for a step, s',
             ),

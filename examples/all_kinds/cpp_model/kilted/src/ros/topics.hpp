@@ -66,6 +66,7 @@ public:
   template<typename Message, typename Logic>
   void subscribe(
     ManagedNode & node,
+    const std::string & name,
     const std::string & topic,
     const std::shared_ptr<Logic> & logic,
     void (Logic::* receive)(const Message &),
@@ -84,7 +85,7 @@ public:
           });
       };
     rclcpp::SubscriptionOptions in_its_thread;
-    in_its_thread.callback_group = node.callback_group("topic", topic);
+    in_its_thread.callback_group = node.callback_group("topic", name);
     subscriptions_.push_back(
       create(
         in_its_thread, [&](const rclcpp::SubscriptionOptions & options) {

@@ -8,6 +8,7 @@ import inspect
 import itertools
 import json
 from pathlib import Path
+import re
 from signal import SIGINT as INT, SIGTERM as TERM
 from time import monotonic, sleep
 
@@ -42,6 +43,7 @@ class NodeTests:
     @classmethod
     def setUpClass(cls):
         """Start a node as it is, and one with all its parameters set."""
+        cls.root = Path(inspect.getfile(cls)).resolve().parents[1]
         cls.numbers = itertools.count(1)
         cls.peer = Peer()
         cls.begun = monotonic()
@@ -760,6 +762,11 @@ class NodeTests:
                 )
 
             self.assertTrue(eventually(is_late_in_time), late)
+        steps = itertools.count(1e4, 300.0)
+        with ThreadPoolExecutor(1) as pool:  # and so does a sleep of the logic
+            slept = pool.submit(self.given.order, 'now', 'sleep=1000')
+            self.assertTrue(eventually(lambda: self.peer.set_time(next(steps)) or slept.done()))
+            self.assertTrue(slept.result())
 
     def turns(self, method='update', more=0, node=None):
         """Wait for `more` calls of a method; return their number, and both times of the last."""
@@ -1043,6 +1050,7 @@ class NodeTests:
             ('deactivate block', 1e3, [TERM, INT], -INT, LIFE[:3], ''),
             ('deactivate sleep=0.1', 20.0, [TERM], 0, LIFE, '["sleep", true]'),
             ('configure wait=0', -1.0, [], 1, [], 'stop_timeout'),
+            ('configure wait=0', 3601.0, [], 1, [], 'stop_timeout'),
         ]
         if self.frequency:
             ends.append(('update raise', 20.0, [], 1, LIFE, 'told to raise'))
@@ -1121,7 +1129,7 @@ class NodeTests:
             node.order('now', 'log')
             self.assertTrue(eventually(lambda: f'said as {level}' in node.log), node.log)
             for said in f'said as {level}', 'said once':
-                self.assertRegex(node.log, rf'{level[:4].upper()}\w*\] .*{said}')
+                self.assertRegex(node.log, rf'{level[:4].upper()}\w*\] .*{self.name}.*{said}')
         self.assertEqual(node.log.count('said once'), 3, node.log)
         self.assertNotIn('said as debug', node.log)  # at the level that it has by default
         begin = monotonic()
@@ -1131,9 +1139,21 @@ class NodeTests:
         self.assertEqual((node.exit_code(), node.life()), (1, LIFE), node.log)
         self.assertIn('The logic failed: lost', node.log)
 
+    def test_launch_files(self):
+        """The launch files name programs and files that the package has."""
+        package = re.search('<name>(.*)</name>', (self.root / 'package.xml').read_text())[1]
+        build = [self.root / 'CMakeLists.txt', self.root / 'setup.py']
+        built = ''.join(each.read_text() for each in build if each.exists())
+        for launch in self.root.glob('launch/*.xml'):
+            text = launch.read_text()
+            for program in re.findall(rf'pkg="{package}" exec="([^"]+)"', text):
+                self.assertRegex(built, rf"[\s'\"/(]{re.escape(program)}\b", launch)
+            for path in re.findall(rf"\b{package}(?:'\) \+ '|\))/([\w./-]+)", text):
+                self.assertTrue((self.root / path).exists(), path)
+
     def test_own_logic(self):
         """The node runs with its own logic and its files in config/; SIGTERM ends it well."""
-        config = Path(inspect.getfile(type(self))).resolve().parents[1] / 'config'
+        config = self.root / 'config'
         for file in self.parameter_files:
             command = [*self.logic, '--ros-args', '--params-file', str(config / file)]
             node = self.active(_command=command, autostart=True)

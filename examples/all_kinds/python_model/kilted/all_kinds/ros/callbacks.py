@@ -9,7 +9,6 @@ from concurrent.futures import Future
 from queue import SimpleQueue
 from typing import Any, Optional, TYPE_CHECKING
 
-from all_kinds.ros.awaiting import executor_of, first
 from all_kinds.ros.worker import Workers
 
 if TYPE_CHECKING:
@@ -46,17 +45,19 @@ class CallbackThread:
             return None
         try:
             if not call.done():
-                await first(self._node, [call, until] if until else [call])
+                await self._node.await_first(call, *([until] if until else []))
             return call.result() if call.done() else None
         finally:
-            # In a task, which the executor runs after it has sent the response of a service.
-            executor_of(self._node).create_task(self._forget, answered)
+            executor = self._node.executor
+            assert executor is not None
+            # In a task, which it runs after it has sent the response of a service.
+            executor.create_task(self._forget, answered)
 
     async def receive(self, *arguments: Any) -> None:
         """Run the callback of a subscription."""
         call = self._begin(*arguments)
         if call and not call.done():
-            await first(self._node, [call])
+            await self._node.await_first(call)
 
     async def serve(self, request: Any, response: Any) -> Any:
         """Run the callback of a service."""

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from concurrent.futures import wait
+from concurrent.futures import Future, wait
 from contextlib import ExitStack
 from dataclasses import replace
 from functools import partial
@@ -17,7 +17,6 @@ from typing import Any, Callable, Optional, Sequence
 from all_kinds.ros import timeouts
 from all_kinds.ros.action_client import ActionClient
 from all_kinds.ros.action_server import ActionServer
-from all_kinds.ros.awaiting import first
 from all_kinds.ros.callbacks import CallbackThread
 from all_kinds.ros.logic_thread import LogicThread
 from all_kinds.ros.loop import Loop
@@ -39,6 +38,7 @@ from rclpy.parameter import Parameter
 from rclpy.publisher import Publisher
 from rclpy.qos import qos_profile_services_default, QoSPolicyKind, QoSProfile
 from rclpy.qos_overriding_options import QoSOverridingOptions
+import rclpy.task
 
 OVERRIDABLE_QOS = (
     QoSPolicyKind.DEPTH,
@@ -420,9 +420,23 @@ class ManagedNode(LifecycleNode):
             )
         self._logic.beside(method, self._loops[method].run, self.stop)
 
+    async def await_first(self, *calls: Future[Any]) -> None:
+        """Await the first of some calls in other threads."""
+        executor = self.executor
+        assert executor is not None
+        completed: rclpy.task.Future[None] = rclpy.task.Future(executor=executor)
+
+        def complete(_: Future[Any]) -> None:
+            completed.set_result(None)
+            executor.wake()  # a future of rclpy 9.1.2 does not wake it
+
+        for call in calls:
+            call.add_done_callback(complete)
+        await completed
+
     async def _change_state_in_thread(self, request: Any, response: Any) -> Any:
         call = self._transitions.submit(self._change_state, request, response)
-        await first(self, [call])
+        await self.await_first(call)
         return call.result()
 
     def _start(self) -> None:
@@ -517,9 +531,8 @@ class ManagedNode(LifecycleNode):
         self._impl = None
 
     def _still_running(self) -> str:
-        names = [*self._logic.pending().values()]
-        names += [callback.name for callback in self._threads.values() if callback.is_running()]
-        return ', '.join(names)
+        names = [callback.name for callback in self._threads.values() if callback.is_running()]
+        return ', '.join([*self._logic.pending().values(), *names])
 
     def _stop_timeout(self) -> float:
         return float(self.get_parameter('stop_timeout').value)

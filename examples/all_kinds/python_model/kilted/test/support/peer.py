@@ -17,7 +17,7 @@ from builtin_interfaces.msg import Time
 from diagnostic_msgs.msg import DiagnosticArray
 from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState, GetState
-from rcl_interfaces.srv import GetParameters, SetParameters
+from rcl_interfaces.srv import GetParameters, SetParametersAtomically
 import rclpy
 from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
 from rclpy.executors import SingleThreadedExecutor
@@ -109,13 +109,15 @@ class Peer:
         return messages
 
     def set_parameter(self, node, name, value):
-        """Set a parameter; return False if it was refused, with a reason."""
+        """Set a parameter, after another at once; return False if that was refused."""
         parameter = rclpy.parameter.Parameter(name, value=value).to_parameter_msg()
         if value == []:  # rclpy 9.1.2 takes it for a list of bytes
             parameter.value.type = self.parameter(node, name).type
-        request = SetParameters.Request(parameters=[parameter])
-        response = self.call(node, SetParameters, node.name + '/set_parameters', request)
-        return response.results[0].successful or not response.results[0].reason
+        other = rclpy.parameter.Parameter('stop_timeout', value=2.0).to_parameter_msg()
+        request = SetParametersAtomically.Request(parameters=[other, parameter])
+        service = node.name + '/set_parameters_atomically'
+        result = self.call(node, SetParametersAtomically, service, request).result
+        return result.successful or not result.reason
 
     def parameter(self, node, name):
         """Return the value of a parameter, of whichever type."""

@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import inspect
 import itertools
 from pathlib import Path
+import re
 from signal import SIGINT as INT, SIGTERM as TERM
 from time import monotonic, sleep
 
@@ -38,6 +39,7 @@ class NodeTests:
     @classmethod
     def setUpClass(cls):
         """Start a node as it is, and one with all its parameters set."""
+        cls.root = Path(inspect.getfile(cls)).resolve().parents[1]
         cls.numbers = itertools.count(1)
         cls.peer = Peer()
         cls.begun = monotonic()
@@ -698,6 +700,11 @@ class NodeTests:
                 )
 
             self.assertTrue(eventually(is_late_in_time), late)
+        steps = itertools.count(1e4, 300.0)
+        with ThreadPoolExecutor(1) as pool:  # and so does a sleep of the logic
+            slept = pool.submit(self.given.order, 'now', 'sleep=1000')
+            self.assertTrue(eventually(lambda: self.peer.set_time(next(steps)) or slept.done()))
+            self.assertTrue(slept.result())
 
     def turns(self, method='update', more=0, node=None):
         """Wait for `more` calls of a method; return their number, and both times of the last."""
@@ -907,6 +914,7 @@ class NodeTests:
             ('deactivate block', 1e3, [TERM, INT], -INT, LIFE[:3], ''),
             ('deactivate sleep=0.1', 20.0, [TERM], 0, LIFE, '["sleep", true]'),
             ('configure wait=0', -1.0, [], 1, [], 'stop_timeout'),
+            ('configure wait=0', 3601.0, [], 1, [], 'stop_timeout'),
             ('deactivate wait=0.1', 20.0, ['rosnode kill'], 0, LIFE, '["wait", null]'),
         ]
         if self.frequency:
@@ -995,9 +1003,21 @@ class NodeTests:
         self.assertEqual((node.exit_code(), node.life()), (1, LIFE), node.log)
         self.assertIn('The logic failed: lost', node.log)
 
+    def test_launch_files(self):
+        """The launch files name programs and files that the package has."""
+        package = re.search('<name>(.*)</name>', (self.root / 'package.xml').read_text())[1]
+        build = [self.root / 'CMakeLists.txt', self.root / 'setup.py']
+        built = ''.join(each.read_text() for each in build if each.exists())
+        for launch in self.root.glob('launch/*.launch'):
+            text = launch.read_text()
+            for program in re.findall(rf'pkg="{package}" type="([^"]+)"', text):
+                self.assertRegex(built, rf"[\s'\"/(]{re.escape(program)}\b", launch)
+            for path in re.findall(rf"\b{package}(?:'\) \+ '|\))/([\w./-]+)", text):
+                self.assertTrue((self.root / path).exists(), path)
+
     def test_own_logic(self):
         """The node runs with its own logic and its files in config/; SIGTERM ends it well."""
-        config = Path(inspect.getfile(type(self))).resolve().parents[1] / 'config'
+        config = self.root / 'config'
         for file in self.parameter_files:
             given = yaml.safe_load((config / file).read_text()) or {}
             known = {
