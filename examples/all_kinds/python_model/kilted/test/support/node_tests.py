@@ -1146,10 +1146,11 @@ class NodeTests:
         built = ''.join(each.read_text() for each in build if each.exists())
         for launch in self.root.glob('launch/*.xml'):
             text = launch.read_text()
-            for program in re.findall(rf'pkg="{package}" exec="([^"]+)"', text):
-                self.assertRegex(built, rf"[\s'\"/(]{re.escape(program)}\b", launch)
-            for path in re.findall(rf"\b{package}(?:'\) \+ '|\))/([\w./-]+)", text):
-                self.assertTrue((self.root / path).exists(), path)
+            for program in re.findall(rf'pkg="{package}" exec="([^"$]+)"', text):
+                is_built = re.search(rf"[\s'\"/(]{re.escape(program)}\b", built)
+                self.assertTrue(is_built or [*self.root.rglob(program)], f'{launch}: {program}')
+            for path in re.findall(rf"\b{package}(?:'\) \+ '|\))/([\w./-]+)['\"]", text):
+                self.assertTrue((self.root / path).exists(), f'{launch}: {path}')
 
     def test_own_logic(self):
         """The node runs with its own logic and its files in config/; SIGTERM ends it well."""
