@@ -392,6 +392,18 @@ def test_names_of_scopes_of_the_developers_own(pairs, text):
     assert renaming.text("src/tools.cpp", head + text.replace("|", "")) == "".join(parts)
 
 
+@pytest.mark.parametrize(
+    ("path", "is_there"), [("test/own.cpp", True), ("test/../test/a.cc", True), ("a.cpp", False)]
+)
+@pytest.mark.parametrize("sign", ["", "./"])
+def test_header_of_the_model_that_is_included_from_the_folder_beside_it(
+    pairs, path, is_there, sign
+):
+    text = f'#include "{sign}support/reach_harness.hpp"\n#include <support/reach_harness.hpp>\n'
+    wanted = text.replace("reach", "grasp", 1) if is_there else text
+    assert pairs["cpp_model"].renaming.text(path, text) == wanted
+
+
 @pytest.mark.parametrize("space", ["acme::lab", "lab::v2", "acme"])
 def test_generated_code_takes_the_new_name_in_a_namespace_of_the_developers(pairs, space):
     pair, spaces = pairs["cpp_model"], ("namespace lab", f"namespace {space}")
