@@ -141,7 +141,7 @@ class Joiner:
         old, new = self.renderer.recorded(answers), self.renderer.fresh(self.answers)
         about = (self.dictionary, old.tree, mine, self.renderer)
         renaming = plan_renames(answers, contexts, *about)
-        renaming.know(mine)
+        renaming.know(mine, _moves(old.tree, mine).values())
         renaming.follow(self.moved, old.tree, new.tree)
         before, after = indented(mine, old.tree, new.tree, renaming.path)
         renaming.move(before, after)

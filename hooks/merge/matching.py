@@ -155,16 +155,17 @@ def _unsplit(mine: Blocks, old: Blocks, new: Blocks) -> list[Block]:
     So does a heading, and an empty line between an item and the comment above it.
     """
     mine = _rejoined(mine, old, new)
-    base = {block.key: {*block.lines} - {"\n"} for block in old}
-    taken = {*base, *(block.key for block in new)}
+    made: dict[str, set[str]] = {}
+    for block in (*old, *new):
+        made.setdefault(block.key, set()).update({*block.lines} - {"\n"})
     whole: list[Block] = []
     own: list[Block] = []
     for block in mine:
-        if block.key in taken or not whole or not _HEADING.match(block.key):
+        if block.key in made or not whole or not _HEADING.match(block.key):
             whole, own = [*whole, *own, block], []
             continue
         own.append(block)
-        if base.get(whole[-1].key, set()) & {*block.lines}:
+        if made.get(whole[-1].key, set()) & {*block.lines}:
             whole[-1].lines += [line for part in own for line in part.lines]
             own = []
     return [*whole, *own]

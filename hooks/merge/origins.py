@@ -178,7 +178,8 @@ def _python(
 def _imports(found: Origins, tree: Iterable[ast.AST], roots: Names, names: Names) -> None:
     for node in tree:
         if isinstance(node, ast.ImportFrom):
-            is_ours = bool(node.level) or (node.module or "").split(".")[0] in roots
+            module = node.module or ""
+            is_ours = bool(node.level) or module.split(".")[0] in roots or module == _HARNESS
             bound = {alias.asname or alias.name for alias in node.names}
             (found.ours if is_ours else found.foreign).update(bound)
             found.ours |= {*names} if is_ours and "*" in bound else set()
@@ -221,8 +222,12 @@ def _keywords(found: Origins, tree: Iterable[ast.AST], classes: set[str]) -> set
 
 _TYPES = (ast.Name, ast.Attribute, ast.Subscript, ast.BinOp)
 """What is written in place of a class: itself, `Optional[...]`, `... | None`."""
+_HARNESS = "support.harness"
+"""The module of a package's tests that has the two below."""
 _CYCLE = "run_cycle"
 """What runs a cycle in tests, and returns its data."""
+_FAKE = "fake"
+"""What makes an object of its first argument, a class, in tests."""
 _OF_FIELDS = ("replace", _CYCLE)
 """Functions whose keywords are fields of their first argument: of dataclasses, in tests."""
 
@@ -299,10 +304,21 @@ def _bindings(tree: Iterable[ast.AST]) -> Iterator[tuple[str, ast.expr]]:
         elif isinstance(node, ast.AnnAssign):
             yield last_word(node.target), node.annotation
         elif isinstance(node, ast.Assign):
-            is_made = isinstance(node.value, ast.Call)
-            value = node.value.func if isinstance(node.value, ast.Call) else node.value
-            if is_made or isinstance(value, ast.Name | ast.Attribute):
-                yield from ((last_word(target), value) for target in node.targets)
+            value = _maker(node.value)
+            yield from ((last_word(target), value) for target in node.targets if value)
+        elif isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and any(
+            last_word(_maker(each) or each) == "fixture" for each in node.decorator_list
+        ):
+            given = (n.value for n in ast.walk(node) if isinstance(n, ast.Return | ast.Yield))
+            yield from ((node.name, value) for value in map(_maker, given) if value)
+
+
+def _maker(value: ast.expr | None) -> ast.expr | None:
+    """Return what makes an object, or has it; nothing of another expression."""
+    if isinstance(value, ast.Call):
+        is_fake = last_word(value.func) == _FAKE and value.args
+        return value.args[0] if is_fake else value.func
+    return value if isinstance(value, ast.Name | ast.Attribute) else None
 
 
 _INCLUDE = re.compile(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"](\w+|\.\.?)/')

@@ -24,7 +24,10 @@ _COMMAND = re.compile(
 _BESIDE = re.compile(rf"{SKIPPED} | \s* (?P<sign> [()] ) \s*", _FLAGS)
 """A parenthesis of a command, with the blanks beside it."""
 _CMAKE_COMMENTS = re.compile(r"#\[(=*)\[.*?\]\1\]|#[^\n]*", re.DOTALL)
-_LISTS = "catkin_package|generate_messages|generate_dynamic_reconfigure_options|ament_export_\\w+"
+_LISTS = (
+    "(?:ament|catkin)_package|generate_messages|generate_dynamic_reconfigure_options"
+    r"|ament_export_\w+"
+)
 """Commands that a file has once: their first argument, which a formatter moves, is an item."""
 _STATEMENTS = ("if", "foreach", "while", "function", "macro", "block")
 _FENCE = re.compile(r"[ >*-]*(`{3,}(?=[^`]*$)|~{3,})(.*)")

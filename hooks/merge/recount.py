@@ -12,8 +12,9 @@ import builtins
 import functools
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import accumulate
+from pathlib import PurePosixPath
 
 import yaml
 
@@ -21,7 +22,7 @@ from ..data import LOADER
 from .blocks import unicode
 from .lines import plain, split
 from .package import Result
-from .python_blocks import nodes
+from .python_blocks import imports, nodes
 from .renaming import Renaming
 from .tree import LINK, File, Tree
 
@@ -137,6 +138,7 @@ def recount(
         faults = _faults(target, there)
         for side in (ours, theirs) if faults else ():
             faults -= _faults(target, side)
+        faults -= {*_left(target, base, places, new)} if faults else set()
         wrong += ((target, fault) for fault in sorted(faults))
     return wrong + _halves(trees, renaming, result)
 
@@ -217,6 +219,18 @@ def _faults(path: str, text: str) -> frozenset[str]:
     """Return what is not sound in a text."""
     finders = (find for suffixes, find in _SOUND if path.endswith(suffixes))
     return frozenset(next((find(text) for find in finders), ()))
+
+
+def _left(path: str, text: str, places: Collection[str], new: Tree) -> Iterator[str]:
+    """Yield that names of the package's files, which have left, are not defined: uses are listed.
+
+    `text` is that of the file at a path, with its imports of before.
+    """
+    for _, name, imported in imports(text, PurePosixPath(path).parent.parts):
+        module, _, word = imported.rpartition(".")
+        file = f"{module.replace('.', '/')}.py"
+        if file in places and word not in re.findall(r"\w+", new.get(file, File(b"")).written):
+            yield f"{name} is not defined"
 
 
 def _unbound(text: str) -> set[str]:

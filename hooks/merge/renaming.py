@@ -7,6 +7,7 @@ out, there the model has used the name, and in which form.
 from __future__ import annotations
 
 import contextlib
+import posixpath
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -38,7 +39,7 @@ _DEEPEST = 3
 _MARK = re.compile(r"zq(\d+)[xy]", re.IGNORECASE)
 _GROUPED = re.compile(r"(?m)^\s*(\w+(?:[./]\w+)+):")
 _MADE = "_interface"
-_OF_NODE = re.compile(r"\b([a-z]\w*)_(?:interface|impl|types|ros)\b")
+_OF_NODE = re.compile(r"\b([a-z]\w*)_(?:interface|impl|types|ros|harness)\b")
 """The node whose module or header, or whose namespace, is named."""
 _OTHER_SIGN = str.maketrans("./", "/.")
 """Between nested names: a dot in ROS 2, a stroke in ROS 1."""
@@ -110,8 +111,12 @@ class Renaming:
     """What gives a file the depth that its keys have in the new version."""
     _texts: dict[tuple[str, str], str] = field(default_factory=dict, repr=False, compare=False)
 
-    def know(self, mine: Tree) -> None:
-        """Read what the developer's own modules define, or hand on, and all of their C++."""
+    def know(self, mine: Tree, moved: Iterable[str] = ()) -> None:
+        """Read what the developer's own modules define, or hand on, and all of their C++.
+
+        `moved` are files of the model's, which the developer calls otherwise.
+        """
+        self.paths |= {path: self._renamed(path) for path in moved}
         given: dict[str, str] = {}
         classes: list[Class] = []
         inner: dict[str, set[str]] = {}  # by each name, itself and what is in it
@@ -240,9 +245,11 @@ class Renaming:
             )
         text = self.references.exchanged(known, text)
         if known is YAML:
+            before, generated = text, self.generated.get(path, {})
             for keys, holders in self._parameters(path, text):
                 text = _with_keys(text, keys, holders)
-            return _with_nodes(text, self.components)
+            pairs = zip(split(before), split(_with_nodes(text, self.components)), strict=True)
+            return "".join(_as_made(known, *pair, generated, {}) for pair in pairs)
         if path in self.ids:
             text = _with_ids(text, self.ids[path], self.generated[path])
         exact = {**self.everywhere, **self.in_file.get(path, {})}
@@ -272,7 +279,8 @@ class Renaming:
 
         def by(word: Word) -> str:
             is_include = word.before == ("#", "include")
-            if is_include and word.chain and word.chain[0] not in roots and not is_made[word.line]:
+            is_other = is_include and word.chain and word.chain[0] not in roots
+            if is_other and not (is_made[word.line] or self._includes(path, lines[word.line])):
                 return word.text
             is_ours = is_made[word.line] or is_include or known not in (CPP, PYTHON)
             is_ours = is_ours or origin.has(word, vocabulary)
@@ -305,6 +313,11 @@ class Renaming:
         )
         found = found.replace(MARK, "") if is_marked else found
         return with_ends(before, found) if known is CPP else found
+
+    def _includes(self, path: str, line: str) -> bool:
+        """Say whether a line includes a file of the model's, from the folder of its own."""
+        named = re.findall('"(.*)"', line)
+        return any(posixpath.normpath(f"{path}/../{each}") in self.paths for each in named)
 
     def _parameters(
         self, path: str, text: str
@@ -349,7 +362,7 @@ class Renaming:
         return {before: after for before, after in found.items() if before != after}
 
 
-_COMMENT = {PYTHON: "#", CPP: "//", CMAKE: "#"}
+_COMMENT = {PYTHON: "#", CPP: "//", CMAKE: "#", YAML: "#"}
 _ENDS = {
     PYTHON: re.compile(r" =(?= |$)"),
     CPP: re.compile(r" =(?= |$)"),

@@ -304,6 +304,25 @@ def test_moved_file_is_not_taken_for_one_like_it_that_is_deleted(place):
     assert result.missing == {PATH: [""]}
 
 
+def test_own_section_above_a_text_of_the_model_that_changes():
+    old = "# Arm\n\nAn arm\n\n## Use\n\nRun it.\n"
+    own = "# Arm\n\n## Contents\n\n- [Use](#use)\n"
+    texts = [old.replace("# Arm\n", own, 1), old, old.replace("An arm", "A hand")]
+    trees = ({"README.md": File(text.encode())} for text in texts)
+    result, doubts = Versions(*trees).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    assert result.tree["README.md"].text == texts[0].replace("An arm", "A hand")
+
+
+def test_command_that_the_developer_gives_arguments_is_not_missing():
+    old = "project(arm)\n\nadd_library(core core.cpp)\n\nament_package()\n"
+    texts = (old.replace("ge()", "ge(CONFIG_EXTRAS a.cmake)"), old, old.replace("core", "arm"))
+    trees = ({"CMakeLists.txt": File(text.encode())} for text in texts)
+    result = merge_package(*trees, Renaming(), {""}.__contains__)
+    assert (result.missing, result.conflicts) == ({}, {})
+    assert result.tree["CMakeLists.txt"].text == texts[0].replace("core", "arm")
+
+
 @pytest.mark.parametrize("order", [[0, 1, 2], [2, 0, 1], [1, 2, 0]])
 def test_order_of_the_developer_stays(order):
     """So does a block of their own, after the one it followed."""

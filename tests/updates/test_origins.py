@@ -68,6 +68,9 @@ FOREIGN = [
     "        return self._config.gain\n",
     "@dataclass\nclass A:\n    config: Pid\n\n    def f(self):\n        return self.config.gain\n",
     "if config := Pid(1):\n    config.gain\n",
+    "from vendor.harness import run_cycle\n\ndata = run_cycle(a)\ndata.in_goal\n",
+    "@pytest.fixture\ndef impl():\n    return Pid(1)\n\n\ndef f(impl):\n    impl.in_goal\n",
+    "def impl():\n    return use()\n\n\ndef f(impl):\n    impl.in_goal\n",
 ]
 OURS = {
     "from lab.reach_interface import ReachConfig\n\nReachConfig(gain=1)\n": (
@@ -144,6 +147,23 @@ OURS = {
     ),
     "def f(a):\n    b = run_cycle(a)\n    b.in_goal + run_cycle(a, None).in_goal\n": (
         "def f(a):\n    b = run_cycle(a)\n    b.in_target + run_cycle(a, None).in_target\n"
+    ),
+    "from support.harness import run_cycle\n\n\ndef f(a: 'ReachImpl'):\n"
+    "    data = run_cycle(a, in_goal=1)\n    data.in_goal + run_cycle(a).in_goal\n": (
+        "from support.harness import run_cycle\n\n\ndef f(a: 'ReachImpl'):\n"
+        "    data = run_cycle(a, in_target=1)\n    data.in_target + run_cycle(a).in_target\n"
+    ),
+    "from support.harness import fake\nfrom lab import reach_interface as r\n\n"
+    "a = fake(r.ReachData)\na.in_goal\n": (
+        "from support.harness import fake\nfrom lab import grasp_interface as r\n\n"
+        "a = fake(r.GraspData)\na.in_target\n"
+    ),
+    "import lab.reach_impl as r\n\n\n@pytest.fixture\ndef a():\n    return r.ReachImpl()\n\n\n"
+    "@fixture()\nasync def b():\n    yield r.ReachImpl(1)\n\n\ndef test(a, b):\n"
+    "    a.receive_say(b.receive_say)\n": (
+        "import lab.grasp_impl as r\n\n\n@pytest.fixture\ndef a():\n    return r.GraspImpl()\n\n\n"
+        "@fixture()\nasync def b():\n    yield r.GraspImpl(1)\n\n\ndef test(a, b):\n"
+        "    a.receive_speak(b.receive_speak)\n"
     ),
     "low = replace(config, gain=config.gain)\n": ("low = replace(config, factor=config.factor)\n"),
     "def f(config: Pid):\n    config.gain\n\n\ndef g(config):\n    config.gain\n": (
@@ -390,6 +410,18 @@ def test_names_of_scopes_of_the_developers_own(pairs, text):
     parts = (head + text).split("|")
     parts[1::2] = [p.replace("Reach", "Grasp").replace(".gain", ".factor") for p in parts[1::2]]
     assert renaming.text("src/tools.cpp", head + text.replace("|", "")) == "".join(parts)
+
+
+@pytest.mark.parametrize(
+    ("path", "is_there"), [("test/own.cpp", True), ("test/../test/a.cc", True), ("a.cpp", False)]
+)
+@pytest.mark.parametrize("sign", ["", "./"])
+def test_header_of_the_model_that_is_included_from_the_folder_beside_it(
+    pairs, path, is_there, sign
+):
+    text = f'#include "{sign}support/reach_harness.hpp"\n#include <support/reach_harness.hpp>\n'
+    wanted = text.replace("reach", "grasp", 1) if is_there else text
+    assert pairs["cpp_model"].renaming.text(path, text) == wanted
 
 
 @pytest.mark.parametrize("space", ["acme::lab", "lab::v2", "acme"])

@@ -13,6 +13,7 @@ from hooks.merge.recount import _faults, recount
 from hooks.merge.renaming import Renaming
 from hooks.merge.tree import LINK, PLAIN, File, encode
 from hooks.merge.versions import Versions
+from support.arm import PATH
 from support.laboratory import specs
 from support.laboratory.edits import edit
 from support.laboratory.mutants import MUTANTS, OF_HABITS
@@ -579,6 +580,25 @@ def test_comment_that_the_developer_has_reworded_too_is_a_conflict():
     new = old.replace("far", "distant").replace("fast", "swiftly")
     trees = ({"a.py": File(encode(one))} for one in (mine, old, new))
     assert Versions(*trees).merged()[0].conflicts
+
+
+@pytest.mark.parametrize("made", ["from arm.reach_interface", "from .reach_interface"])
+@pytest.mark.parametrize("has_left", [True, False])
+def test_own_code_may_have_a_type_that_has_left_but_none_that_is_there_to_be_imported(
+    made, has_left
+):
+    interface = "class LoadRequest: ...\n\n\nclass StoreRequest: ...\n"
+    old = f"{made} import (\n    LoadRequest,\n    StoreRequest,\n)\n\n\nclass ReachImpl:\n"
+    for name in ("load", "store"):
+        old += f"    def serve_{name}(self, request: {name.title()}Request): ...\n\n"
+    own = "    def keep(self, request: StoreRequest):\n        self.kept = request\n"
+    new = re.sub(".*[Ss]tore.*\n\n?", "", old)
+    left = interface.replace("Store", "Other") if has_left else interface
+    files = ((old + own, interface), (old, interface), (new, left))
+    sides = ({PATH: one, "arm/reach_interface.py": other} for one, other in files)
+    result, doubts = Versions(*map(tree_of, sides)).merged()
+    assert (doubts, [*result.conflicts]) == ([], [] if has_left else [PATH])
+    assert (result.tree[PATH].text == new + own) == has_left
 
 
 def test_one_windows_line_end_makes_no_conflict():

@@ -930,6 +930,8 @@ OF_ONE_NODE = {
     "cpp_model": {
         "include/arm/base.hpp": '#include "arm/reach_interface.hpp"\nnamespace arm\n{\n'
         "void load(reach_types::LoadService::Request & request);\n}\n",
+        "test/test_own.cpp": '#include "support/reach_harness.hpp"\n\nTEST(Own, Serves) {\n'
+        "  arm::ReachHarness harness;\n  harness.impl.serve_load(a, b);\n}\n",
         "include/arm/both.hpp": '#include "arm/reach_interface.hpp"\n'
         '#include "arm/watch_interface.hpp"\nnamespace arm\n{\n'
         "void load(watch_types::LoadService a, reach_types::LoadService b);\n}\n",
@@ -950,9 +952,10 @@ def test_own_files_about_one_node_follow_where_another_node_has_the_name_too(
         text = changed(logic.read_text(), ("class ReachImpl:", "class ReachImpl(Base):"))
         logic.write_text(text.replace("from arm.", "from arm.base import Base\nfrom arm.", 1))
     said = update(package, ('name="load"', 'name="fetch" was="load"'))
-    about_one, about_both = own
-    wanted = own[about_one].replace("Load", "Fetch").replace("serve_load", "serve_fetch")
-    assert (package / about_one).read_text() == wanted
+    *about_one, about_both = own
+    for path in about_one:
+        wanted = own[path].replace("Load", "Fetch").replace("serve_load", "serve_fetch")
+        assert (package / path).read_text() == wanted
     assert (package / about_both).read_text() == own[about_both]
     assert f"still     {about_both}" in said
 
@@ -1272,3 +1275,38 @@ def test_parameter_whose_name_code_has_a_meaning_for_follows_as_code_has_it(merg
     files, _ = merge(spec, [change], own, model)
     assert files[path] == text.format(after if after == "mode" else f"{after}_")
     assert files["config/own.yaml"] == own["config/own.yaml"].replace(before, after)
+
+
+@pytest.mark.parametrize("place", ["arm/reach_logic.py", "arm/logic/reach_impl.py"])
+def test_logic_in_a_file_that_the_developer_calls_otherwise_is_renamed_with_what_uses_it(
+    arm, update, place
+):
+    """The class, the node and the tests that import it; the file has the developer's name."""
+    (arm / place).parent.mkdir(exist_ok=True)
+    git(arm, "mv", "arm/reach_impl.py", place)
+    module = place.removesuffix(".py").replace("/", ".")
+    for path in ("arm/reach_ros.py", "test/test_reach_impl.py"):
+        file = arm / path
+        file.write_text(changed(file.read_text(), ("arm.reach_impl", module)))
+    said = update(arm, ('<node name="reach"', '<node name="grasp" was="reach"'))
+    module = module.replace("reach_impl", "grasp_impl")
+    assert "class GraspImpl:" in (arm / f"{module.replace('.', '/')}.py").read_text()
+    for path in ("arm/grasp_ros.py", "test/test_grasp_impl.py"):
+        text = (arm / path).read_text()
+        assert f"from {module} import GraspImpl\n" in text
+        assert "ReachImpl" not in text
+    assert "ReachImpl" not in said
+
+
+@pytest.mark.parametrize("distro", ["noetic", "kilted"])
+def test_comment_on_a_parameter_that_the_developer_has_gone_on_with_is_no_conflict(merge, distro):
+    path = "config/reach.yaml"
+    edit = [("# gain\n", "# gain: tuned on the test bench\n")]
+    changes = [('"gain"', '"factor" was="gain"'), ('frequency="10"', 'frequency="20"')]
+    files, _ = merge(SPEC, changes, {path: edit}, distro=distro)
+    assert re.findall("# gain.*|# factor|(?:factor|frequency): .*", files[path]) == [
+        "# gain: tuned on the test bench",
+        "factor: 1.0",
+        "frequency: 20.0",
+    ]
+    assert "# factor\n" in merge(SPEC, changes, {}, distro=distro)[0][path]
