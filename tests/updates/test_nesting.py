@@ -682,3 +682,12 @@ def test_what_the_developer_has_in_a_container_before_the_model_makes_it_stays_t
 def test_what_the_developer_has_taken_out_of_a_container(path, mine, old, new, wanted):
     sides = (text.replace("|", "\n") + "\n" for text in (mine, old, new))
     assert merged(path, *sides).replace("\n", "|") == wanted + "|"
+
+
+def test_only_the_comment_of_what_leaves_leaves_what_the_developer_has_above_it():
+    old = "class A:\n    a = 1\n\n    # About f\n    def f(self):\n        return 1\n"
+    own = "    def own(self):\n        return 1\n"
+    around = "    if X:\n        def f(self):\n            return 1\n"
+    mine = old.replace("    def f(self):\n        return 1\n", f"\n{own}\n{around}")
+    new = "class A:\n    a = 1\n"
+    assert merged("arm/arm_impl.py", mine, old, new) == f"{new}\n\n{own}"

@@ -282,6 +282,7 @@ PARTS_OF_CPP = {
     "enum class A\n{\n  B,\n  C\n};\nint d;\n": ["class A", "variable d"],
     "inline namespace a\n{\n}\nint b;\n": ["inline namespace a", "variable b"],
     "struct A {\n  signals a;\n};\nint b;\n": ["struct A", "variable a", "variable b"],
+    "ARM(a)\n: b(a)\n{\n}\nint c;\n": ["ARM ( a )", "variable c"],
     **{
         f"ARM_F(a)\n\n{word}\n{{\n}}\n": [f"ARM_F ( a ) {word}"]
         for word in "const noexcept override final throw mutable volatile".split()
