@@ -316,12 +316,13 @@ def test_file_without_lines_that_leaves_is_no_lost_one():
 
 
 @pytest.mark.parametrize("path", ["arm/reach_impl.py", "src/reach_impl.cpp", "arm/tools.py"])
-def test_uses_of_what_left(path):
+@pytest.mark.parametrize("name", ["t", "~/t", "/t"])
+def test_uses_of_what_left(path, name):
     """A member of the logic's objects, and words made of the name; not look-alikes."""
     old = {"arm/reach_interface.py": File(b"self.out_t = 1\nself.k = 2\nself.my_k = 3\nhat = k\n")}
     new = {"arm/reach_interface.py": File(b"self.my_k = 3\nhat = k\n")}
     code = "data.out_t = config.k\nother.k = config.my_k + hat + k\nthis(data.out_t)\n"
-    found, gone = {path: File(code.encode())}, [("reach", "k"), ("reach", "t")]
+    found, gone = {path: File(code.encode())}, [("reach", "k"), ("reach", name)]
     said = [*uses_of_left(gone, old, new, found, ["config", "data"])]
     left = [f"{path}:1: out_t", f"{path}:1: k", f"{path}:3: out_t"]
     left = left if "reach" in path else [left[0], left[2]]  # another node may have k still
