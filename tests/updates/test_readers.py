@@ -283,6 +283,7 @@ PARTS_OF_CPP = {
     "inline namespace a\n{\n}\nint b;\n": ["inline namespace a", "variable b"],
     "struct A {\n  signals a;\n};\nint b;\n": ["struct A", "variable a", "variable b"],
     "ARM(a)\n: b(a)\n{\n}\nint c;\n": ["ARM ( a )", "variable c"],
+    "#if 0\nvoid f()\n{\n#else\nvoid g()\n{\n#endif\n}\nint c;\n": ["g()", "variable c"],
     **{
         f"ARM_F(a)\n\n{word}\n{{\n}}\n": [f"ARM_F ( a ) {word}"]
         for word in "const noexcept override final throw mutable volatile".split()
