@@ -12,8 +12,10 @@ from hooks.merge.blocks import every
 from hooks.merge.languages import CPP, MARKDOWN, PYTHON, language
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
+from hooks.merge.python_blocks import parse
 from hooks.merge.recount import recount
 from hooks.merge.renaming import Renaming
+from hooks.merge.settings import places
 from hooks.merge.tree import File, encode
 from hooks.merge.versions import Versions
 from support.laboratory.trials import tree_of
@@ -295,6 +297,15 @@ PARTS_OF_CPP = {
 def test_parts_of_cpp(text, names):
     """Only what has lines of its own is one; a macro is no more than the line below it."""
     assert [block.key for block in every(CPP.blocks(text))] == names
+
+
+@pytest.mark.parametrize("letter", ["a", "ü", "😀", "\udcfc"])
+def test_place_of_an_expression_below_and_behind_any_letters(letter):
+    """The last one is a byte of another encoding."""
+    text = f"# {letter}\nuse('{letter}', x='y')\n"
+    (statement,) = parse(text).body
+    start, end = places(text)(statement.value.keywords[0].value)
+    assert text[start:end] == "'y'"
 
 
 REMOVED = {
