@@ -380,6 +380,14 @@ def test_name_of_one_module_alone_is_renamed_where_others_name_that_module():
     assert found == text.format("grasp_impl", "bound")
 
 
+def test_target_of_cmake_is_none_of_other_languages():
+    renaming = Renaming(targets={"reach": "grasp"})
+    text, path = "add_executable(reach)\n", "CMakeLists.txt"
+    assert renaming.text(path, text) == text.replace("reach", "grasp")
+    for path in ("src/own.cpp", "arm/own.py"):
+        assert renaming.text(path, text) == text
+
+
 def test_one_of_two_copies_is_the_moved_file():
     """That with the name of before; the other one is the developer's own."""
     mine = {path: File(MINE.encode()) for path in ("arm/z.py", "logic/reach_impl.py")}

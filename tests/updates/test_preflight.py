@@ -2,6 +2,7 @@
 
 import os
 import shutil
+from types import SimpleNamespace
 
 import pytest
 import yaml
@@ -210,6 +211,15 @@ def test_name_in_another_encoding_is_refused():
     with pytest.raises(SpecError, match=r"^docs/caf\\xe9\.txt: a name that is not UTF-8"):
         refuse_names(["reach.py", os.fsdecode(b"docs/caf\xe9.txt")])
     refuse_names(["caf\xe9.txt"])
+
+
+@pytest.mark.posix
+def test_name_in_another_encoding_is_refused_before_an_update(package):
+    (package / os.fsdecode(b"caf\xe9.txt")).write_text("mine\n")
+    commit(package)
+    renderer = SimpleNamespace(answers_file=".copier-answers.yml")
+    with pytest.raises(SpecError, match=r"a name that is not UTF-8"):
+        check(package, {}, {"spec": {}}, None, renderer, {})
 
 
 def test_version_that_copier_refuses(tmp_path):
