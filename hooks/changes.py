@@ -348,9 +348,8 @@ def _partners(
         if was is not None and name in left and left[name].get(WAS) == was:
             partners[number] = left.pop(name)
     for number, item in enumerate(items):
-        name, was = _name(item, kind.naming), item.get(WAS)
-        if number not in partners and was in left and was != name:
-            partners[number] = left.pop(str(was))
+        if number not in partners and item.get(WAS) in left:
+            partners[number] = left.pop(str(item[WAS]))
     for number, item in enumerate(items):
         if number not in partners:
             partners[number] = left.pop(_name(item, kind.naming), None)

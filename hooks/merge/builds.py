@@ -105,6 +105,9 @@ class _Carrier:
         """The commands of the other ROS, those of this one, the words above the items, folders."""
         self.new = CMAKE.blocks(texts.get(_CMAKE, ""))
         self.setup = split(texts.get(_SETUP, ""))
+        catkin = self._named("find_package catkin")
+        self.catkin = catkin.lines if catkin else []
+        """What finds catkin and its components, in ROS 1."""
         self.has_cmake = _CMAKE in texts
         self.lines: _Lines = {}
         self.back: list[str] = []
@@ -130,7 +133,7 @@ class _Carrier:
             blocks, base = CMAKE.blocks(mine), CMAKE.blocks(old)
             match(blocks, base)
             self.back = deleted(blocks, base, self.new)
-            self.made = {line.strip() for line in split(old) if line.lstrip().startswith("#")}
+            self.made = {line.strip() for line in split(old) if line.startswith("#")}
             self.own = {name.lower() for name in _OWN.findall(mine)}
             self._commands(blocks, base, self.new, 1, is_top=True)
         return self.lines
@@ -143,14 +146,14 @@ class _Carrier:
         there = {block.key: block for block in new}
         for block in mine:
             base = known.get(block.key)
-            if self._is_list(block.key) and (base or is_top):
+            if is_top and self._is_list(block.key):
                 self._list(block, base, number)
             elif is_top and generated.isdisjoint(keys([block])):
                 self._command(block, number)
             elif base and block.children and block.key in there:
                 inner = number + len(block.lines)
                 self._commands(block.children, base.children, there[block.key].children, inner)
-            elif base and base.text != block.text and not block.children:
+            elif base:
                 same = {line.strip() for line in base.lines}
                 for at, line, before, replaced in _own_lines(block.lines, base.lines):
                     if line.strip() not in same:
@@ -210,8 +213,7 @@ class _Carrier:
         }
         used = {item.keyword for item, text in became.items() if text}
         behind = {i.at for i, text in became.items() if not text and i.name not in used}
-        same_lines = base.lines if base and base.key == key else ()
-        for at, *_ in _own_lines(block.lines, same_lines) if base or used else ():
+        for at, *_ in _own_lines(block.lines, split(generated)) if base or used else ():
             if at not in behind:
                 self.lines[number + at] = tuple(text for i, text in became.items() if i.at == at)
 
@@ -238,7 +240,7 @@ class _Carrier:
             return self._part(key, item)
         for target, word, folder in (lists := self._lists(key)):
             before, after = ("", f"{folder}/") if self.ros == 2 else (f"{folder}/", "")
-            if folder and (file := re.fullmatch(rf"{before}([\w/.-]+\.{folder})", item.name)):
+            if file := re.fullmatch(rf"{before}([\w/.-]+\.{folder})", item.name):
                 return self._listed(target, word, after + file[1] + item.comment, f".{folder}")
             is_package = not folder and re.fullmatch(r"[a-z]\w*", item.name)
             if is_package and not self.foreign(item.name):
@@ -267,10 +269,9 @@ class _Carrier:
 
     def _part(self, key: str, item: _Item) -> str:
         """Put a library or a source to the target that stands for another one."""
-        targets = re.match(r"\$\{(\w+)_TARGETS\}$|(\w+)::\w+$", item.name)
-        package = targets and (targets[1] or targets[2])
-        if package and self._has_component(package):
-            return str(package)  # catkin links all of its components
+        package = re.match(r"(?:\$\{)?(\w+)(?:_TARGETS\}|::\w+)$", item.name)
+        if package and f"  {package[1]}\n" in self.catkin:  # which links all of its components
+            return package[1]
         is_sort = key.startswith("add_") and re.fullmatch("[A-Z_]+", item.name)
         command = self._same_target(key)
         if command is None or is_sort or self.foreign(item.name):
@@ -295,7 +296,7 @@ class _Carrier:
         command = next((block for block in self.new if block.key.startswith(name)), None)
         if command is None:
             users = (i for i, b in enumerate(self.new) if b.key.startswith("generate_messages"))
-            if not like or (at := next(users, None)) is None:
+            if (at := next(users, None)) is None:
                 return ""
             made = [f"\n{name}(\n", f"  {word}\n", f"    {text}\n", ")\n"]
             self.new.insert(at, Block(f"{name} {word}", made))
@@ -327,16 +328,11 @@ class _Carrier:
 
     def _component(self, name: str) -> bool:
         """Make a package a component of catkin, if it can be one."""
-        catkin = self._named("find_package catkin")
-        if catkin is None or not re.fullmatch(_KNOWN["components"], name):
-            return False
-        if not self._has_component(name) and len(catkin.lines) > 1:
-            catkin.lines.insert(_index_of(catkin.lines, "COMPONENTS") + 1, f"  {name}\n")
-        return self._has_component(name)
-
-    def _has_component(self, name: str) -> bool:
-        catkin = self._named("find_package catkin")
-        return catkin is not None and f"  {name}\n" in catkin.lines
+        line = f"  {name}\n"
+        can_be = self.catkin[1:] and re.fullmatch(_KNOWN["components"], name)
+        if can_be and line not in self.catkin:
+            self.catkin.insert(_index_of(self.catkin, "COMPONENTS") + 1, line)
+        return line in self.catkin
 
     def _as_entry(self, installed: re.Match[str]) -> str:
         """Put what CMake installs into setup.py; return the line there."""

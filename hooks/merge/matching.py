@@ -73,12 +73,12 @@ def _opened(side: Blocks, mine: Blocks, old: Blocks) -> Iterator[Block]:
                 i for i in _items(block) if _name(i.key) not in names and (same or is_scope)
             ]
             taken = [_shifted(item, by) for item in _items(block) if item not in children]
-            if taken and not taken[0].lines[0].isspace():
+            if taken:
                 taken[0].lines[:0] = takewhile(str.isspace, block.lines)
             yield from taken
             if children and is_condition(block):
                 children = [Block(THEN, [], children)]
-        elif same:
+        else:
             theirs = [child for one in same for child in one.children]
             children = [*_opened(children, theirs, was.children)]
         if children or not out:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -45,7 +45,7 @@ def check(
     if answers:
         refuse_version_of_others(answers, renderer)
         check_names_before(recorded, spec, dictionary, places)
-    modes = tracked(package) if is_repository(package) else {}
+    modes = modes_in_git(package)
     refuse_names(modes)
     touched = {renderer.answers_file, *renderer.fresh(new_answers).tree}
     refuse_places(package, touched)
@@ -58,7 +58,7 @@ def check(
         renaming = plan_moves(old.tree, *marked, modes)
         renaming.follow(moved, old.tree, renderer.fresh(new_answers).tree)
         moves = {path: after for path in modes if (after := renaming.path(path)) != path}
-    refuse(package, touched | set(moves.values()), moves)
+    refuse(package, modes, touched | set(moves.values()), moves)
 
 
 def refuse_version_of_others(answers: Mapping[str, Any], renderer: Renderer) -> None:
@@ -88,7 +88,7 @@ def refuse_join(package: Path, answers: Mapping[str, Any], renderer: Renderer) -
     modes = tracked(package)
     refuse_names(modes)
     refuse_places(package, paths)
-    _refuse_unknown(package, paths, set(modes))
+    _refuse_unknown(package, paths, modes)
 
 
 def refuse_copy(
@@ -113,20 +113,26 @@ def refuse_copy(
         raise SpecError(what, "would-be-replaced")
 
 
-def refuse(package: Path, paths: Iterable[str], moves: dict[str, str]) -> None:
-    """Insist that git can bring back each of the `paths`, which an update may touch.
-
-    `moves` are the files that a rename gives another path.
-    """
-    paths = sorted(set(paths))
+def modes_in_git(package: Path) -> dict[str, str]:
+    """Return the mode of each file that git has; insist that there is a repository."""
     if not is_repository(package):
         raise SpecError(
             f"{package}: not in a git repository, so an update could not be undone;"
             " git init, git add and git commit it first",
             "no-repository",
         )
-    modes = tracked(package)
-    _refuse_unknown(package, paths, set(modes))
+    return tracked(package)
+
+
+def refuse(
+    package: Path, modes: Mapping[str, str], paths: Iterable[str], moves: Mapping[str, str]
+) -> None:
+    """Insist that git can bring back each of the `paths`, which an update may touch.
+
+    `modes` has the files of git; `moves` are those that a rename gives another path.
+    """
+    paths = sorted(set(paths))
+    _refuse_unknown(package, paths, modes)
     edited = sorted(set(changed(package)) & set(paths))
     if edited:
         what = f"{_some(edited)}: changed since the last commit; commit or stash first"
@@ -184,7 +190,7 @@ def _refuse_large(package: Path, paths: Iterable[str]) -> None:
             )
 
 
-def _refuse_unknown(package: Path, paths: Iterable[str], known: set[str]) -> None:
+def _refuse_unknown(package: Path, paths: Iterable[str], known: Container[str]) -> None:
     """Insist that git has what is written over, be it through a link."""
     for path in paths:
         _refuse_links(package, path, known)
@@ -199,7 +205,7 @@ def _refuse_unknown(package: Path, paths: Iterable[str], known: set[str]) -> Non
         )
 
 
-def _refuse_links(package: Path, path: str, known: set[str]) -> None:
+def _refuse_links(package: Path, path: str, known: Container[str]) -> None:
     for part in (path, *_parents(path)):
         link = package / part
         if not link.is_symlink():

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from .blocks import Block, is_comment, walk
-from .languages import MARKDOWN, PYTHON, TEXT, Language, language
+from .languages import PYTHON, TEXT, Language, language
 from .lines import MARKS, changed, plain, split
 from .matching import identify, match, opened, tell_apart, wrap
 from .merging import readable
@@ -59,7 +59,7 @@ def prove(
         target = renaming.path(path)
         origin = result.origins.get(target) or origins.get(target, path)
         base, made = old.get(origin, File(b"")), (new or {}).get(target, File(b""))
-        if origin not in old or file.data != base.data:
+        if file.data != base.data:
             prover.file(path, origin, target, file, base.written, made.written)
     return prover.proof
 
@@ -111,7 +111,7 @@ class _Prover:
         text = "".join(line for side, line in sides if side != "new")
         shown = Counter(known.key(line) for side, line in sides if side == "mine")
         there = identify(_blocks(known, text, "", Renaming()), before, after)
-        joined = _joined(after, before, theirs) if known is MARKDOWN else {}
+        joined = _joined(after, before, theirs)
         lines = [
             (scope, row if (row := joined.get(line)) and row in text else line, number)
             for scope, line, number in lines

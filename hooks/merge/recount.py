@@ -133,7 +133,7 @@ def recount(
             gone = [*result.missing.get(target, []), *result.removed.get(path, [])]
             gone += result.gone.get(path, [])
             taken = _about(base, gone)
-            lines = _lines(sides, _text(excuse), _text(taken), target in result.missing)
+            lines = _lines(sides, _text(excuse), _text(taken))
             wrong += ((target, line) for line in lines)
         faults = _faults(target, there)
         for side in (ours, theirs) if faults else ():
@@ -181,16 +181,13 @@ def _about(text: str, parts: Iterable[str]) -> str:
     return "\n".join(found)
 
 
-def _lines(
-    sides: Sequence[_Text], excused: _Text, taken: _Text, has_missing: bool
-) -> Iterator[str]:
+def _lines(sides: Sequence[_Text], excused: _Text, taken: _Text) -> Iterator[str]:
     """Yield the lines that are there too often, or not often enough.
 
     `excused` has those that left, and those in whose place is what the developer has written;
     `taken` those of generated parts that are perhaps in the developer's own.
     """
     mine, old, new, found = sides
-    is_deleted = False  # what stands above in the new version
     above = [""] * 3
     seen: set[str] = set()
     for side in (new, mine, found):
@@ -199,7 +196,6 @@ def _lines(
             is_first, above = tight not in seen, [*above[1:], tight]
             seen.add(tight)
             if side is new and before:
-                is_deleted = has_missing and ours < before
                 place = "".join(above)
                 came = max(0, new[place] - old[place])
                 is_shown = ours < before and not _CLOSES.fullmatch(line)
@@ -209,8 +205,8 @@ def _lines(
                 added, deleted = max(0, ours - before), max(0, before - ours)
                 both = added and theirs > before
                 least = max(theirs, ours) if both else theirs + added - deleted
-                least = 0 if side is new and is_deleted else least - excused[tight]
-                if there > theirs + added + min(ours, taken[tight]) or there < least:
+                most = theirs + added + min(ours, taken[tight])
+                if not least - excused[tight] <= there <= most:
                     yield f"{line} ({there} times)"
 
 

@@ -78,7 +78,7 @@ def paths(folder: Path) -> Iterator[str]:
     for place, folders, files in os.walk(folder):
         links = [name for name in folders if (Path(place) / name).is_symlink()]
         inside = Path(place) != folder and ".git" in (*folders, *files)
-        folders[:] = [] if inside else [f for f in folders if f not in links and f != ".git"]
+        folders[:] = [] if inside else [name for name in folders if name != ".git"]
         for name in [] if inside else (*files, *links):
             path = (Path(place) / name).relative_to(folder)
             if path.parts[0] != ".git":

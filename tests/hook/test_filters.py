@@ -153,6 +153,12 @@ def test_python_that_just_fits_is_not_folded():
     )
 
 
+@pytest.mark.parametrize("form", ["x = (%s, %s\n", "x = = f(%s, %s)\n"])
+def test_text_that_is_no_python_is_not_folded(form):
+    text = form % ("a" * 60, "b" * 60)
+    assert fold_python(text) == text
+
+
 @pytest.mark.parametrize(
     "said",
     ["plain", "it's", "a: b", "ü", "😀", "a\\b", "a\tb", "two\nlines", "", "no", "long " * 40],

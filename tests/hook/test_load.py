@@ -1,5 +1,6 @@
 """The Python of a template is loaded once, from a copy that outlasts the folder it came in."""
 
+import atexit
 import importlib.machinery
 import runpy
 import shutil
@@ -101,8 +102,10 @@ def test_copy_that_has_lost_a_file(clone, temporary):
     assert steps.read_text() == (ROOT / "hooks/steps.py").read_text()
 
 
-def test_folder_that_others_could_write_to(clone, temporary):
-    """Jinja refuses it; the copy is then in a folder of this process."""
+def test_folder_that_others_could_write_to(clone, temporary, monkeypatch):
+    """Jinja refuses it; the copy is then in a folder of this process, and goes with it."""
+    at_exit = []
+    monkeypatch.setattr(atexit, "register", lambda *call, **named: at_exit.append((call, named)))
     load(clone("one"))
     (folder,) = temporary.iterdir()
     shutil.rmtree(folder)
@@ -112,6 +115,9 @@ def test_folder_that_others_could_write_to(clone, temporary):
     place = Path(sys.modules[package(load(Path(file.name).parents[1]))].__path__[0])
     assert place.parent != folder
     assert place.parent.name.startswith("template.")
+    ((remove, target), named) = next(end for end in at_exit if end[0][0] is shutil.rmtree)
+    remove(target, **named)
+    assert not place.parent.exists()
 
 
 def test_each_extension_rewrites_a_template(clone):

@@ -417,13 +417,17 @@ NODE = ITEM.format('<node name="n" frequency="1">{}</node>')
             )
             for type_ in (
                 "std_srvs::Trigger::Request",
+                "std_srvs::Trigger::Response",
                 "rclcpp::Service&lt;std_srvs::srv::Trigger>::SharedPtr",
                 "rclcpp::Client&lt;std_srvs::srv::Trigger>::SharedPtr",
             )
         ),
-        (
-            NODE.format('<actionServer name="x" type="nav_msgs::MoveAction::Goal"/>'),
-            'did you mean "nav_msgs::MoveAction"?',
+        *(
+            (
+                NODE.format(f'<actionServer name="x" type="nav_msgs::MoveAction::{part}"/>'),
+                'did you mean "nav_msgs::MoveAction"?',
+            )
+            for part in ("Goal", "Result", "Feedback")
         ),
         *(
             (NODE.format(f'<parameter name="x" type="{type_}"/>'), f'did you mean "{meant}"?')

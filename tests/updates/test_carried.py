@@ -473,6 +473,7 @@ PYTHON_1_TO_2 = """\
  )
      config
 +    urdf
++    ${folders}
 +    PATTERN
 +    "*.in" EXCLUDE
    DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}
@@ -728,7 +729,10 @@ def test_cmake(ros, end):
 
 PACKAGES = {1: "find_package(catkin COMPONENTS\n  tf2_ros\n)\n", 2: "find_package(ament_cmake)\n"}
 PROPERTIES = "set_target_properties(a\n  PROPERTIES\n  PREFIX x\n)\n"
+GAPS = "\n" + PROPERTIES.replace("a\n", "a\n\n")
 NESTED = "if(UNIX)\n  set(x\n    1\n  )\nendif()\n"
+SET = "set(y)\n"
+OWN_IF = f"if(Z)\n  {SET}endif()\n"
 NO_LINK = "target_link_libraries(a\n)\n"
 LINK = NO_LINK.replace("\n)", " fmt)")
 MESSAGES = {
@@ -736,6 +740,8 @@ MESSAGES = {
     2: "rosidl_generate_interfaces(${PROJECT_NAME}\n  msg/A.msg\n)\n",
 }
 USERS = "catkin_package(\n  CATKIN_DEPENDS\n    tf2\n)\n"
+EXPORT = "ament_export_dependencies(\n"
+FOUND = "find_package(own_msgs REQUIRED)"
 HELPER = "function(Say x)\nmessage(STATUS x)\nendfunction()\nsay(1)\nif(X)\nSAY(2)\nendif()\n"
 VARIABLES = """\
 pkg_check_modules(USB libusb-1.0)
@@ -762,6 +768,7 @@ endif()
             {3: "", 4: "tf2_ros", 5: "fmt::fmt"},
         ),
         (2, NO_LINK, ("a\n", "a\n  GL\n"), NO_LINK, "mine", {5: "GL"}),
+        (2, NO_LINK, ("a\n", "a\n  fmt::fmt\n"), NO_LINK, "mine", {5: "fmt::fmt"}),
         # An item of a command that both have: where the same stands in it, or above it
         (2, PROPERTIES, ("x", "y"), PROPERTIES, "mine", {6: "PREFIX y"}),
         (2, PROPERTIES, ("x", "y"), "", "", {}),
@@ -771,12 +778,31 @@ endif()
         (2, PROPERTIES, ("(a\n", "(a\n  Y y\n"), PROPERTIES.replace("(a", "(b"), "new", {}),
         (2, PROPERTIES, ("x\n", "x\n  ${CATKIN_X} y\n"), PROPERTIES, "new", {}),
         (2, PROPERTIES, ("x\n", "x\n\n"), PROPERTIES, "new", {}),
+        (2, GAPS, ("a\n\n", "a\n  Y y\n"), GAPS, "new", {}),
         (2, NESTED, ("1\n", "1\n    2\n"), NESTED, "mine", {7: "2"}),
         (2, NESTED, ("  set", "  find_package(x)\n  set"), NESTED, "new", {}),
         (2, NO_LINK + NESTED, ("  set", f"  {LINK}  set"), NO_LINK + NESTED, "new", {}),
+        # In a condition that the developer has changed, and in one of their own
+        (
+            2,
+            NESTED,
+            NESTED.replace("UNIX", "UNIX AND Y").replace("1\n", "1\n    2\n"),
+            NESTED,
+            NESTED.replace("1\n", "1\n    2\n"),
+            {7: "2"},
+        ),
+        (
+            2,
+            NESTED,
+            NESTED + OWN_IF,
+            NESTED,
+            OWN_IF + NESTED,
+            {9: "if(Z)", 10: "set(y)", 11: "endif()"},
+        ),
         # Commands above what ends a file
         (2, "", "# Of x\nset(x 1)", "", "# Of x\nset(x 1)\n", {4: "# Of x", 5: "set(x 1)"}),
         (2, "", "run(x)", "ament_package()\n", "run(x)\nament_package()\n", {4: "run(x)"}),
+        (2, "", f"run(x)\n{SET}", "", f"{SET}run(x)\n", {4: "run(x)", 5: SET.strip()}),
         # A function with its calls, or neither
         (2, "", HELPER, "", "mine", dict(enumerate(HELPER.splitlines(), 4))),
         (2, "", HELPER.replace("STATUS", "${catkin_DIR}"), "", "", {}),
@@ -857,7 +883,10 @@ endif()
             "ament_export_dependencies(\n  y\n)\n",
             {7: "y  # Too"},
         ),
+        (2, USERS, ("tf2\n", "tf2\n    y\n"), f"\n{EXPORT})\n", f"\n{EXPORT}  y\n)\n", {7: "y"}),
+        (2, USERS, ("tf2\n", "tf2\n    rospy\n    Eigen3\n"), f"{EXPORT})\n", "new", {}),
         (2, "", USERS, "", "", {}),
+        (2, "", f"{FOUND}\n", "", f"{FOUND}\n", {4: FOUND}),
         # What gives a value to what follows, above all of it
         (
             2,
@@ -1029,6 +1058,21 @@ def test_package_that_the_new_file_finds_already_is_found_once():
     assert result.carried[path][1] == {3: (found,)}
 
 
+def test_package_for_targets_of_the_model_that_link_nothing_in_public():
+    path, link = "CMakeLists.txt", "target_link_libraries(${PROJECT_NAME}_a\n  PRIVATE\n    x\n)\n"
+    own = PACKAGES[1].replace("ros\n", "ros\n  nav_msgs\n  ${more}\n")
+    result = built({path: own}, {path: PACKAGES[1]}, {path: PACKAGES[2] + link}, 2)
+    found = "find_package(nav_msgs REQUIRED)\n"
+    assert result.tree[path].text == PACKAGES[2] + found + link
+    assert result.carried[path][1] == {3: (found.strip(),)}
+
+
+def test_package_beside_catkin_without_components():
+    path, new = "CMakeLists.txt", "find_package(catkin REQUIRED)\n"
+    result = built({path: PACKAGES[2] + FOUND}, {path: PACKAGES[2]}, {path: new}, 1)
+    assert result.tree[path].text == f"{new}{FOUND}\n"
+
+
 def test_what_the_developer_deleted_of_cmake_is_said():
     path, other = "CMakeLists.txt", "install(DIRECTORY x DESTINATION include)\n"
     old = PACKAGES[1] + NESTED + "add_executable(reach x.cpp)\ninclude_directories()\n" + other
@@ -1072,6 +1116,24 @@ def test_cmake_that_nobody_changed_is_the_new_one():
     assert (result.tree, result.carried) == ({}, {})
 
 
+def test_build_file_that_the_developer_has_deleted_is_made_for_another_ros():
+    path, files = "setup.py", {"CMakeLists.txt": PYTHON_CMAKE, "setup.py": "setup()\n"}
+    mine = {"CMakeLists.txt": PYTHON_CMAKE.replace("  config", "  config\n    urdf")}
+    result = built(mine, files, {path: SETUP}, 2)
+    assert ([*result.carried], [*result.tree]) == (["CMakeLists.txt"], [path])
+    assert "        *installed('urdf'),\n" in result.tree[path].text
+
+
+def test_lines_of_each_build_file_are_carried_by_their_own_numbers():
+    """A package of ROS 1 in Python has both files."""
+    cmake, setup = "CMakeLists.txt", "setup.py"
+    old = {cmake: PYTHON_CMAKE, setup: "setup()\n"}
+    mine = {cmake: patched(PYTHON_CMAKE, PYTHON_1_TO_2), setup: "setup()\n" + "mine()\n" * 30}
+    result = built(mine, old, {setup: SETUP}, 2)
+    assert sorted(result.carried[cmake][1]) == [14, 20, 23, 25]
+    assert result.carried[setup][1] == {}
+
+
 def test_build_file_that_is_the_developers_alone_is_none_of_the_model():
     mine = {"CMakeLists.txt": CMAKE_1, "setup.py": SETUP + "mine()\n"}
     result = built(mine, {"setup.py": SETUP}, {"setup.py": SETUP}, 2)
@@ -1090,9 +1152,9 @@ def test_what_python_installs():
             [cmake, setup],
             {
                 14: ("*installed('urdf'),",),
-                19: ("('share/' + package_name, ['plugin.xml', 'a.xml']),",),
-                22: ("('lib/' + package_name, ['scripts/tool']),",),
-                24: ("*installed('meshes'),",),
+                20: ("('share/' + package_name, ['plugin.xml', 'a.xml']),",),
+                23: ("('lib/' + package_name, ['scripts/tool']),",),
+                25: ("*installed('meshes'),",),
             },
         )
     }

@@ -391,6 +391,22 @@ def test_moved_file_of_a_renamed_node_is_renamed():
     assert prove(*trees, result, result.tree, renaming).lost == []
 
 
+def test_name_of_one_module_alone_is_renamed_where_others_name_that_module():
+    names = {PATH: {"limit": "bound"}}
+    renaming = Renaming(package="arm", paths={PATH: "arm/grasp_impl.py"}, in_file=names)
+    text = "patch('arm.{}.{}', 1)\npatch('arm.other.limit', 1)\n"
+    found = renaming.text("test/test_own.py", text.format("reach_impl", "limit"))
+    assert found == text.format("grasp_impl", "bound")
+
+
+def test_target_of_cmake_is_none_of_other_languages():
+    renaming = Renaming(targets={"reach": "grasp"})
+    text, path = "add_executable(reach)\n", "CMakeLists.txt"
+    assert renaming.text(path, text) == text.replace("reach", "grasp")
+    for path in ("src/own.cpp", "arm/own.py"):
+        assert renaming.text(path, text) == text
+
+
 def test_one_of_two_copies_is_the_moved_file():
     """That with the name of before; the other one is the developer's own."""
     mine = {path: File(MINE.encode()) for path in ("arm/z.py", "logic/reach_impl.py")}

@@ -605,3 +605,89 @@ def test_what_the_developer_has_beside_what_the_model_puts_things_into_is_in_non
     assert (doubts, result.conflicts) == ([], {})
     wanted = f"<launch>\n{first}{own}{second}{last}</launch>\n"
     assert result.tree["arm.launch"].text == wanted
+
+
+def merged(path, *sides):
+    """Merge three texts of a file; return what became of it, once no proof doubts it."""
+    result, doubts = Versions(*({path: File(encode(text))} for text in sides)).merged()
+    assert (doubts, result.conflicts) == ([], {})
+    return result.tree[path].text
+
+
+def test_what_the_developer_has_in_a_container_before_the_model_makes_it_stays_there():
+    own, begin, end = "if(UNIX)\n  find_package(foo)\nendif()\n", "project(a)\n", "package()\n"
+    sides = (begin + own + end, begin + end, f"{begin}find_package(foo REQUIRED)\n{end}")
+    assert merged("CMakeLists.txt", *sides) == sides[0]
+
+
+@pytest.mark.parametrize(
+    ("path", "mine", "old", "new", "wanted"),
+    [
+        # What stood above it they have deleted, and so it stays
+        (
+            "CMakeLists.txt",
+            "b(x)",
+            "if(X)|  a(x)|  b(x)|endif()",
+            "if(X)|  a(x 1)|  b(x 1)|endif()",
+            "b(x 1)",
+        ),
+        # Not all of it
+        (
+            "CMakeLists.txt",
+            "a(x)|if(X)|  b(x)|endif()",
+            "if(X)|  a(x)|  b(x)|endif()",
+            "if(X)|  a(x 1)|  b(x 1)|endif()",
+            "a(x 1)|if(X)|  b(x 1)|endif()",
+        ),
+        (
+            "CMakeLists.txt",
+            "a(x)|b(x)",
+            "if(X)|  a(x)|  b(x)|endif()",
+            "if(X)|  b(x 1)|endif()",
+            "b(x 1)",
+        ),
+        (
+            "CMakeLists.txt",
+            "a(x)|# One|if(X)|  b(x)|endif()",
+            "# One|if(X)|  a(x)|  b(x)|endif()",
+            "# Two|if(X)|  a(x 1)|  b(x 1)|  c(x)|endif()",
+            "a(x 1)|# Two|if(X)|  b(x 1)|  c(x)|endif()",
+        ),
+        # An empty line above
+        (
+            "CMakeLists.txt",
+            "c(x)||a(x)",
+            "c(x)||if(X)|  a(x)|endif()",
+            "c(x)||if(X)|  a(x 1)|endif()",
+            "c(x)||a(x 1)",
+        ),
+        # Of a condition with an alternative, which stays
+        (
+            "CMakeLists.txt",
+            "a(x)|if(X)|else()|  b(x)|endif()",
+            "if(X)|  a(x)|else()|  b(x)|endif()",
+            "if(X)|  a(x 1)|else()|  b(x 1)|endif()",
+            "a(x)|if(X)|else()|  b(x 1)|endif()",
+        ),
+        # Of a namespace, in which something comes
+        (
+            "arm.cpp",
+            "void f()|{|}",
+            "namespace x {|void f()|{|}||void g()|{|}|}",
+            "namespace x {|void f()|{|  a();|}||void g()|{|  b();|}||void h()|{|}|}",
+            "void f()|{|  a();|}|namespace x {||void h()|{|}|}",
+        ),
+    ],
+)
+def test_what_the_developer_has_taken_out_of_a_container(path, mine, old, new, wanted):
+    sides = (text.replace("|", "\n") + "\n" for text in (mine, old, new))
+    assert merged(path, *sides).replace("\n", "|") == wanted + "|"
+
+
+def test_only_the_comment_of_what_leaves_leaves_what_the_developer_has_above_it():
+    old = "class A:\n    a = 1\n\n    # About f\n    def f(self):\n        return 1\n"
+    own = "    def own(self):\n        return 1\n"
+    around = "    if X:\n        def f(self):\n            return 1\n"
+    mine = old.replace("    def f(self):\n        return 1\n", f"\n{own}\n{around}")
+    new = "class A:\n    a = 1\n"
+    assert merged("arm/arm_impl.py", mine, old, new) == f"{new}\n\n{own}"

@@ -6,7 +6,7 @@ from jinja2 import Environment, FileSystemLoader
 
 from extensions import spec
 from extensions.spec import SpecExtension
-from hooks.run import updating
+from hooks.run import old_copies, updating
 from support.arm import SPEC
 from support.repository import ROOT, commit
 
@@ -40,6 +40,15 @@ def test_questions_are_asked_in_a_temporary_folder(bridge, arm, tmp_path, monkey
     assert bridge("has_spec", new)
     assert "halt" in str(bridge("read_spec", new, "")["nodes"])
     assert not bridge("has_spec", old, data={"spec": {}})
+
+
+def test_what_copier_makes_of_the_version_before_is_kept_and_no_other_package(bridge, tmp_path):
+    """A command before this one may have made that, in one process."""
+    old, new = (tmp_path / f"copier._main.{each}_copy.x1" for each in ("old", "new"))
+    for folder in (old, new, tmp_path / "arm"):
+        bridge("finish_join", folder, {"name": "arm"})
+    assert [run.package.folder for run in old_copies] == [old]
+    old_copies.clear()
 
 
 def test_copier_looks_for_no_index_of_git_while_it_renders(monkeypatch):

@@ -2,6 +2,7 @@
 
 import os
 import shutil
+from types import SimpleNamespace
 
 import pytest
 import yaml
@@ -15,6 +16,7 @@ from hooks.merge.git import mark_conflict
 from hooks.merge.preflight import (
     check,
     is_joining,
+    modes_in_git,
     refuse,
     refuse_copy,
     refuse_join,
@@ -110,18 +112,20 @@ def no_repository(package):
 )
 def test_what_git_could_not_bring_back_is_refused(package, situation, message, id_):
     paths = ["reach.py", "config/arm.yaml"]
-    refuse(package, paths, {})
+    refuse(package, modes_in_git(package), paths, {})
     situation(package)
     with pytest.raises(SpecError) as caught:
-        refuse(package, paths, {})
+        refuse(package, modes_in_git(package), paths, {})
     assert message in str(caught.value)
     assert str(caught.value).endswith(f" [{id_}]")
-    refuse(package, ["other.py"], {}) if situation is not no_repository else None
+    refuse(
+        package, modes_in_git(package), ["other.py"], {}
+    ) if situation is not no_repository else None
 
 
 def test_file_that_git_does_not_have_is_no_folder_of_what_begins_like_it(package):
     (package / "reach").write_text("MINE = 1\n")
-    refuse(package, ["reach.py"], {})
+    refuse(package, modes_in_git(package), ["reach.py"], {})
 
 
 def test_message_names_three_files(package):
@@ -129,21 +133,21 @@ def test_message_names_three_files(package):
     for path in paths:
         (package / path).write_text("MINE = 1\n")
     with pytest.raises(SpecError, match=r"^a\.py, b\.py, c\.py and 2 more: not in git"):
-        refuse(package, paths, {})
+        refuse(package, modes_in_git(package), paths, {})
     with pytest.raises(SpecError, match=r"^a\.py, b\.py, c\.py: not in git"):
-        refuse(package, paths[:3], {})
+        refuse(package, modes_in_git(package), paths[:3], {})
 
 
 def test_links_inside_of_the_package_are_fine(package):
     (package / "link.py").symlink_to("watch.py")
     commit(package)
-    refuse(package, ["link.py"], {})
+    refuse(package, modes_in_git(package), ["link.py"], {})
 
 
 def test_new_name_that_a_file_has_is_refused(package):
     with pytest.raises(SpecError, match=r"watch\.py: reach\.py is to have this name"):
-        refuse(package, [], {"reach.py": "watch.py"})
-    refuse(package, [], {"reach.py": "watch.py", "watch.py": "reach.py"})
+        refuse(package, modes_in_git(package), [], {"reach.py": "watch.py"})
+    refuse(package, modes_in_git(package), [], {"reach.py": "watch.py", "watch.py": "reach.py"})
 
 
 @pytest.mark.parametrize(
@@ -207,6 +211,15 @@ def test_name_in_another_encoding_is_refused():
     with pytest.raises(SpecError, match=r"^docs/caf\\xe9\.txt: a name that is not UTF-8"):
         refuse_names(["reach.py", os.fsdecode(b"docs/caf\xe9.txt")])
     refuse_names(["caf\xe9.txt"])
+
+
+@pytest.mark.posix
+def test_name_in_another_encoding_is_refused_before_an_update(package):
+    (package / os.fsdecode(b"caf\xe9.txt")).write_text("mine\n")
+    commit(package)
+    renderer = SimpleNamespace(answers_file=".copier-answers.yml")
+    with pytest.raises(SpecError, match=r"a name that is not UTF-8"):
+        check(package, {}, {"spec": {}}, None, renderer, {})
 
 
 def test_version_that_copier_refuses(tmp_path):

@@ -261,6 +261,16 @@ FOUND = [
 ]
 
 
+def test_row_of_a_table_in_a_conflict_is_there_as_the_developer_has_written_it():
+    """Each side has changed another cell of it, which a merge would have joined."""
+    mine, old, new = ("# A\n\n| a | b | c |\n".replace(*cell) for cell in ("bx", "bb", "cy"))
+    found = "".join(f"{line}\n" for line in (MARKS[0], mine, MARKS[1], new, MARKS[2]))
+    trees = ({"a.md": File(encode(text))} for text in (mine, old, found, new))
+    mine, old, found, new = trees
+    proof = prove(mine, old, Result(), found, Renaming(), new)
+    assert (proof.total, proof.in_place, proof.lost) == (1, 1, [])
+
+
 @pytest.mark.parametrize(("path", "mine", "old", "found", "total", "lost"), FOUND)
 def test_what_became_of_the_lines_of_a_file(path, mine, old, found, total, lost):
     """In another function, or on the new side of a conflict, a line is lost."""
@@ -299,13 +309,20 @@ def test_line_that_another_file_has_now_is_in_its_place(code, is_there):
     assert proof.left == ([] if is_there else [(PATH, 4, "        response.ok = True\n")])
 
 
+def test_file_without_lines_that_leaves_is_no_lost_one():
+    """The summary says that it has left."""
+    mine, old = ({"a.png": File(data)} for data in (b"mine\0", b"a\0"))
+    assert prove(mine, old, Result(left=["a.png"]), {}, Renaming()).lost == []
+
+
 @pytest.mark.parametrize("path", ["arm/reach_impl.py", "src/reach_impl.cpp", "arm/tools.py"])
-def test_uses_of_what_left(path):
+@pytest.mark.parametrize("name", ["t", "~/t", "/t"])
+def test_uses_of_what_left(path, name):
     """A member of the logic's objects, and words made of the name; not look-alikes."""
     old = {"arm/reach_interface.py": File(b"self.out_t = 1\nself.k = 2\nself.my_k = 3\nhat = k\n")}
     new = {"arm/reach_interface.py": File(b"self.my_k = 3\nhat = k\n")}
     code = "data.out_t = config.k\nother.k = config.my_k + hat + k\nthis(data.out_t)\n"
-    found, gone = {path: File(code.encode())}, [("reach", "k"), ("reach", "t")]
+    found, gone = {path: File(code.encode())}, [("reach", "k"), ("reach", name)]
     said = [*uses_of_left(gone, old, new, found, ["config", "data"])]
     left = [f"{path}:1: out_t", f"{path}:1: k", f"{path}:3: out_t"]
     left = left if "reach" in path else [left[0], left[2]]  # another node may have k still

@@ -12,8 +12,10 @@ from hooks.merge.blocks import every
 from hooks.merge.languages import CPP, MARKDOWN, PYTHON, language
 from hooks.merge.package import merge_package
 from hooks.merge.proof import prove
+from hooks.merge.python_blocks import parse
 from hooks.merge.recount import recount
 from hooks.merge.renaming import Renaming
+from hooks.merge.settings import places
 from hooks.merge.tree import File, encode
 from hooks.merge.versions import Versions
 from support.laboratory.trials import tree_of
@@ -282,6 +284,8 @@ PARTS_OF_CPP = {
     "enum class A\n{\n  B,\n  C\n};\nint d;\n": ["class A", "variable d"],
     "inline namespace a\n{\n}\nint b;\n": ["inline namespace a", "variable b"],
     "struct A {\n  signals a;\n};\nint b;\n": ["struct A", "variable a", "variable b"],
+    "ARM(a)\n: b(a)\n{\n}\nint c;\n": ["ARM ( a )", "variable c"],
+    "#if 0\nvoid f()\n{\n#else\nvoid g()\n{\n#endif\n}\nint c;\n": ["g()", "variable c"],
     **{
         f"ARM_F(a)\n\n{word}\n{{\n}}\n": [f"ARM_F ( a ) {word}"]
         for word in "const noexcept override final throw mutable volatile".split()
@@ -293,6 +297,15 @@ PARTS_OF_CPP = {
 def test_parts_of_cpp(text, names):
     """Only what has lines of its own is one; a macro is no more than the line below it."""
     assert [block.key for block in every(CPP.blocks(text))] == names
+
+
+@pytest.mark.parametrize("letter", ["a", "ü", "😀", "\udcfc"])
+def test_place_of_an_expression_below_and_behind_any_letters(letter):
+    """The last one is a byte of another encoding."""
+    text = f"# {letter}\nuse('{letter}', x='y')\n"
+    (statement,) = parse(text).body
+    start, end = places(text)(statement.value.keywords[0].value)
+    assert text[start:end] == "'y'"
 
 
 REMOVED = {

@@ -620,6 +620,14 @@ def test_keys_are_renamed_below_the_name_that_the_developer_has_given_the_node(t
     assert renaming.text("a.yaml", form.format(top, "gain")) == form.format(top, "factor")
 
 
+def test_keys_of_a_node_in_no_section_are_none_of_one_of_the_developers():
+    """In ROS 1 the file is the node's."""
+    old, marked = ({"a.yaml": File(encode(f"{name}: 1\n"))} for name in ("gain", "zq0x"))
+    renaming = plan(old, marked, [Mark("gain", "factor", "interface")], old)
+    form = "{}: 1\nown:\n  gain: 2\n"
+    assert renaming.text("a.yaml", form.format("gain")) == form.format("factor")
+
+
 OF_THE_NODE = {
     "config/reach_lab.yaml": "{top}\n{i}gain: 2.0  # gain\n{i}frequency: 5.0\n",
     "config/lab.yaml": "{own}\n  {i}gain: 2.0\n",
