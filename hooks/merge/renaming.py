@@ -245,11 +245,9 @@ class Renaming:
             )
         text = self.references.exchanged(known, text)
         if known is YAML:
-            before, generated = text, self.generated.get(path, {})
             for keys, holders in self._parameters(path, text):
                 text = _with_keys(text, keys, holders)
-            pairs = zip(split(before), split(_with_nodes(text, self.components)), strict=True)
-            return "".join(_as_made(known, *pair, generated, {}) for pair in pairs)
+            return _with_nodes(text, self.components)
         if path in self.ids:
             text = _with_ids(text, self.ids[path], self.generated[path])
         exact = {**self.everywhere, **self.in_file.get(path, {})}
@@ -362,7 +360,7 @@ class Renaming:
         return {before: after for before, after in found.items() if before != after}
 
 
-_COMMENT = {PYTHON: "#", CPP: "//", CMAKE: "#", YAML: "#"}
+_COMMENT = {PYTHON: "#", CPP: "//", CMAKE: "#"}
 _ENDS = {
     PYTHON: re.compile(r" =(?= |$)"),
     CPP: re.compile(r" =(?= |$)"),

@@ -59,8 +59,11 @@ def check_needed(texts):
         if path.endswith((".cfg", ".cpp", ".hpp", ".launch", ".py", ".xml"))
         and not path.startswith(("test/", "package.xml"))
     )
-    made = re.search(r"generate_messages\(.*?\)", texts.get("CMakeLists.txt", ""), re.DOTALL)
-    used += f"message_generation message_runtime {made[0]}" if made else ""
+    cmake = texts.get("CMakeLists.txt", "")
+    if made := re.search(r"\bgenerate_messages\(.*?\)", cmake, re.DOTALL):
+        used += f" message_generation message_runtime {made[0]}"
+    if made := re.search(r"rosidl_generate_interfaces\(.*?\)", cmake, re.DOTALL):
+        used += " rosidl_default_runtime " + made[0].replace("action/", "action_msgs ")
     assert {name for name in wanted - OTHERWISE if not re.search(rf"\b{name}\b", used)} == set()
 
 

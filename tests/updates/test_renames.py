@@ -1304,17 +1304,3 @@ def test_logic_in_a_file_that_the_developer_calls_otherwise_is_renamed_with_what
         assert f"from {module} import GraspImpl\n" in text
         assert "ReachImpl" not in text
     assert "ReachImpl" not in said
-
-
-@pytest.mark.parametrize("distro", ["noetic", "kilted"])
-def test_comment_on_a_parameter_that_the_developer_has_gone_on_with_is_no_conflict(merge, distro):
-    path = "config/reach.yaml"
-    edit = [("# gain\n", "# gain: tuned on the test bench\n")]
-    changes = [('"gain"', '"factor" was="gain"'), ('frequency="10"', 'frequency="20"')]
-    files, _ = merge(SPEC, changes, {path: edit}, distro=distro)
-    assert re.findall("# gain.*|# factor|(?:factor|frequency): .*", files[path]) == [
-        "# gain: tuned on the test bench",
-        "factor: 1.0",
-        "frequency: 20.0",
-    ]
-    assert "# factor\n" in merge(SPEC, changes, {}, distro=distro)[0][path]
