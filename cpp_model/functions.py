@@ -153,6 +153,21 @@ def cmake_library(package: str, ros: int = 2) -> str:
     return _SYSTEM[package][1] if package in _SYSTEM else own
 
 
+def types_library(package: str, spec: dict[str, Any]) -> str:
+    """Return what is linked, in ROS 2, of a package whose types a node has; it may be its own."""
+    return "${own_types}" if package == spec["name"] else cmake_library(package)
+
+
+def main_target(node: dict[str, Any], spec: dict[str, Any]) -> str:
+    """Return the target of a node's program in ROS 2.
+
+    Where a package has types, rosidl has the name of the package for a target of its own.
+    """
+    has_types = spec["messages"] or spec["services"] or spec["actions"]
+    name = str(node["name"])
+    return f"{name}-program" if has_types and name == spec["name"] else name
+
+
 def is_for_launch(package: str) -> bool:
     """Say whether a package is there to start nodes: no code is built with it."""
     return package == "roslaunch" or package.startswith("launch")
